@@ -1,0 +1,17 @@
+# One target carries the flags that all of our code is compiled with.
+add_library(holdfast_options INTERFACE)
+target_include_directories(holdfast_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+
+# Results must have the same bits whatever the compiler: no contraction of a*b+c, never -ffast-math.
+target_compile_options(holdfast_options INTERFACE
+  -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wold-style-cast
+  -Wno-missing-field-initializers)  # designated initialisers name what they set; the rest has defaults
+if(HOLDFAST_WARNINGS_AS_ERRORS)
+  target_compile_options(holdfast_options INTERFACE -Werror)
+endif()
+
+if(HOLDFAST_SANITIZE)
+  add_compile_options(-fsanitize=${HOLDFAST_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${HOLDFAST_SANITIZE})
+endif()

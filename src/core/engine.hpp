@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/motion.hpp"
+#include "core/result.hpp"
+#include "core/settings.hpp"
+#include "core/status.hpp"
+#include "core/world.hpp"
+
+namespace holdfast {
+
+/// What an engine spent on a world, and how well it did.
+struct Counters {
+  std::uint64_t steps = 0;             ///< steps that the simulated time was cut into
+  std::uint64_t steps_skipped = 0;     ///< of these, the ones proved to change nothing and not computed
+  std::uint64_t solve_iterations = 0;  ///< of the contact solver, over all steps
+  /// Largest change of a contact's velocity in the last iteration of a step, over g times the step: 1 is what
+  /// gravity adds in that step. Worst of all steps.
+  double max_residual = 0.0;
+};
+
+/// What the scheduler and the checks need to know of an engine.
+struct EngineTraits {
+  std::string name;
+  /// Most layouts to hand out as one unit of work, and most accelerations with each: 1 and 1 for an engine that
+  /// shares nothing between worlds; many accelerations where geometry is shared; many layouts for a device.
+  std::size_t layouts_per_unit = 1;
+  std::size_t motions_per_unit = 1;
+  /// True when worlds under the same motion advance together, in one call.
+  bool lock_step = false;
+};
+
+/// Worlds inside an engine. Made by `Engine::build`; used by one thread at a time.
+///
+/// A world's result depends on its own inputs alone: neither on its batch, nor on the order of calls for others.
+class Simulation {
+ public:
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+  virtual ~Simulation() = default;
+
+  /// Takes worlds forward from where they are by one step or more, never past `phase.end`.
+  ///
+  /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at
+  /// the last step end not after `watch` and at the first one after it: between these two the caller
+  /// interpolates. Steps that provably change nothing may be taken at once, past `watch`.
+  /// @param worlds indices into the batch, all at the same time inside `phase`; one world unless
+  ///               `EngineTraits::lock_step`
+  /// @param phase  stretch of constant acceleration that contains the worlds' time, s
+  /// @param watch  next time the caller wants to see, s; not before the worlds' time
+  /// @return the time reached, s; exactly `phase.end` at the end of the phase
+  virtual double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) = 0;
+
+  /// Writes a world's state into its range of `state`, in the container's frame.
+  virtual void read_back(std::size_t world, StateColumns& state) const = 0;
+
+  /// What the world has cost so far.
+  virtual Counters counters(std::size_t world) const = 0;
+
+  /// What the engine itself found wrong with the world so far.
+  virtual Status status(std::size_t /*world*/) const { return Status::ok; }
+};
+
+/// A way of moving boxes: the seam behind which Bullet, the native engine and device pipelines stand. Constant
+/// once made; shared by all threads.
+class Engine {
+ public:
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  virtual const EngineTraits& traits() const = 0;
+
+  /// Builds the engine's state for all worlds of the batch, each at the start of its simulated time and in the
+  /// pose of the batch's columns. The batch must outlive the simulation.
+  virtual std::unique_ptr<Simulation> build(const WorldBatch& batch) const = 0;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace holdfast {
+
+/// One thing that is wrong with what a user gave us, in the parts that the message needs.
+/// Lines and columns count from 1; 0 means "not about one line" and is left out of the message.
+struct Error {
+  std::string file;      ///< path as the user wrote it; may be empty (a command-line value)
+  long line = 0;         ///< line in `file`
+  long column = 0;       ///< column of the value in that line
+  std::string what;      ///< what is wrong, a clause without a full stop
+  std::string value;     ///< the offending value as it stands in the input; may be empty
+  std::string accepted;  ///< what would be accepted; may be empty
+
+  /// The message of one line: `file:line:column: what: value; accepted`.
+  std::string message() const;
+};
+
+/// A value, or what was wrong with the input it should have come from (at least one error).
+template <class T>
+class Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}
+  Result(Error error) : content_(std::vector<Error>{std::move(error)}) {}
+  Result(std::vector<Error> errors) : content_(std::move(errors)) {}
+
+  /// True when there is a value.
+  explicit operator bool() const { return content_.index() == 0; }
+
+  /// The value; only when there is one.
+  T& operator*() { return std::get<0>(content_); }
+  const T& operator*() const { return std::get<0>(content_); }
+  T* operator->() { return &std::get<0>(content_); }
+  const T* operator->() const { return &std::get<0>(content_); }
+
+  /// The errors, in the order of the input; only when there is no value.
+  const std::vector<Error>& errors() const { return std::get<1>(content_); }
+  const Error& error() const { return errors().front(); }
+
+ private:
+  std::variant<T, std::vector<Error>> content_;
+};
+
+}  // namespace holdfast

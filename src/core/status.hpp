@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace holdfast {
+
+/// What went wrong with a world, a bit a cause; 0 is well. The first bits are about inputs: such a world was not
+/// simulated and has no boxes, or no samples.
+enum class Status : std::uint32_t {
+  ok = 0,
+  bad_layout = 1U << 0U,        ///< the layout could not be used. Cure: see status_text
+  bad_acceleration = 1U << 1U,  ///< the acceleration could not be used. Cure: see status_text
+  refused = 1U << 2U,           ///< the engine cannot model what the settings ask. Cure: another engine
+  non_finite = 1U << 3U,        ///< a state became infinite or undefined; the samples end before. Cure: a smaller step
+  not_converged = 1U << 4U,     ///< the solver's residual stayed above its bound. Cure: more iterations or accuracy
+  capacity = 1U << 5U,          ///< a fixed capacity overflowed and contacts were lost. Cure: smaller batches
+};
+
+constexpr Status operator|(Status a, Status b) {
+  return static_cast<Status>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr bool has(Status status, Status bit) {
+  return (static_cast<std::uint32_t>(status) & static_cast<std::uint32_t>(bit)) != 0;
+}
+
+/// Why a world ended.
+enum class StopReason : std::uint8_t {
+  not_run = 0,   ///< a bad input, or refused
+  timeout = 1,   ///< the simulated time was up
+  sleeping = 2,  ///< all boxes had come to rest
+  failed = 3,    ///< the status says why
+};
+
+/// Names of the set bits, joined by '+': "ok", "bad_layout", "non_finite+not_converged".
+std::string to_string(Status status);
+
+/// Name of the reason as above.
+std::string to_string(StopReason reason);
+
+}  // namespace holdfast

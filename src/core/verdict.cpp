@@ -1,0 +1,55 @@
+#include "core/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace holdfast {
+
+bool is_fallen(const Float3& displacement, const Thresholds& thresholds) {
+  return static_cast<double>(-displacement.z) > thresholds.drop;
+}
+
+float length(const Float3& displacement) {
+  return std::sqrt(displacement.x * displacement.x + displacement.y * displacement.y + displacement.z * displacement.z);
+}
+
+BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
+  const auto has_moved = [&](const Float3& d) { return static_cast<double>(length(d)) > thresholds.move; };
+  BoxVerdict verdict;
+  verdict.drop = -end.displacement[i].z;
+  verdict.fallen = is_fallen(end.displacement[i], thresholds);
+  verdict.moved = has_moved(end.displacement[i]);
+  verdict.tilted = static_cast<double>(end.tilt[i]) > thresholds.tilt;
+  verdict.unstable = is_fallen(end.settling_displacement[i], thresholds) || has_moved(end.settling_displacement[i]);
+  return verdict;
+}
+
+WorldVerdict judge_world(const EndTable& end, const Thresholds& thresholds) {
+  WorldVerdict world;
+  for (std::size_t i = 0; i < end.displacement.size(); ++i) {
+    const BoxVerdict box = judge_box(end, i, thresholds);
+    world.fallen_boxes += box.fallen ? 1 : 0;
+    world.unstable_boxes += box.unstable ? 1 : 0;
+    world.moved_boxes += box.moved ? 1 : 0;
+    world.tilted_boxes += box.tilted ? 1 : 0;
+    world.total_kinetic_energy += static_cast<double>(end.kinetic_energy[i]);
+    world.max_displacement = std::max(world.max_displacement, length(end.displacement[i]));
+    world.peak_displacement = std::max(world.peak_displacement, end.peak_displacement[i]);
+  }
+  return world;
+}
+
+std::vector<float> first_move_times(std::span<const double> time, std::span<const Float3> displacement,
+                                    std::size_t box_count, const Thresholds& thresholds) {
+  std::vector<float> times(box_count, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t box = 0; box < box_count; ++box) {
+    for (std::size_t sample = 0; sample < time.size(); ++sample) {
+      if (static_cast<double>(length(displacement[sample * box_count + box])) <= thresholds.move) continue;
+      times[box] = static_cast<float>(time[sample]);
+      break;
+    }
+  }
+  return times;
+}
+
+}  // namespace holdfast
