@@ -1,0 +1,66 @@
+#include "app/engine_catalog.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/engine_plugin.hpp"
+#include "core/setting_table.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Plug-ins lie in ../lib/ of the program's folder, in the build tree as where it is installed.
+std::filesystem::path plugin_folder() {
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return program.parent_path().parent_path() / HOLDFAST_PLUGIN_FOLDER;
+}
+
+Result<MakeEngine*> load_plugin(const std::string& file) {
+  const std::filesystem::path path = plugin_folder() / file;
+  // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return Error{.what = "the engine's plug-in cannot be loaded", .value = dlerror()};
+  auto* entry = reinterpret_cast<MakeEngine*>(dlsym(library, kEnginePluginEntry));
+  if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = path.string()};
+  return entry;
+}
+
+}  // namespace
+
+const std::vector<EngineEntry>& engine_catalog() {
+  static const std::vector<EngineEntry> kEngines = {
+      {"bullet", "Bullet in float, best practical setting: 240 1/s, 50 iterations, 2 friction directions, random order",
+       "libholdfast-bullet.so"},
+      {"bullet-f64", "the same in double precision", "libholdfast-bullet-f64.so"},
+      {"bullet-stock", "Bullet in float as shipped, for comparison: 240 1/s, 10 iterations, 1 friction direction",
+       "libholdfast-bullet.so"},
+  };
+  return kEngines;
+}
+
+Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings) {
+  const std::vector<EngineEntry>& catalog = engine_catalog();
+  const auto entry = std::find_if(catalog.begin(), catalog.end(), [&](const auto& e) { return e.name == name; });
+  if (entry == catalog.end()) {
+    std::vector<std::string_view> names;
+    for (const EngineEntry& known : catalog) names.push_back(known.name);
+    const auto meant = closest_word(name, names);
+    return Error{.what = "unknown engine",
+                 .value = name,
+                 .accepted = meant ? fmt::format("did you mean '{}'?", *meant)
+                                   : fmt::format("accepted are {}", fmt::join(names, ", "))};
+  }
+  const Result<MakeEngine*> plugin = load_plugin(entry->plugin);
+  if (!plugin) return plugin.errors();
+  Result<std::unique_ptr<Engine>> engine = Error{.what = "the plug-in made no engine", .value = entry->plugin};
+  (*plugin)(name, settings, engine);
+  return engine;
+}
+
+}  // namespace holdfast

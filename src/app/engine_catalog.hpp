@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/engine.hpp"
+#include "core/result.hpp"
+#include "core/settings.hpp"
+
+namespace holdfast {
+
+/// An engine that the program knows by name.
+struct EngineEntry {
+  std::string name;
+  std::string sentence;  ///< what it is
+  std::string plugin;    ///< file name of its plug-in
+};
+
+/// All engines, the default first.
+const std::vector<EngineEntry>& engine_catalog();
+
+/// Makes an engine; loads its plug-in, which stays loaded. An error says what the settings ask that the engine
+/// cannot model, that the plug-in is missing and why, or that there is no such engine.
+Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings);
+
+}  // namespace holdfast

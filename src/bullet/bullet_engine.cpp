@@ -1,0 +1,53 @@
+#include "bullet/bullet_engine.hpp"
+
+#include "bullet/bullet_world.hpp"
+#include "bullet/surface.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Worlds are built when they are first advanced and share nothing.
+class BulletSimulation final : public Simulation {
+ public:
+  BulletSimulation(const WorldBatch& batch, const Settings& settings, const BulletPreset& preset) {
+    for (const World& world : batch.worlds)
+      worlds_.push_back(std::make_unique<BulletWorld>(batch, world, settings, preset));
+  }
+
+  double advance(std::span<const std::size_t> worlds, const Phase& phase, double /*watch*/) override {
+    double time = phase.end;
+    for (const std::size_t world : worlds) time = worlds_[world]->advance(phase);
+    return time;
+  }
+  void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
+  Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
+
+ private:
+  std::vector<std::unique_ptr<BulletWorld>> worlds_;
+};
+
+}  // namespace
+
+BulletEngine::BulletEngine(std::string_view name, const Settings& settings)
+    : settings_(settings), preset_(bullet_preset(name, settings)) {
+  traits_.name = name;
+  install_contact_laws();
+}
+
+std::unique_ptr<Simulation> BulletEngine::build(const WorldBatch& batch) const {
+  return std::make_unique<BulletSimulation>(batch, settings_, preset_);
+}
+
+std::vector<Error> unsupported_by_bullet(const Settings& settings) {
+  std::vector<Error> errors;
+  const ContactSettings& contact = settings.contact;
+  if (settings.container.motion == ContainerMotion::free && contact.friction_model == FrictionModel::pairs &&
+      contact.box_floor != contact.box_wall) {
+    errors.push_back({.what = "a free container is one body for Bullet, with one friction",
+                      .accepted = "BoxFloor and BoxWall must be equal, or Motion = prescribed"});
+  }
+  return errors;
+}
+
+}  // namespace holdfast
