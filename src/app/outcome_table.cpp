@@ -1,0 +1,146 @@
+#include "app/outcome_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "io/summary.hpp"
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::size_t kWorstShown = 5;
+constexpr std::size_t kUnstableShown = 10;
+
+/// What the table says of one world.
+struct WorldLine {
+  std::uint64_t layout = 0;
+  std::uint64_t acceleration = 0;
+  std::uint32_t boxes = 0, fallen = 0, moved = 0, tilted = 0;
+  float peak_displacement = 0.0F;
+
+  /// Worse first; the names' order decides between equals.
+  auto badness() const { return std::tuple(fallen, moved + tilted, peak_displacement); }
+};
+
+/// Layouts under one acceleration, each counted once, by the worst that happened in it.
+struct AccelerationLine {
+  std::uint64_t stayed = 0, moved = 0, fell = 0, failed = 0;
+};
+
+/// A layout that did not even stand under gravity alone.
+struct UnstableLine {
+  std::uint32_t boxes = 0, unstable = 0;
+};
+
+class Tally {
+ public:
+  explicit Tally(const ResultsInfo& info) : info_(info), accelerations_(info.accelerations.size()) {}
+
+  void add(const SummarySlice& slice) {
+    for (std::size_t i = 0; i < slice.rows.size(); ++i) add(slice.rows[i], slice.worlds, i);
+  }
+
+  OutcomeTable table() const {
+    std::string text = fmt::format("\n{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}\n", "layouts that", name_width(), "stayed",
+                                   "moved", "fell", "failed");
+    std::uint64_t failed = 0;
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+      const AccelerationLine& line = accelerations_[i];
+      text += fmt::format("{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}\n", info_.accelerations[i], name_width(), line.stayed,
+                          line.moved, line.fell, line.failed);
+      failed += line.failed;
+    }
+    return {text + worst_lines() + unstable_lines() + failed_lines(), failed};
+  }
+
+ private:
+  void add(const WorldRow& row, const WorldSummary& summary, std::size_t i) {
+    AccelerationLine& line = accelerations_[row.acceleration];
+    if (row.status != Status::ok) {
+      ++line.failed;
+      failures_.emplace(row.status_text, 0).first->second += 1;
+      return;
+    }
+    const WorldLine world{row.layout,        row.acceleration,         row.box_count,
+                          summary.fallen_boxes[i], summary.moved_boxes[i], summary.tilted_boxes[i],
+                          summary.peak_displacement[i]};
+    const bool moved = world.moved + world.tilted > 0;
+    ++(world.fallen > 0 ? line.fell : moved ? line.moved : line.stayed);
+    if (world.fallen > 0 || moved) add_to_worst(world);
+    if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+  }
+
+  void add_to_worst(const WorldLine& world) {
+    const auto better = [](const WorldLine& a, const WorldLine& b) { return a.badness() > b.badness(); };
+    worst_.insert(std::upper_bound(worst_.begin(), worst_.end(), world, better), world);
+    if (worst_.size() > kWorstShown) worst_.pop_back();
+  }
+
+  std::size_t name_width() const {
+    std::size_t width = std::string_view("layouts that").size();
+    for (const std::string& name : info_.accelerations) width = std::max(width, name.size());
+    return width;
+  }
+
+  std::string worst_lines() const {
+    if (worst_.empty()) return "";
+    std::string text = "\nworst worlds\n";
+    for (const WorldLine& world : worst_) {
+      text += fmt::format("  {} under {}: of {} boxes {} fell, {} moved, {} tilted; farthest {:.2f} m\n",
+                          info_.layouts[world.layout], info_.accelerations[world.acceleration], world.boxes,
+                          world.fallen, world.moved, world.tilted, world.peak_displacement);
+    }
+    return text;
+  }
+
+  std::string unstable_lines() const {
+    if (unstable_.empty()) return "";
+    std::string text = "\nunstable before any acceleration (fell or moved while settling)\n";
+    std::size_t shown = 0;
+    for (const auto& [layout, line] : unstable_) {
+      if (shown++ == kUnstableShown) break;
+      text += fmt::format("  {}: {} of {} boxes\n", info_.layouts[layout], line.unstable, line.boxes);
+    }
+    if (unstable_.size() > kUnstableShown) text += fmt::format("  and {} more\n", unstable_.size() - kUnstableShown);
+    return text;
+  }
+
+  std::string failed_lines() const {
+    if (failures_.empty()) return "";
+    std::string text = "\nfailed\n";
+    std::size_t shown = 0;
+    for (const auto& [reason, count] : failures_) {
+      if (shown++ == kUnstableShown) break;
+      text += fmt::format("  {} world{}: {}\n", count, count == 1 ? "" : "s", reason);
+    }
+    if (failures_.size() > kUnstableShown) text += fmt::format("  and {} more reasons\n", failures_.size() - kUnstableShown);
+    return text;
+  }
+
+  const ResultsInfo& info_;
+  std::vector<AccelerationLine> accelerations_;
+  std::vector<WorldLine> worst_;
+  std::map<std::uint64_t, UnstableLine> unstable_;      ///< by layout
+  std::map<std::string, std::uint64_t> failures_;  ///< worlds by reason
+};
+
+}  // namespace
+
+Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds) {
+  Result<ResultsReader> results = ResultsReader::open(results_path);
+  if (!results) return results.errors();
+  Tally tally(results->info());
+  const auto add = [&](const SummarySlice& slice) -> std::optional<Error> {
+    tally.add(slice);
+    return std::nullopt;
+  };
+  if (const auto error = derive_summary(*results, thresholds, add)) return *error;
+  return tally.table();
+}
+
+}  // namespace holdfast

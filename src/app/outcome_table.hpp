@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/result.hpp"
+#include "core/verdict.hpp"
+
+namespace holdfast {
+
+/// The outcome of a run for a reader at a terminal.
+struct OutcomeTable {
+  std::string text;                ///< lines, with a newline at the end
+  std::uint64_t failed_worlds = 0;  ///< whose status is not ok
+};
+
+/// Per acceleration how many layouts stayed, moved and fell; the worst worlds by name; the layouts that were
+/// unstable before any acceleration; what failed. From a complete results file, under the given thresholds.
+Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds);
+
+}  // namespace holdfast

@@ -1,0 +1,69 @@
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::chrono::seconds kPlainInterval(10);
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(std::lround(std::max(0.0, seconds)));
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+std::string progress_text(const ProgressCounts& counts, double seconds) {
+  const std::uint64_t done = counts.done;
+  std::string text = fmt::format("{}/{} worlds", done, counts.total);
+  const std::uint64_t here = done - counts.resumed;
+  if (here == 0 || seconds <= 0.0) return text;
+  const double rate = static_cast<double>(here) / seconds;
+  const std::uint64_t steps = counts.steps;
+  const double skipped = steps == 0 ? 0.0 : 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
+  return text + fmt::format("  {:.{}f} worlds/s  {:.0f} % of steps skipped  {} to go", rate, rate < 10.0 ? 2 : 0,
+                            skipped, clock_text(static_cast<double>(counts.total - done) / rate));
+}
+
+ProgressLine::ProgressLine(const ProgressCounts& counts, std::FILE* stream, bool quiet)
+    : counts_(counts), stream_(stream), quiet_(quiet), terminal_(isatty(fileno(stream)) == 1) {}
+
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::show() {
+  if (quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  const std::string text = progress_text(counts_, std::chrono::duration<double>(now - start_).count());
+  if (terminal_) {
+    const std::size_t blanks = drawn_ > text.size() ? drawn_ - text.size() : 0;
+    fmt::print(stream_, "\r{}{:{}}", text, "", blanks);
+    std::fflush(stream_);
+    drawn_ = text.size();
+  } else if (now - last_ >= kPlainInterval) {
+    fmt::print(stream_, "{}\n", text);
+    std::fflush(stream_);
+    last_ = now;
+  }
+}
+
+void ProgressLine::note(const std::string& text) {
+  wipe();
+  fmt::print(stream_, "{}\n", text);
+  std::fflush(stream_);
+}
+
+void ProgressLine::wipe() {
+  if (drawn_ == 0) return;
+  fmt::print(stream_, "\r{:{}}\r", "", drawn_);
+  std::fflush(stream_);
+  drawn_ = 0;
+}
+
+}  // namespace holdfast

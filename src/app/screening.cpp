@@ -1,0 +1,295 @@
+#include "app/screening.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <mutex>
+
+#include "app/engine_catalog.hpp"
+#include "app/outcome_table.hpp"
+#include "app/progress.hpp"
+#include "app/stop_signal.hpp"
+#include "app/ticker.hpp"
+#include "app/unit_runner.hpp"
+#include "app/version.hpp"
+#include "app/work_units.hpp"
+#include "app/world_json.hpp"
+#include "core/setting_table.hpp"
+#include "io/acceleration_reader.hpp"
+#include "io/results_assembler.hpp"
+#include "io/results_writer.hpp"
+#include "io/text_export.hpp"
+#include "io/text_file.hpp"
+#include "parallel/ordered_run.hpp"
+
+namespace holdfast {
+
+namespace {
+
+int fail(ExitCode code, const Error& error) {
+  fmt::print(stderr, "{}\n", error.message());
+  return code;
+}
+
+std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
+  std::vector<RunMotion> motions;
+  for (const std::string& path : paths) {
+    RunMotion& entry = motions.emplace_back();
+    entry.motion.name = std::filesystem::path(path).filename().string();
+    const Result<TextFile> file = read_text_file(path);
+    std::vector<Error> warnings;
+    Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
+    if (file) entry.motion.sha256 = file->sha256;
+    if (motion) {
+      entry.motion = std::move(*motion);
+    } else {
+      entry.error = motion.error().message();
+      for (const Error& error : motion.errors()) fmt::print(stderr, "{}\n", error.message());
+    }
+  }
+  return motions;
+}
+
+std::string host_name() {
+  std::array<char, 256> name = {};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions) {
+  RunDescription run;
+  run.software = fmt::format("holdfast {}", kVersion);
+  run.git_commit = kGitCommit;
+  run.engine = job.settings.screening.engine;
+  run.command_line = job.command_line;
+  run.created_utc = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  run.host = host_name();
+  run.config_text = job.config_text;
+  run.settings = effective_settings(job.settings);
+  for (const std::string& path : job.layout_paths)
+    run.layout_names.push_back(std::filesystem::path(path).filename().string());
+  for (const RunMotion& motion : motions) run.accelerations.push_back(motion.motion);
+  run.record_series = job.record_series;
+  run.thresholds = recording_plan(job.settings, true).thresholds;
+  return run;
+}
+
+/// The layouts of finished worlds must be what they were.
+std::optional<Error> check_unchanged(const Progress& finished, const std::vector<std::string>& layout_paths) {
+  for (std::size_t i = 0; i < finished.layouts.size(); ++i) {
+    const Result<TextFile> file = read_text_file(layout_paths[i]);
+    const std::string sha256 = file ? file->sha256 : "";
+    if (sha256 == finished.layouts[i].second) continue;
+    return Error{.file = layout_paths[i],
+                 .what = "this layout has changed since the run that is to be resumed",
+                 .accepted = "put the old file back, or start anew with --overwrite"};
+  }
+  return std::nullopt;
+}
+
+/// One run from the first unit to the last: what its threads share.
+class Run {
+ public:
+  Run(const ScreeningJob& job, const Engine& engine, const std::vector<RunMotion>& motions, ResultsWriter& writer,
+      const Progress& finished)
+      : job_(job),
+        engine_(engine),
+        motions_(motions),
+        writer_(writer),
+        world_(finished.world_count),
+        thresholds_(recording_plan(job.settings, true).thresholds) {
+    counts_.total = job.layout_paths.size() * motions.size();
+    counts_.resumed = finished.world_count;
+    counts_.done = finished.world_count;
+  }
+
+  /// False when it was stopped or writing failed: then the results are not all there.
+  bool go() {
+    const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
+    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop);
+    const std::size_t first = units.beginning_with(world_);
+    {
+      ProgressLine line(counts_, stderr, job_.quiet);
+      const Ticker ticker(std::chrono::milliseconds(250), [&] { tick(line); });
+      run_in_order(
+          *scheduler_of(job_.settings.screening.scheduler), thread_count(job_.settings.screening.threads),
+          units.count() - first,
+          [&](std::size_t i) { return stop_.no_more || failed_ ? std::nullopt : runner.run(units[first + i]); },
+          [&](UnitRecord&& record) {
+            announce(record);
+            return writer_.place(std::move(record));
+          },
+          [](PlacedUnit&& unit) { return ResultsWriter::pack(std::move(unit)); },
+          [&](PackedUnit&& unit) { return write(std::move(unit)); });
+      keep(writer_.finish());
+    }
+    if (error_) fmt::print(stderr, "{}\n", error_->message());
+    return !error_ && counts_.done == counts_.total;
+  }
+
+  int signal() const { return stop_.signal; }
+  bool write_failed() const { return error_.has_value(); }
+  std::uint64_t done() const { return counts_.done; }
+  std::uint64_t total() const { return counts_.total; }
+
+ private:
+  /// Says what became of a unit's worlds, in their order.
+  void announce(const UnitRecord& record) {
+    const std::scoped_lock lock(notes_mutex_);
+    for (const WorldRecord& world : record.worlds) {
+      const std::string layout = std::filesystem::path(job_.layout_paths[world.layout]).filename().string();
+      const std::string& acceleration = motions_[world.acceleration].motion.name;
+      if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
+      if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
+      if (has(world.outcome.status, Status::non_finite))
+        notes_.push_back(fmt::format("{} under {}: {}", layout, acceleration, world.status_text));
+      ++world_;
+    }
+  }
+
+  bool write(PackedUnit&& unit) {
+    std::uint64_t steps = 0;
+    std::uint64_t skipped = 0;
+    for (const WorldRecord& world : unit.record.worlds) {
+      steps += world.outcome.counters.steps;
+      skipped += world.outcome.counters.steps_skipped;
+    }
+    const std::uint64_t worlds = unit.record.worlds.size();
+    if (!keep(writer_.write(std::move(unit)))) return false;
+    counts_.steps += steps;
+    counts_.steps_skipped += skipped;
+    counts_.done += worlds;
+    print_lines();
+    return true;
+  }
+
+  /// Keeps the first error, from whichever thread. True when there is none.
+  bool keep(std::optional<Error> error) {
+    const std::scoped_lock lock(notes_mutex_);
+    if (error && !error_) error_ = std::move(error);
+    if (error_) failed_ = true;
+    return !error_;
+  }
+
+  void print_lines() {
+    const std::scoped_lock lock(notes_mutex_);
+    fmt::print("{}", lines_);
+    if (!lines_.empty()) std::fflush(stdout);
+    lines_.clear();
+  }
+
+  /// Four times a second: the open part may be due though no world has finished; news for the user.
+  void tick(ProgressLine& line) {
+    keep(writer_.close_part_if_due(std::chrono::steady_clock::now()));
+    std::vector<std::string> notes;
+    {
+      const std::scoped_lock lock(notes_mutex_);
+      notes.swap(notes_);
+    }
+    for (const std::string& note : notes) line.note(note);
+    if (stop_.no_more && !stop_told_) {
+      line.note(stop_.drop ? "stopping" : "stopping: finishing the worlds in flight; press Ctrl-C again to drop them");
+      stop_told_ = true;
+    }
+    line.show();
+  }
+
+  const ScreeningJob& job_;
+  const Engine& engine_;
+  const std::vector<RunMotion>& motions_;
+  ResultsWriter& writer_;
+  const StopRequest& stop_ = watch_stop_signals();
+  ProgressCounts counts_;
+  std::size_t world_;  ///< index of the next world to be placed
+  Thresholds thresholds_;
+  std::mutex notes_mutex_;
+  std::vector<std::string> notes_;  ///< lines that the progress line's thread will print
+  std::string lines_;               ///< JSON of worlds placed and not yet written
+  std::optional<Error> error_;
+  std::atomic<bool> failed_ = false;
+  bool stop_told_ = false;
+};
+
+/// Removes what an earlier run left under that name.
+std::optional<Error> remove_results(const std::string& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (!error) std::filesystem::remove_all(path + ".parts", error);
+  if (error) return Error{.file = path, .what = "cannot be removed", .value = error.message()};
+  return std::nullopt;
+}
+
+/// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
+int conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
+  if (!assembled) {
+    if (const auto error = assemble(job.results_path, description)) return fail(kSomeFailed, *error);
+  }
+  if (job.text_folder) {
+    if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
+      return fail(kSomeFailed, *error);
+  }
+  const auto table = outcome_table(job.results_path, description.thresholds);
+  if (!table) return fail(kSomeFailed, table.error());
+  if (!job.json && !job.quiet) fmt::print("{}\nresults: {}\n", table->text, job.results_path);
+  return table->failed_worlds == 0 ? kDone : kSomeFailed;
+}
+
+}  // namespace
+
+int run_screening(const ScreeningJob& job) {
+  if (!scheduler_of(job.settings.screening.scheduler)) {
+    return fail(kBadUsage, {.what = "unknown scheduler",
+                            .value = job.settings.screening.scheduler,
+                            .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))});
+  }
+  const Result<std::unique_ptr<Engine>> engine = make_engine(job.settings.screening.engine, job.settings);
+  if (!engine) return fail(kBadUsage, engine.error());
+  if (job.text_folder && !job.record_series)
+    return fail(kBadUsage, {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
+
+  const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
+  const RunDescription description = describe_run(job, motions);
+  if (job.overwrite) {
+    if (const auto error = remove_results(job.results_path)) return fail(kSomeFailed, *error);
+  }
+  Progress finished;
+  if (job.resume) {
+    const Result<Progress> found = find_finished(job.results_path, fingerprint(description));
+    if (!found) return fail(kBadUsage, found.error());
+    finished = *found;
+    if (const auto error = check_unchanged(finished, job.layout_paths)) return fail(kBadUsage, *error);
+    if (finished.complete) {
+      if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
+      return conclude(job, description, true);
+    }
+  }
+  Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
+  if (!writer) return fail(kBadUsage, writer.error());
+
+  if (!job.quiet) {
+    fmt::print(stderr, "{} layouts x {} accelerations = {} worlds, engine {}, scheduler {}, {} threads{}\n",
+               job.layout_paths.size(), motions.size(), job.layout_paths.size() * motions.size(), description.engine,
+               job.settings.screening.scheduler, thread_count(job.settings.screening.threads),
+               finished.world_count > 0 ? fmt::format(", {} worlds finished before", finished.world_count) : "");
+  }
+  Run run(job, **engine, motions, **writer, finished);
+  const bool all_there = run.go();
+  if (run.write_failed()) {
+    fmt::print(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n", run.done(), run.total(),
+               job.results_path);
+    return kSomeFailed;
+  }
+  if (!all_there) {
+    fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n",
+               run.done(), run.total(), job.results_path);
+    return run.signal() == SIGTERM ? kTerminated : kInterrupted;
+  }
+  return conclude(job, description, false);
+}
+
+}  // namespace holdfast

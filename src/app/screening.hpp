@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/settings.hpp"
+
+namespace holdfast {
+
+/// Exit codes of the program.
+enum ExitCode : int {
+  kDone = 0,
+  kSomeFailed = 1,   ///< some worlds failed, or a file could not be written; the rest is complete and readable
+  kBadUsage = 2,     ///< bad command line or input
+  kInterrupted = 130,
+  kTerminated = 143,
+};
+
+/// One screening run: every layout under every acceleration.
+struct ScreeningJob {
+  Settings settings;
+  std::string config_text;  ///< of the configuration file, kept in the results; may be empty
+  std::vector<std::string> layout_paths;
+  std::vector<std::string> acceleration_paths;
+  std::string results_path;
+  std::optional<std::string> text_folder;  ///< write the three text files there
+  std::string batch_name = "batch";        ///< names the text file of the batch
+  std::string command_line;                ///< as typed
+  bool record_series = true;
+  bool resume = false;
+  bool overwrite = false;
+  bool json = false;   ///< one JSON object a world on standard output, nothing else there
+  bool quiet = false;  ///< no progress, no table
+};
+
+/// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; what went wrong
+/// is on standard error, a line each.
+int run_screening(const ScreeningJob& job);
+
+}  // namespace holdfast

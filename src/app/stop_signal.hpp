@@ -1,0 +1,20 @@
+#pragma once
+
+#include <atomic>
+
+namespace holdfast {
+
+/// What signals have asked of a run so far. One for the process, since signals are.
+///
+/// The first SIGINT (Ctrl-C) asks to hand out no more work and to finish what is in flight; a second one, or
+/// SIGTERM, to drop it. What finished is kept in every case.
+struct StopRequest {
+  std::atomic<int> signal = 0;        ///< the first signal; 0 while there was none
+  std::atomic<bool> no_more = false;  ///< hand out nothing more
+  std::atomic<bool> drop = false;     ///< drop what is in flight
+};
+
+/// Routes SIGINT and SIGTERM to the process's request, and returns it.
+const StopRequest& watch_stop_signals();
+
+}  // namespace holdfast

@@ -1,0 +1,110 @@
+#include "app/unit_runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include "core/simulate.hpp"
+#include "io/layout_reader.hpp"
+#include "io/text_file.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// CPU time that the calling thread has used, s.
+double thread_cpu_seconds() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// A layout of the unit, or why there is none.
+struct UnitLayout {
+  Layout layout;
+  std::string error;
+};
+
+UnitLayout read_unit_layout(const std::string& path, const Settings& settings) {
+  UnitLayout unit;
+  unit.layout.name = std::filesystem::path(path).filename().string();
+  const Result<TextFile> file = read_text_file(path);
+  if (!file) {
+    unit.error = file.error().message();
+    return unit;
+  }
+  unit.layout.sha256 = file->sha256;
+  std::vector<Error> warnings;
+  Result<Layout> layout = parse_layout(*file, settings, warnings);
+  if (layout) {
+    unit.layout = std::move(*layout);
+  } else {
+    const std::size_t more = layout.errors().size() - 1;
+    unit.error = layout.error().message() + (more > 0 ? fmt::format(" (and {} more)", more) : "");
+  }
+  return unit;
+}
+
+std::string describe(Status status) {
+  if (has(status, Status::non_finite)) return "a state became infinite or undefined; try a smaller step";
+  if (has(status, Status::not_converged)) return "the solver did not converge; try more iterations";
+  if (has(status, Status::capacity)) return "contacts were lost; try smaller batches";
+  return "";
+}
+
+}  // namespace
+
+std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
+  if (abort_) return std::nullopt;
+  const double cpu_begin = thread_cpu_seconds();
+  UnitRecord record;
+  std::vector<UnitLayout> layouts;
+  std::vector<Layout> usable_layouts;
+  for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
+    layouts.push_back(read_unit_layout(layout_paths_[i], settings_));
+    if (layouts.back().error.empty()) usable_layouts.push_back(layouts.back().layout);
+    if (unit.motion_begin == 0) record.layouts.push_back({i, layouts.back().layout});
+  }
+  std::vector<const Motion*> usable_motions;
+  for (std::size_t i = unit.motion_begin; i < unit.motion_end; ++i)
+    if (motions_[i].error.empty()) usable_motions.push_back(&motions_[i].motion);
+
+  WorldBatch batch = make_batch(usable_layouts, usable_motions, settings_);
+  std::vector<std::unique_ptr<SeriesRecorder>> owners;
+  std::vector<Recorder*> recorders;
+  for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
+    owners.push_back(std::make_unique<SeriesRecorder>(plan_));
+    recorders.push_back(owners.back().get());
+  }
+  if (!batch.worlds.empty() && !simulate(engine_, batch, settings_, recorders, abort_)) return std::nullopt;
+
+  std::size_t next = 0;
+  for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
+    for (std::size_t j = unit.motion_begin; j < unit.motion_end; ++j) {
+      const UnitLayout& layout = layouts[i - unit.layout_begin];
+      WorldRecord world;
+      if (!layout.error.empty()) {
+        world.outcome.status = Status::bad_layout;
+        world.status_text = layout.error;
+      } else if (!motions_[j].error.empty()) {
+        world.outcome.status = Status::bad_acceleration;
+        world.status_text = motions_[j].error;
+      } else {
+        world = owners[next++]->take();
+        world.status_text = describe(world.outcome.status);
+      }
+      world.layout = i;
+      world.acceleration = j;
+      record.worlds.push_back(std::move(world));
+    }
+  }
+  const double cpu_share = (thread_cpu_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, next));
+  for (WorldRecord& world : record.worlds)
+    if (world.outcome.stop_reason != StopReason::not_run) world.cpu_seconds = cpu_share;
+  return record;
+}
+
+}  // namespace holdfast

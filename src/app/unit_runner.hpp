@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/work_units.hpp"
+#include "core/engine.hpp"
+#include "core/series_recorder.hpp"
+#include "core/settings.hpp"
+#include "io/results_writer.hpp"
+
+namespace holdfast {
+
+/// An acceleration of the run; one that could not be read has a message, and no segments.
+struct RunMotion {
+  Motion motion;
+  std::string error;
+};
+
+/// Turns a unit of work into records: reads its layouts, simulates their worlds, keeps what they left. A layout
+/// or acceleration that cannot be used becomes rows with a status. Constant; shared by all threads.
+class UnitRunner {
+ public:
+  UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
+             const std::vector<std::string>& layout_paths, const std::vector<RunMotion>& motions,
+             const std::atomic<bool>& abort)
+      : engine_(engine),
+        settings_(settings),
+        plan_(recording_plan(settings, record_series)),
+        layout_paths_(layout_paths),
+        motions_(motions),
+        abort_(abort) {}
+
+  /// The unit's records; nothing when aborted.
+  std::optional<UnitRecord> run(const WorkUnit& unit) const;
+
+ private:
+  const Engine& engine_;
+  const Settings& settings_;
+  RecordingPlan plan_;
+  const std::vector<std::string>& layout_paths_;
+  const std::vector<RunMotion>& motions_;
+  const std::atomic<bool>& abort_;
+};
+
+}  // namespace holdfast

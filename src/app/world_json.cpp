@@ -1,0 +1,38 @@
+#include "app/world_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace holdfast {
+
+std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
+                       std::size_t index, const Thresholds& thresholds) {
+  const WorldVerdict verdict = judge_world(world.end, thresholds);
+  const Outcome& outcome = world.outcome;
+  nlohmann::ordered_json json;
+  json["world"] = index;
+  json["layout"] = layout;
+  json["acceleration"] = acceleration;
+  json["status"] = to_string(outcome.status);
+  json["status_text"] = world.status_text;
+  json["stop_reason"] = to_string(outcome.stop_reason);
+  json["boxes"] = world.end.displacement.size();
+  json["fallen_boxes"] = verdict.fallen_boxes;
+  json["moved_boxes"] = verdict.moved_boxes;
+  json["tilted_boxes"] = verdict.tilted_boxes;
+  json["unstable_boxes"] = verdict.unstable_boxes;
+  json["max_displacement_m"] = verdict.max_displacement;
+  json["peak_displacement_m"] = verdict.peak_displacement;
+  json["total_kinetic_energy_J"] = verdict.total_kinetic_energy;
+  json["peak_kinetic_energy_J"] = world.peak_total_kinetic_energy;
+  json["end_time_s"] = outcome.end_time;
+  json["steps"] = outcome.counters.steps;
+  json["steps_skipped"] = outcome.counters.steps_skipped;
+  json["max_residual"] = outcome.counters.max_residual;
+  json["cpu_seconds"] = world.cpu_seconds;
+  json["state_hash"] = fmt::format("{:016x}", world.state_hash);
+  // Names of files need not be UTF-8; what is not becomes a replacement character, not an exception.
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/verdict.hpp"
+#include "core/world_record.hpp"
+
+namespace holdfast {
+
+/// The line of JSON that tells a program of a finished world; units are in the names, in SI.
+std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
+                       std::size_t index, const Thresholds& thresholds);
+
+}  // namespace holdfast
