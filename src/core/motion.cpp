@@ -4,9 +4,7 @@
 
 namespace holdfast {
 
-double Motion::end_time() const {
-  return segments.empty() ? 0.0 : segments.back().start + segments.back().duration;
-}
+double Motion::end_time() const { return segments.empty() ? 0.0 : segments.back().start + segments.back().duration; }
 
 std::vector<Phase> phases_of(const Motion& motion, double end) {
   std::vector<Phase> phases;

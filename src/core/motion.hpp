@@ -9,10 +9,10 @@ namespace holdfast {
 
 /// A stretch of constant acceleration of the container, as the acceleration file declares it.
 struct Segment {
-  double start = 0.0;     ///< s
-  double duration = 0.0;  ///< s, positive
+  double start = 0.0;                ///< s
+  double duration = 0.0;             ///< s, positive
   Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
-  long line = 0;          ///< line of the acceleration file, from 1
+  long line = 0;                     ///< line of the acceleration file, from 1
 };
 
 /// What the container does: segments sorted by time, without overlap; zero acceleration in gaps and after

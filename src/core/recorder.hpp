@@ -9,8 +9,8 @@ namespace holdfast {
 
 /// A stretch of a world's time between two stops of the engine, usually one step.
 struct Step {
-  double begin = 0.0;  ///< s
-  double end = 0.0;    ///< s
+  double begin = 0.0;                ///< s
+  double end = 0.0;                  ///< s
   Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
   StateView before;                  ///< at `begin`
   StateView after;                   ///< at `end`

@@ -29,10 +29,10 @@ enum class BulletSleeping { off, wake_on_change };
 
 /// The inside of the container and the way it moves; `[Container]`.
 struct ContainerSettings {
-  Vec3 size = {5.87, 2.33, 2.20};  ///< inner length, width and height, m
-  double mass = 3700.0;            ///< kg; matters to a free container only
-  double friction = 0.70710678118654757;         ///< of floor, walls and roof, one side of a product
-  double ground_friction = 0.6;                  ///< of the ground under a free container
+  Vec3 size = {5.87, 2.33, 2.20};         ///< inner length, width and height, m
+  double mass = 3700.0;                   ///< kg; matters to a free container only
+  double friction = 0.70710678118654757;  ///< of floor, walls and roof, one side of a product
+  double ground_friction = 0.6;           ///< of the ground under a free container
   ContainerMotion motion = ContainerMotion::prescribed;
   std::vector<std::string> open_sides;  ///< sides without a wall: front, rear, left, right, roof
 };
@@ -48,10 +48,10 @@ struct ContactSettings {
 
 /// What sets boxes of one material id apart; `[Material N]`. What is absent comes from the common keys.
 struct MaterialSettings {
-  std::optional<double> density;      ///< kg/m³; not together with mass
-  std::optional<double> mass;         ///< kg a box
-  std::optional<double> friction;     ///< of a box's surface, one side of a product
-  std::optional<double> restitution;  ///< of a box's surface
+  std::optional<double> density;       ///< kg/m³; not together with mass
+  std::optional<double> mass;          ///< kg a box
+  std::optional<double> friction;      ///< of a box's surface, one side of a product
+  std::optional<double> restitution;   ///< of a box's surface
   Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the centroid, axes of the container at the layout's pose, m
 };
 
@@ -71,17 +71,17 @@ struct ScreeningSettings {
 
 /// Bullet's solver; `[Bullet]`. What is absent comes from the engine's preset (`bullet`, `bullet-stock`).
 struct BulletSettings {
-  std::optional<double> steps_per_second;        ///< 1/s; overrides the common key
-  std::optional<int> iterations;                 ///< of the contact solver, a step
-  std::optional<int> friction_directions;        ///< 1 or 2 a contact point
-  std::optional<bool> random_order;              ///< constraints in a new random order each iteration
-  std::optional<bool> split_impulse;             ///< correct positions apart from velocities
-  std::optional<double> split_impulse_threshold; ///< m; split impulse where the distance is below it
-  std::optional<double> erp;                     ///< share of a penetration corrected a step, velocity level
-  std::optional<double> erp2;                    ///< the same, split impulse
-  std::optional<double> warm_start;              ///< share of last step's impulses to start from
-  std::optional<double> linear_slop;             ///< penetration left alone, m
-  std::optional<double> restitution_velocity;    ///< approach speed below which there is no rebound, m/s
+  std::optional<double> steps_per_second;         ///< 1/s; overrides the common key
+  std::optional<int> iterations;                  ///< of the contact solver, a step
+  std::optional<int> friction_directions;         ///< 1 or 2 a contact point
+  std::optional<bool> random_order;               ///< constraints in a new random order each iteration
+  std::optional<bool> split_impulse;              ///< correct positions apart from velocities
+  std::optional<double> split_impulse_threshold;  ///< m; split impulse where the distance is below it
+  std::optional<double> erp;                      ///< share of a penetration corrected a step, velocity level
+  std::optional<double> erp2;                     ///< the same, split impulse
+  std::optional<double> warm_start;               ///< share of last step's impulses to start from
+  std::optional<double> linear_slop;              ///< penetration left alone, m
+  std::optional<double> restitution_velocity;     ///< approach speed below which there is no rebound, m/s
   std::optional<BulletSleeping> sleeping;
 };
 
@@ -105,8 +105,8 @@ struct Settings {
 
   // [Simulation Settings]
   StoppingCondition stopping_condition = StoppingCondition::timeout;
-  std::optional<double> timeout;      ///< s; absent: the end of the acceleration file
-  double sleeping_threshold = 0.01;   ///< m/s and rad/s
+  std::optional<double> timeout;     ///< s; absent: the end of the acceleration file
+  double sleeping_threshold = 0.01;  ///< m/s and rad/s
   bool batch_simulation = false;
   std::string batch_path;
   double box_friction = 0.70710678118654757;

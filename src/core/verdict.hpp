@@ -11,14 +11,14 @@ namespace holdfast {
 
 /// Limits that separate a box that stayed from one that did not.
 struct Thresholds {
-  double drop = 0.05;   ///< m: fallen when the centre of mass is lower by more
-  double move = 0.10;   ///< m: moved when displaced by more
-  double tilt = 10.0;   ///< degrees: tilted when rotated by more
+  double drop = 0.05;  ///< m: fallen when the centre of mass is lower by more
+  double move = 0.10;  ///< m: moved when displaced by more
+  double tilt = 10.0;  ///< degrees: tilted when rotated by more
 };
 
 /// What became of one box. Judged from the values of the results file, so that anyone can judge them again.
 struct BoxVerdict {
-  float drop = 0.0F;      ///< by how much the centre of mass is lower than in the reference pose, m; negative: higher
+  float drop = 0.0F;  ///< by how much the centre of mass is lower than in the reference pose, m; negative: higher
   bool fallen = false;
   bool moved = false;
   bool tilted = false;

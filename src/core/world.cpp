@@ -15,7 +15,8 @@ void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
   BoxColumns& boxes = batch.boxes;
   boxes.half_extents.push_back(0.5 * size);
   boxes.mass.push_back(mass);
-  boxes.inertia.push_back(mass / 12.0 * Vec3(square.y() + square.z(), square.z() + square.x(), square.x() + square.y()));
+  boxes.inertia.push_back(mass / 12.0 *
+                          Vec3(square.y() + square.z(), square.z() + square.x(), square.x() + square.y()));
   boxes.centre_of_mass.push_back(material.centre_of_mass);
   boxes.friction.push_back(material.friction);
   boxes.restitution.push_back(material.restitution);

@@ -25,10 +25,10 @@ struct BoxColumns {
 
 /// What of a box changes, a column a quantity, an entry a box; in the container's frame.
 struct StateColumns {
-  std::vector<Vec3> position;            ///< of the centre of mass, m
-  std::vector<Rotation> orientation;     ///< container_from_body
-  std::vector<Vec3> velocity;            ///< of the centre of mass, m/s
-  std::vector<Vec3> angular_velocity;    ///< rad/s
+  std::vector<Vec3> position;          ///< of the centre of mass, m
+  std::vector<Rotation> orientation;   ///< container_from_body
+  std::vector<Vec3> velocity;          ///< of the centre of mass, m/s
+  std::vector<Vec3> angular_velocity;  ///< rad/s
 };
 
 /// Calls `visit(name, column)` for every column: resizing, hashing, copying and uploading all go through here,
@@ -74,10 +74,10 @@ WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Motion* c
 
 /// Changing state of one world, a view of a batch's columns.
 struct StateView {
-  std::span<const Vec3> position;           ///< m
-  std::span<const Rotation> orientation;    ///< container_from_body
-  std::span<const Vec3> velocity;           ///< m/s
-  std::span<const Vec3> angular_velocity;   ///< rad/s
+  std::span<const Vec3> position;          ///< m
+  std::span<const Rotation> orientation;   ///< container_from_body
+  std::span<const Vec3> velocity;          ///< m/s
+  std::span<const Vec3> angular_velocity;  ///< rad/s
 };
 
 /// Constant description of one world's boxes, a view of a batch's columns.

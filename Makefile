@@ -1,0 +1,40 @@
+# A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
+.DEFAULT_GOAL := help
+.PHONY: help demo test bench lint format dependencies build
+
+# Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
+INSTALL ?= tools/install_dependencies.sh
+# Compilers at once: as many as there are cores, fewer where memory is short.
+JOBS ?= $(shell tools/job_count.sh)
+# Debian's Python: the one that h5py, pandas and matplotlib are installed for.
+PYTHON ?= /usr/bin/python3
+
+help:  ## List these targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-14s %s\n", $$1, $$2}' Makefile
+
+demo: build  ## Screen the sample layouts under the norm accelerations into demo/results.h5
+	@mkdir -p demo
+	build/release/bin/holdfast screen -c configs/demo.ini --layouts configs/layouts \
+	  --accelerations configs/accelerations -o demo/results.h5 --overwrite
+
+test: build  ## Build and run all tests
+	ctest --preset release -j $(JOBS)
+
+bench: build  ## Measure throughput on this machine
+	$(PYTHON) bench/measure.py
+
+lint:  ## Check format, names, likely bugs and who includes whom
+	@$(INSTALL) --dev
+	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
+	tools/lint.sh build/release $(JOBS)
+
+format:  ## Format all sources in place
+	@$(INSTALL) --dev
+	git ls-files -z --cached --others --exclude-standard '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
+
+dependencies:  ## Install the packages that building and running need
+	@$(INSTALL)
+
+build: dependencies  ## Build everything into build/release
+	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
+	cmake --build --preset release -j $(JOBS)

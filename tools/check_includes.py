@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Checks that every source includes only what its folder may: docs/architecture.md gives the rules and the reasons.
+
+Prints a line a finding, `file:line: what`, and exits with 1 if there is any. Long files are named, but pass.
+"""
+import pathlib
+import re
+import sys
+
+# What each third-party or system header belongs to; <name> without a dot or slash is the standard library.
+LIBRARIES = {
+    "Eigen": r"Eigen/",
+    "Highway": r"hwy/",
+    "HDF5": r"hdf5(_hl)?\.h$|H5\w*\.h$",
+    "inih": r"(INIReader|ini)\.h$",
+    "OpenSSL": r"openssl/",
+    "libdeflate": r"libdeflate\.h$",
+    "fmt": r"fmt/",
+    "TBB": r"(tbb|oneapi)/",
+    "OpenMP": r"omp\.h$",
+    "OpenCL": r"CL/",
+    "Bullet": r"bullet/|bt\w+\.h$|(Bullet(Collision|Dynamics)|LinearMath)/",
+    "Bullet3OpenCL": r"Bullet3\w+/",
+    "CLI11": r"CLI/",
+    "nlohmann": r"nlohmann/",
+    "Catch2": r"catch2/",
+    "POSIX": r"(unistd|fcntl|dlfcn|signal|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
+}
+
+# A folder under src: the folders and the libraries that it may name.
+RULES = {
+    "core": ({"core"}, {"Eigen", "Highway"}),
+    "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "fmt", "POSIX"}),
+    "bullet": ({"core", "bullet"}, {"Bullet"}),
+    "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "POSIX"}),
+    "app": ({"core", "io", "bullet", "parallel", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
+}
+
+# Libraries that are kept to one file of their folder, so that they can be replaced there.
+ONE_FILE = {"Highway", "Bullet3OpenCL"}
+
+# Core knows no file, thread, clock, environment or printing.
+NOT_IN_CORE = {"cstdio", "filesystem", "fstream", "iostream", "syncstream", "chrono", "ctime", "thread", "mutex",
+               "shared_mutex", "condition_variable", "future", "semaphore", "latch", "barrier", "stop_token"}
+
+# A class of many lines is two classes; data tables may be longer.
+MOST_LINES = 450
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+# What was to be done later belongs into an issue.
+LEFTOVER = re.compile(r"\b(TODO|FIXME|XXX)\b")
+
+
+def library_of(header):
+    return next((name for name, pattern in LIBRARIES.items() if re.match(pattern, header)), None)
+
+
+def judge(folder, header, quoted, src):
+    """What is wrong with the include, or None."""
+    ours, libraries = RULES[folder]
+    first = header.split("/")[0]
+    if quoted and first in RULES:
+        if not (src / header).is_file():
+            return f'"{header}" is not there'
+        return None if first in ours else f"src/{folder} must not include src/{first}"
+    library = library_of(header)
+    if library:
+        return None if library in libraries else f"src/{folder} must not include {library} ({header})"
+    if quoted:
+        return f'"{header}": write the path from src'
+    if re.search(r"[./]", header):
+        return f"<{header}> is of no known library: add it to {pathlib.Path(__file__).name} if it belongs here"
+    if folder == "core" and header in NOT_IN_CORE:
+        return f"src/core must not include <{header}>: it knows no file, thread, clock or printing"
+    return None
+
+
+def check(root):
+    src = root / "src"
+    findings, warnings, named_in = [], [], {}
+    sources = [p for top in ("src", "tests", "bench") for p in sorted((root / top).rglob("*.[ch]pp"))]
+    for path in sources:
+        name = path.relative_to(root).as_posix()
+        folder = name.split("/")[1] if name.startswith("src/") else None
+        if folder is not None and folder not in RULES:
+            findings.append(f"{name}:1: src/{folder} has no rule")
+            continue
+        lines = path.read_text(encoding="utf-8").splitlines()
+        for number, line in enumerate(lines, 1):
+            if LEFTOVER.search(line):
+                findings.append(f"{name}:{number}: a note of what is left to do")
+            match = INCLUDE.match(line)
+            if not match or folder is None:
+                continue
+            wrong = judge(folder, match[2], match[1] == '"', src)
+            if wrong:
+                findings.append(f"{name}:{number}: {wrong}")
+            if library_of(match[2]) in ONE_FILE:
+                named_in.setdefault(library_of(match[2]), set()).add(name)
+        if len(lines) > MOST_LINES:
+            warnings.append(f"{name}: warning: {len(lines)} lines; {MOST_LINES} are many")
+    for library, names in named_in.items():
+        if len(names) > 1:
+            findings.append(f"{min(names)}:1: {library} is to be named in one file, not in {', '.join(sorted(names))}")
+    return len(sources), findings, warnings
+
+
+def main():
+    count, findings, warnings = check(pathlib.Path(__file__).resolve().parent.parent)
+    print(*warnings, *findings, f"{count} sources, {len(findings)} findings", sep="\n")
+    return 1 if findings or not count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Installs what holdfast needs from the packages of Debian 12: only what is missing, nothing when all is there.
+#   tools/install_dependencies.sh          to build, run and test
+#   tools/install_dependencies.sh --dev    and what lint and the Clang build need
+set -euo pipefail
+
+packages=(
+  build-essential    # g++ 12, the compiler; make, the front door
+  cmake              # configures the build
+  ninja-build        # runs the build
+  pkg-config         # finds the libraries that bring no CMake files
+  libbullet-dev      # Bullet, the rigid-body engine behind the plug-ins, in single and double precision
+  libtbb-dev         # oneTBB, spreads worlds over cores
+  libeigen3-dev      # Eigen, vectors and rotations
+  libhdf5-dev        # HDF5, the format of the results file
+  hdf5-tools         # h5dump and h5ls, to look into a results file; tests read with them
+  libfmt-dev         # fmt, messages and text files (GCC 12 has no <format>)
+  libinih-dev        # inih, reads config.ini
+  libcli11-dev       # CLI11, the command line
+  nlohmann-json3-dev # JSON output
+  libssl-dev         # SHA-256 of the inputs
+  libdeflate-dev     # compresses chunks of the results file on the workers
+  catch2             # Catch2 2.13, the tests
+  python3            # the checks in tools/, benchmarks and examples
+  python3-h5py       # the tests read results files as a user would
+  python3-pandas     # tables in examples and benchmarks
+  python3-matplotlib # plots in examples and benchmarks
+)
+dev_packages=(
+  clang              # the second compiler
+  clang-format       # the one format of the sources
+  clang-tidy         # names and likely bugs
+  libomp-dev         # OpenMP for Clang
+  ccache             # makes a second build of the same code quick
+  libclang-rt-14-dev # sanitizers for Clang
+)
+
+case "${1-}" in
+  '') ;;
+  --dev) packages+=("${dev_packages[@]}") ;;
+  -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
+  *) echo "$0: unknown option: $1; accepted: --dev, --help" >&2; exit 2 ;;
+esac
+
+if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
+  echo "This is no Debian system: install these packages' equivalents, then run make with INSTALL=true:" >&2
+  echo "  ${packages[*]}" >&2
+  exit 1
+fi
+
+# dpkg-query fails when a package is unknown; what it does know it prints all the same.
+installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2> /dev/null | sed -n 's/^installed //p' || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qxF -- "$package" <<< "$installed" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  echo "Dependencies: nothing to install"
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo > /dev/null; then
+    echo "These packages are missing, and installing them takes root or sudo:" >&2
+    echo "  ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+echo "Dependencies: installing ${missing[*]}"
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
+"${apt[@]}" update < /dev/null
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}" < /dev/null
