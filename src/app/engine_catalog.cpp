@@ -18,7 +18,7 @@ namespace {
 std::filesystem::path plugin_folder() {
   std::error_code ignored;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  return program.parent_path().parent_path() / HOLDFAST_PLUGIN_FOLDER;
+  return program.parent_path().parent_path() / "lib";
 }
 
 Result<MakeEngine*> load_plugin(const std::string& file) {

@@ -13,6 +13,7 @@
 #include "app/engine_catalog.hpp"
 #include "app/outcome_table.hpp"
 #include "app/progress.hpp"
+#include "app/report.hpp"
 #include "app/stop_signal.hpp"
 #include "app/ticker.hpp"
 #include "app/unit_runner.hpp"
@@ -30,11 +31,6 @@
 namespace holdfast {
 
 namespace {
-
-int fail(ExitCode code, const Error& error) {
-  fmt::print(stderr, "{}\n", error.message());
-  return code;
-}
 
 std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
   std::vector<RunMotion> motions;
@@ -225,51 +221,51 @@ std::optional<Error> remove_results(const std::string& path) {
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
-int conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
+ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
   if (!assembled) {
-    if (const auto error = assemble(job.results_path, description)) return fail(kSomeFailed, *error);
+    if (const auto error = assemble(job.results_path, description)) return fail(ExitCode::some_failed, *error);
   }
   if (job.text_folder) {
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
-      return fail(kSomeFailed, *error);
+      return fail(ExitCode::some_failed, *error);
   }
   const auto table = outcome_table(job.results_path, description.thresholds);
-  if (!table) return fail(kSomeFailed, table.error());
+  if (!table) return fail(ExitCode::some_failed, table.error());
   if (!job.json && !job.quiet) fmt::print("{}\nresults: {}\n", table->text, job.results_path);
-  return table->failed_worlds == 0 ? kDone : kSomeFailed;
+  return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
 }  // namespace
 
-int run_screening(const ScreeningJob& job) {
+ExitCode run_screening(const ScreeningJob& job) {
   if (!scheduler_of(job.settings.screening.scheduler)) {
-    return fail(kBadUsage, {.what = "unknown scheduler",
+    return fail(ExitCode::bad_usage, {.what = "unknown scheduler",
                             .value = job.settings.screening.scheduler,
                             .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))});
   }
   const Result<std::unique_ptr<Engine>> engine = make_engine(job.settings.screening.engine, job.settings);
-  if (!engine) return fail(kBadUsage, engine.error());
+  if (!engine) return fail(ExitCode::bad_usage, engine.error());
   if (job.text_folder && !job.record_series)
-    return fail(kBadUsage, {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
+    return fail(ExitCode::bad_usage, {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
   const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
   const RunDescription description = describe_run(job, motions);
   if (job.overwrite) {
-    if (const auto error = remove_results(job.results_path)) return fail(kSomeFailed, *error);
+    if (const auto error = remove_results(job.results_path)) return fail(ExitCode::some_failed, *error);
   }
   Progress finished;
   if (job.resume) {
     const Result<Progress> found = find_finished(job.results_path, fingerprint(description));
-    if (!found) return fail(kBadUsage, found.error());
+    if (!found) return fail(ExitCode::bad_usage, found.error());
     finished = *found;
-    if (const auto error = check_unchanged(finished, job.layout_paths)) return fail(kBadUsage, *error);
+    if (const auto error = check_unchanged(finished, job.layout_paths)) return fail(ExitCode::bad_usage, *error);
     if (finished.complete) {
       if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
       return conclude(job, description, true);
     }
   }
   Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
-  if (!writer) return fail(kBadUsage, writer.error());
+  if (!writer) return fail(ExitCode::bad_usage, writer.error());
 
   if (!job.quiet) {
     fmt::print(stderr, "{} layouts x {} accelerations = {} worlds, engine {}, scheduler {}, {} threads{}\n",
@@ -282,12 +278,12 @@ int run_screening(const ScreeningJob& job) {
   if (run.write_failed()) {
     fmt::print(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n", run.done(), run.total(),
                job.results_path);
-    return kSomeFailed;
+    return ExitCode::some_failed;
   }
   if (!all_there) {
     fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n",
                run.done(), run.total(), job.results_path);
-    return run.signal() == SIGTERM ? kTerminated : kInterrupted;
+    return run.signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
   }
   return conclude(job, description, false);
 }

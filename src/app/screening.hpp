@@ -4,18 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/exit_code.hpp"
 #include "core/settings.hpp"
 
 namespace holdfast {
-
-/// Exit codes of the program.
-enum ExitCode : int {
-  kDone = 0,
-  kSomeFailed = 1,   ///< some worlds failed, or a file could not be written; the rest is complete and readable
-  kBadUsage = 2,     ///< bad command line or input
-  kInterrupted = 130,
-  kTerminated = 143,
-};
 
 /// One screening run: every layout under every acceleration.
 struct ScreeningJob {
@@ -36,6 +28,6 @@ struct ScreeningJob {
 
 /// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; what went wrong
 /// is on standard error, a line each.
-int run_screening(const ScreeningJob& job);
+ExitCode run_screening(const ScreeningJob& job);
 
 }  // namespace holdfast

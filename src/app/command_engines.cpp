@@ -1,0 +1,26 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/engine_catalog.hpp"
+
+namespace holdfast {
+
+namespace {
+
+ExitCode list_engines() {
+  for (const EngineEntry& entry : engine_catalog()) {
+    const auto engine = make_engine(entry.name, Settings{});
+    fmt::print("{:<14} {}\n", entry.name, engine ? entry.sentence : "missing: " + engine.error().message());
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("engines", "List the engines, and why one cannot be used");
+  command->footer("Example:\n  holdfast engines");
+  command->callback([&chosen] { chosen.run = list_engines; });
+}
+
+}  // namespace holdfast

@@ -1,0 +1,17 @@
+#include "app/load_config.hpp"
+
+#include "app/report.hpp"
+
+namespace holdfast {
+
+Result<Config> load_config(const std::string& path) {
+  if (path.empty()) return Config{};
+  const Result<TextFile> file = read_text_file(path);
+  if (!file) return file.errors();
+  std::vector<Error> warnings;
+  Result<Config> config = parse_config(*file, warnings);
+  warn(warnings);
+  return config;
+}
+
+}  // namespace holdfast

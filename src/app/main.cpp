@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/version.hpp"
+#include "io/results_page.hpp"
+#include "io/settings_page.hpp"
+
+using namespace holdfast;
+
+namespace {
+
+/// An option that prints a page and ends the program.
+void add_page(CLI::App& program, const std::string& name, const std::string& description, std::string (*page)()) {
+  program.add_flag_callback(
+      name,
+      [page] {
+        fmt::print("{}", page());
+        throw CLI::Success();
+      },
+      description);
+}
+
+std::string words_of(int argc, char** argv) {
+  std::string line;
+  for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + std::string(argv[i]);
+  return line;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
+  program.footer(
+      "Example:\n"
+      "  holdfast screen --layouts configs/layouts --accelerations configs/accelerations -o results.h5\n\n"
+      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal.");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
+  add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
+  add_page(program, "--config-page", "Print docs/config.md and exit", settings_page);
+  add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page);
+
+  ChosenCommand chosen;
+  chosen.command_line = words_of(argc, argv);
+  add_screen_command(program, chosen);
+  add_run_command(program, chosen);
+  add_summary_command(program, chosen);
+  add_check_command(program, chosen);
+  add_engines_command(program, chosen);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_usage);
+  }
+  return static_cast<int>(chosen.run());
+}

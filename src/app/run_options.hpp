@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "app/screening.hpp"
+
+namespace holdfast {
+
+/// Options that `screen` and `run` share; what is given stands in for the key of the same name.
+struct RunOptions {
+  std::optional<std::string> engine;
+  std::optional<int> threads;
+  std::optional<std::string> scheduler;
+  std::optional<std::string> text_folder;
+  bool no_series = false;
+  bool resume = false;
+  bool overwrite = false;
+  bool json = false;
+  bool quiet = false;
+
+  void add_to(CLI::App& command);
+
+  /// Puts what was given into the job.
+  void apply_to(ScreeningJob& job) const;
+};
+
+}  // namespace holdfast
