@@ -13,8 +13,8 @@ TEST_CASE("number_text: a number is a whole finite decimal text", "[core][number
   CHECK(parse_number("+1e-3") == 1e-3);
   CHECK(parse_number("1E3") == 1000.0);
   CHECK(parse_number(".5") == 0.5);
-  for (const char* text : {"", "+", "-", "+-1", "++1", "nan", "inf", "-inf", "infinity", "0x10", "1,5", "1.5.2", " 1",
-                           "1 ", "1e", "1e999", "-1e999", "1e-999", "12cm", "one"}) {
+  for (const char* text : {"",    "+",     "-",  "+-1", "++1", "nan",   "inf",    "-inf",   "infinity", "0x10",
+                           "1,5", "1.5.2", " 1", "1 ",  "1e",  "1e999", "-1e999", "1e-999", "12cm",     "one"}) {
     INFO(text);
     CHECK(parse_number(text) == std::nullopt);
   }
