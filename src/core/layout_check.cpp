@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::array kExtentNames{"length", "width", "height"};
 
+/// Differences of coordinates are exact up to this, m: decimal numbers of metres leave some 1e-15.
+constexpr double kExact = 1e-9;
+
 std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
 std::string box_name(std::size_t index) { return "box " + std::to_string(index + 1); }
 
@@ -87,7 +90,7 @@ class LayoutCheck {
   }
 
   void check_side(std::size_t i, const char* side, double depth) {
-    if (depth <= 0.0 || is_open(side) || tolerates(depth)) return;
+    if (depth <= kExact || is_open(side) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     const Vec3 size = container_.size * 100.0;
     errors_.add({.line = boxes_[i].line,
@@ -101,7 +104,7 @@ class LayoutCheck {
     const Vec3 shared =
         boxes_[a].corner_max.cwiseMin(boxes_[b].corner_max) - boxes_[a].corner_min.cwiseMax(boxes_[b].corner_min);
     const double depth = shared.minCoeff();
-    if (depth <= 0.0 || tolerates(depth)) return;
+    if (depth <= kExact || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[b].line,
                  .what = box_name(b) + " overlaps " + box_name(a) + " of line " + std::to_string(boxes_[a].line),
@@ -110,9 +113,7 @@ class LayoutCheck {
   }
 
   bool tolerates(double depth) {
-    // The tolerance itself is a decimal number too: a depth of 0.1 mm between coordinates of metres has an error.
-    constexpr double kRounding = 1e-9;
-    if (depth > kLayoutTolerance + kRounding) return false;
+    if (depth > kLayoutTolerance + kExact) return false;
     ++tolerated_;
     largest_tolerated_ = std::max(largest_tolerated_, depth);
     return true;

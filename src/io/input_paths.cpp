@@ -5,6 +5,7 @@
 #include <fstream>
 #include <istream>
 
+#include "core/number_text.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast {
@@ -16,9 +17,15 @@ namespace fs = std::filesystem;
 constexpr std::size_t kAccelerationColumns = 5;
 constexpr std::size_t kLayoutColumns = 7;
 
-InputKind kind_of_columns(std::size_t columns) {
-  if (columns == kAccelerationColumns) return InputKind::acceleration;
-  return columns >= kLayoutColumns ? InputKind::layout : InputKind::unknown;
+InputKind kind_of_line(std::span<const Field> fields) {
+  const bool is_acceleration = fields.size() == kAccelerationColumns;
+  if (!is_acceleration && fields.size() < kLayoutColumns) return InputKind::unknown;
+  // A wrong number leaves a file what it is, so that it is reported; prose is no input.
+  const std::span<const Field> columns = fields.first(std::min(fields.size(), kLayoutColumns));
+  const auto numbers = std::count_if(columns.begin(), columns.end(),
+                                     [](const Field& field) { return parse_number(field.text).has_value(); });
+  if (2 * static_cast<std::size_t>(numbers) < columns.size()) return InputKind::unknown;
+  return is_acceleration ? InputKind::acceleration : InputKind::layout;
 }
 
 const char* plural(InputKind kind) {
@@ -129,7 +136,7 @@ InputKind classify(std::string_view text) {
     split_fields(lines.line(), fields);
     if (fields.empty() || fields[0].text.starts_with(';')) continue;
     if (fields[0].text.starts_with('[') || lines.line().find('=') != std::string_view::npos) return InputKind::config;
-    const InputKind kind = kind_of_columns(fields.size());
+    const InputKind kind = kind_of_line(fields);
     // The first line may be a layout's header, which can have any number of columns.
     if (is_second) return kind == InputKind::unknown ? first : kind;
     first = kind;

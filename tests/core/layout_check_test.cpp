@@ -62,6 +62,7 @@ TEST_CASE("layout_check: up to 0.1 mm is taken as rounding and said once", "[cor
                                      "0.08 mm; up to 0.1 mm is taken as rounding"});
   CHECK(check(cubes({{0, 0, 0}, {0.9999, 0, 0}})).errors.empty());
   CHECK(check(cubes({{0, 0, 0}, {0.9998, 0, 0}})).errors.size() == 1);
+  CHECK(check(cubes({{0, 0, 0}, {1.0 - 1e-12, -1e-15, 0}})).warnings.empty());
 }
 
 TEST_CASE("layout_check: a box outside names the side and by how much", "[core][layout_check]") {

@@ -70,6 +70,10 @@ TEST_CASE("input_paths: the kind of a file shows in its first lines", "[io][inpu
   CHECK(classify("\xEF\xBB\xBF# c\r\n\r\n0 1 0 0 0\r\n") == InputKind::acceleration);
   CHECK(classify(kConfig) == InputKind::config);
   CHECK(classify("; c\n# c\nBoxBox=1\n") == InputKind::config);
+  CHECK(classify("1\n0 0 nan 80 1,5 106 wood\n") == InputKind::layout);
+  CHECK(classify("0 1 zero 0 0\n") == InputKind::acceleration);
+  CHECK(classify("A licence in words.\nThese are seven words or some more.\n") == InputKind::unknown);
+  CHECK(classify("These are five words exactly\n") == InputKind::unknown);
   CHECK(classify("") == InputKind::unknown);
   CHECK(classify("# only a comment\n") == InputKind::unknown);
   CHECK(classify("some words\nand more\n") == InputKind::unknown);
