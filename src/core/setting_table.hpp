@@ -1,10 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/result.hpp"
 #include "core/settings.hpp"
 
 namespace holdfast {
@@ -17,6 +18,7 @@ struct SettingKey {
   std::string_view default_value;  ///< as one would write it in the file; "" when absent by default
   std::string_view accepted;       ///< what is accepted, a clause for messages: "a number above 0"
   std::string_view sentence;       ///< what it does, one sentence
+  std::string_view alias = "";     ///< another spelling that is accepted; "" when there is none
   bool without_effect = false;     ///< accepted for the sake of old files; saying so is the reader's duty
 
   /// Sets the member from the file's text. False when the text is not as `accepted` says; then nothing changed.
@@ -26,14 +28,26 @@ struct SettingKey {
   std::string (*get)(const Settings& settings, int material) = nullptr;
 };
 
+/// The section of the table that stands for every `Material` section of a file.
+inline constexpr std::string_view kMaterialSection = "Material N";
+
 /// All keys, grouped by section in the order of the documentation.
 std::span<const SettingKey> setting_table();
+
+/// The sections of the table, each once, in its order.
+std::vector<std::string_view> setting_sections();
 
 /// The key of that section and name (aliases included), or nullptr. Spelling and case are strict.
 const SettingKey* find_setting(std::string_view section, std::string_view name);
 
-/// What a misspelt word may have meant: the candidate with the least edit distance, when that is small enough
-/// to be a slip.
-std::optional<std::string_view> closest_word(std::string_view word, std::span<const std::string_view> candidates);
+/// Two keys that contradict each other; the place is the key to change.
+struct SettingConflict {
+  std::string section;  ///< as in the file: `Material 3` for material 3
+  std::string name;     ///< of the key
+  Error error;          ///< without file and line
+};
+
+/// Contradictions between keys that are fine each for itself; empty when there are none.
+std::vector<SettingConflict> check_settings(const Settings& settings);
 
 }  // namespace holdfast

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/layout.hpp"
+#include "core/result.hpp"
+#include "core/settings.hpp"
+
+namespace holdfast {
+
+/// Overlaps and protrusions up to this are rounding of the program that made the layout, m.
+inline constexpr double kLayoutTolerance = 1e-4;
+
+/// What is geometrically wrong with a layout: non-finite corners, zero or negative extents, boxes outside the
+/// container (open sides do not bound it, the floor always does), boxes that overlap. Empty when it is sound.
+///
+/// Costs n log n plus the number of pairs whose extents along x meet.
+/// @param file     named in the messages
+/// @param warnings gets one entry when there are overlaps or protrusions within the tolerance
+std::vector<Error> check_layout(const Layout& layout, const ContainerSettings& container, const std::string& file,
+                                std::vector<Error>& warnings);
+
+}  // namespace holdfast

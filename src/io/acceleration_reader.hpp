@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "core/motion.hpp"
+#include "core/result.hpp"
+#include "io/text_file.hpp"
+
+namespace holdfast {
+
+/// Reads an acceleration file: a line a segment, `initial-time duration ax ay az` in s and m/s², in the order of
+/// time and without overlap; gaps mean zero. `#` begins a comment anywhere in a line. A segment that starts within
+/// kSameInstant of the end of the one before starts exactly there.
+///
+/// All errors of the file are reported, up to the limit of ErrorList.
+Result<Motion> parse_acceleration(const TextFile& file, std::vector<Error>& warnings);
+
+}  // namespace holdfast
