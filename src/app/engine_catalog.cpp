@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/engine_plugin.hpp"
-#include "core/setting_table.hpp"
+#include "core/closest_word.hpp"
 
 namespace holdfast {
 

@@ -4,8 +4,8 @@
 
 #include "app/commands.hpp"
 #include "app/version.hpp"
+#include "core/settings_page.hpp"
 #include "io/results_page.hpp"
-#include "io/settings_page.hpp"
 
 using namespace holdfast;
 

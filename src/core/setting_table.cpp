@@ -216,6 +216,19 @@ const SettingKey* find_setting(std::string_view section, std::string_view name) 
   return nullptr;
 }
 
+std::vector<std::pair<std::string, std::string>> effective_settings(const Settings& settings) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  const auto add = [&](const std::string& section, const SettingKey& key, int material) {
+    texts.emplace_back(section + '/' + std::string(key.name), key.get(settings, material));
+  };
+  for (const SettingKey& key : setting_table())
+    if (key.section != kMaterialSection) add(std::string(key.section), key, 0);
+  for (const auto& [id, material] : settings.materials)
+    for (const SettingKey& key : setting_table())
+      if (key.section == kMaterialSection) add("Material " + std::to_string(id), key, id);
+  return texts;
+}
+
 std::vector<SettingConflict> check_settings(const Settings& settings) {
   std::vector<SettingConflict> conflicts;
   const auto add = [&](const std::string& section, const char* name, const char* what, const char* accepted) {

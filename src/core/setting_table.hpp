@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -39,6 +40,10 @@ std::vector<std::string_view> setting_sections();
 
 /// The key of that section and name (aliases included), or nullptr. Spelling and case are strict.
 const SettingKey* find_setting(std::string_view section, std::string_view name);
+
+/// Every setting as (`Section/Key`, text as one would write it in a file), materials as `Material 3/Key`; the table's
+/// order. A setting that is absent, so that engine or inputs decide, has an empty text.
+std::vector<std::pair<std::string, std::string>> effective_settings(const Settings& settings);
 
 /// Two keys that contradict each other; the place is the key to change.
 struct SettingConflict {
