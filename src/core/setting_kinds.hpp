@@ -16,7 +16,7 @@
 /// and `text(value)`, how one would write the value in the file.
 namespace holdfast::setting_kinds {
 
-/// The words between white space, and commas where these separate too.
+/// The words of a text, which any of the separators stand between.
 inline std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> words;
   while (true) {

@@ -71,7 +71,7 @@ class ConfigReader {
     if (!reader.lines_.next()) return nullptr;
     // inih would take an indented line for more of the value before it.
     const std::string_view line = reader.screen(trimmed(reader.lines_.line()), static_cast<std::size_t>(size) - 2);
-    std::memcpy(buffer, line.data(), line.size());
+    line.copy(buffer, line.size());
     std::memcpy(buffer + line.size(), "\n", 2);
     return buffer;
   }
