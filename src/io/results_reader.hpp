@@ -64,7 +64,7 @@ class ResultsReader {
   static Result<ResultsReader> open(const std::string& path);
 
   /// Reads a file that is still being written; `file` must outlive the reader. For src/io only.
-  static Result<ResultsReader> attach(h5::File& file);
+  static Result<ResultsReader> attach(const h5::File& file);
 
   ResultsReader(ResultsReader&&) noexcept;
   ResultsReader& operator=(ResultsReader&&) noexcept;

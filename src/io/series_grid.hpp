@@ -25,6 +25,7 @@ struct SeriesPiece {
   std::uint64_t row_begin = 0;     ///< first row of the unit in the run
   std::uint64_t sample_end = 0;    ///< one past the last
   std::uint64_t row_end = 0;       ///< one past the last
+  std::vector<std::uint64_t> sample_counts;  ///< of each world of the unit
   std::vector<SeriesChunk> chunks;
   /// Raw copy of the incomplete chunk after the unit, by column; may begin with rows of earlier units.
   std::array<std::vector<std::byte>, kSeriesColumns> tail;
