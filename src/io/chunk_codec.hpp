@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace holdfast {
+
+/// Compresses a chunk to the bytes that HDF5's filters shuffle and deflate read: bytes of the same significance
+/// put together, then a zlib stream (RFC 1950) of level 1. Pure; any thread.
+/// @param number_bytes size of one number; at 1 HDF5 is told not to shuffle
+std::vector<std::byte> compress_chunk(std::span<const std::byte> raw, std::size_t number_bytes);
+
+}  // namespace holdfast

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/result.hpp"
+#include "io/run_description.hpp"
+
+namespace holdfast {
+
+/// Makes the results file `path` of the finished parts under `<path>.parts/`, derives its summary, and removes
+/// the parts. The file appears under its name when all of it is safe on disk; on an error the parts stay.
+/// The same worlds give the same bytes wherever the parts were cut.
+std::optional<Error> assemble(const std::string& path, const RunDescription& run);
+
+}  // namespace holdfast

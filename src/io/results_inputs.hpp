@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "io/hdf5_file.hpp"
+#include "io/results_columns.hpp"
+#include "io/run_description.hpp"
+
+/// The parts of the file that are not results. For src/io only; throws `h5::Failure`.
+namespace holdfast {
+
+/// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
+void write_run(const h5::File& file, const RunDescription& run);
+
+/// Thresholds and their units as attributes of /summary.
+void write_thresholds(const h5::File& file, const Thresholds& thresholds);
+Thresholds read_thresholds(const h5::File& file);
+
+/// Adds all accelerations to /inputs/accelerations.
+void append_accelerations(ColumnSet& columns, const std::vector<Motion>& accelerations);
+
+/// Adds a layout to /inputs/layouts.
+void append_layout(ColumnSet& columns, const Layout& layout);
+
+}  // namespace holdfast

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace holdfast {
+
+/// The page docs/results_file.md: how to read the file, and every dataset of the schema.
+std::string results_page();
+
+}  // namespace holdfast

@@ -1,0 +1,98 @@
+#include "io/results_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "io/run_description.hpp"
+
+namespace holdfast {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, std::string what, std::string accepted = "") {
+  throw h5::Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
+}
+
+/// A dataset that every part has, whose length is that of the axis.
+const DatasetSpec& representative(Axis axis) {
+  return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) { return spec.axis == axis; });
+}
+
+std::string attribute_of(Axis axis) { return std::string(to_string(axis)) + "_begin"; }
+
+void check_follows(const std::string& path, const PartRange& before, const PartRange& part) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Axis>(i);
+    if (axis == Axis::accelerations || axis == Axis::segments) continue;
+    const bool series = axis == Axis::samples || axis == Axis::rows;
+    const std::uint64_t expected = series ? chunk_begin(before.end[i]) : before.end[i];
+    if (part.begin[i] != expected || part.end[i] < before.end[i])
+      fail(path, "does not go on where the part before it ends (" + std::string(to_string(axis)) + ")");
+  }
+}
+
+}  // namespace
+
+std::string parts_folder(const std::string& results_path) { return results_path + ".parts"; }
+
+std::string part_path(const std::string& results_path, std::uint64_t number) {
+  return fmt::format("{}/part-{:06}.h5", parts_folder(results_path), number);
+}
+
+std::vector<std::uint64_t> list_parts(const std::string& results_path) {
+  std::vector<std::uint64_t> numbers;
+  const std::string folder = parts_folder(results_path);
+  if (!std::filesystem::exists(folder)) return numbers;
+  constexpr std::string_view kPrefix = "part-";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kPrefix) || entry.path().extension() != ".h5") continue;
+    std::uint64_t number = 0;
+    std::from_chars(name.data() + kPrefix.size(), name.data() + name.size(), number);
+    if (entry.path().string() == part_path(results_path, number)) numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+void write_range_begin(const h5::File& file, const AxisCounts& begin) {
+  for (std::size_t i = 0; i < kAxisCount; ++i)
+    h5::write_attribute(file, "/", attribute_of(static_cast<Axis>(i)), begin[i]);
+}
+
+PartRange read_range(const h5::File& file) {
+  PartRange range;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Axis>(i);
+    range.begin[i] = h5::read_count_attribute(file, "/", attribute_of(axis));
+    range.end[i] = range.begin[i] + h5::Dataset::open(file, representative(axis)).length();
+  }
+  return range;
+}
+
+std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint) {
+  std::vector<PartRange> ranges;
+  for (const std::uint64_t number : list_parts(results_path)) {
+    const std::string path = part_path(results_path, number);
+    if (number != ranges.size() + 1) {
+      fail(part_path(results_path, ranges.size() + 1), "is missing, though later parts are there",
+           "remove " + parts_folder(results_path) + " to start anew");
+    }
+    const h5::File file = h5::File::open(path);
+    const std::string difference =
+        fingerprint_difference(h5::read_text_attribute(file, "/", "fingerprint"), fingerprint);
+    if (!difference.empty()) {
+      fail(path, "belongs to a run with other inputs (" + difference + " differ)",
+           "the same inputs, another results file, or removing " + parts_folder(results_path));
+    }
+    const PartRange range = read_range(file);
+    check_follows(path, ranges.empty() ? PartRange{} : ranges.back(), range);
+    ranges.push_back(range);
+  }
+  return ranges;
+}
+
+}  // namespace holdfast

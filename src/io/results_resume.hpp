@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace holdfast {
+
+/// How far a run came.
+struct Progress {
+  bool complete = false;          ///< the results file itself is there: nothing is left to do
+  std::uint64_t part_count = 0;   ///< finished parts
+  std::uint64_t world_count = 0;  ///< worlds in them: the first so many of the run
+  std::uint64_t box_count = 0;
+  std::uint64_t sample_count = 0;
+  std::uint64_t row_count = 0;
+  std::uint64_t layout_box_count = 0;
+  /// (name, SHA-256) of the layouts in them: the first so many of the run. The caller compares them with the
+  /// files as they are now.
+  std::vector<std::pair<std::string, std::string>> layouts;
+};
+
+/// What an earlier run left of the results file `path` and of its parts. Left-over temporary files are removed.
+/// An error when a part or the results file belongs to other inputs (it says what differs), when a part is
+/// damaged, or when one is missing in between.
+/// @param fingerprint of the run to go on with
+Result<Progress> find_finished(const std::string& path, const std::string& fingerprint);
+
+}  // namespace holdfast

@@ -1,0 +1,148 @@
+#include "io/results_writer.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <utility>
+
+#include "io/chunk_codec.hpp"
+#include "io/part_builder.hpp"
+
+namespace holdfast {
+
+namespace {
+
+using SeriesTail = std::array<std::vector<std::byte>, kSeriesColumns>;
+
+/// Entries of the incomplete chunk at the end of the last finished part.
+SeriesTail read_tail(const std::string& path, const Progress& resume) {
+  SeriesTail tail;
+  if (resume.part_count == 0) return tail;
+  const h5::File file = h5::File::open(part_path(path, resume.part_count));
+  for (std::size_t column = 0; column < kSeriesColumns; ++column) {
+    const h5::Dataset dataset = h5::Dataset::open(file, kSchema[first_series_dataset() + column]);
+    const std::uint64_t begin = chunk_begin(dataset.length());
+    tail[column] = dataset.read(begin, dataset.length() - begin);
+  }
+  return tail;
+}
+
+AxisCounts counts_of(const Progress& progress) {
+  AxisCounts counts{};
+  at(counts, Axis::worlds) = progress.world_count;
+  at(counts, Axis::boxes) = progress.box_count;
+  at(counts, Axis::samples) = progress.sample_count;
+  at(counts, Axis::rows) = progress.row_count;
+  at(counts, Axis::layouts) = progress.layouts.size();
+  at(counts, Axis::layout_boxes) = progress.layout_box_count;
+  return counts;
+}
+
+void prepare_folder(const std::string& path, const Progress& resume) {
+  if (std::filesystem::exists(path)) {
+    throw h5::Failure(Error{.file = path,
+                            .what = "exists already, and a finished results file is never written over",
+                            .accepted = "another name, or remove it first"});
+  }
+  const std::size_t found = list_parts(path).size();
+  if (found != resume.part_count) {
+    throw h5::Failure(Error{.file = parts_folder(path),
+                            .what = "holds the finished parts of an interrupted run",
+                            .value = std::to_string(found),
+                            .accepted = "--resume to go on with it, or remove the folder"});
+  }
+  std::error_code failure;
+  std::filesystem::create_directories(parts_folder(path), failure);
+  if (failure)
+    throw h5::Failure(Error{.file = parts_folder(path), .what = "cannot be made", .value = failure.message()});
+}
+
+}  // namespace
+
+struct ResultsWriter::State {
+  std::string path;
+  RunDescription run;
+  PartLimits limits;
+  SeriesGrid grid;  ///< of `place` alone
+
+  std::mutex mutex;  ///< guards what follows
+  std::unique_ptr<PartBuilder> part;
+  std::uint64_t finished_parts = 0;
+  AxisCounts end{};  ///< of the finished parts
+  std::optional<Error> error;
+
+  void close_part() {
+    if (!part) return;
+    part->close();
+    end = part->end();
+    ++finished_parts;
+    part.reset();
+  }
+
+  /// Runs `work` under the lock; once anything has failed, nothing is touched any more.
+  template <class Work>
+  std::optional<Error> guarded(Work&& work) {
+    const std::lock_guard lock(mutex);
+    if (!error) error = h5::caught(path, work);
+    if (error) part.reset();
+    return error;
+  }
+};
+
+ResultsWriter::ResultsWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ResultsWriter::~ResultsWriter() = default;
+
+Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& path, RunDescription run,
+                                                           const Progress& resume, const PartLimits& limits) {
+  return h5::caught_result(path, [&] {
+    prepare_folder(path, resume);
+    auto state = std::make_unique<State>();
+    state->path = path;
+    state->run = std::move(run);
+    state->limits = limits;
+    state->grid = SeriesGrid(resume.sample_count, resume.row_count, read_tail(path, resume));
+    state->finished_parts = resume.part_count;
+    state->end = counts_of(resume);
+    return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(state)));
+  });
+}
+
+PlacedUnit ResultsWriter::place(UnitRecord&& unit) {
+  PlacedUnit placed{.record = std::move(unit)};
+  if (!state_->run.record_series)
+    for (WorldRecord& world : placed.record.worlds) world.series = {};
+  placed.series = state_->grid.add(placed.record.worlds);
+  return placed;
+}
+
+PackedUnit ResultsWriter::pack(PlacedUnit&& unit) {
+  PackedUnit packed{.record = std::move(unit.record), .series = std::move(unit.series)};
+  for (SeriesChunk& chunk : packed.series.chunks)
+    chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[first_series_dataset() + chunk.column].type));
+  return packed;
+}
+
+std::optional<Error> ResultsWriter::write(PackedUnit&& unit) {
+  return state_->guarded([&] {
+    std::unique_ptr<PartBuilder>& part = state_->part;
+    if (!part) {
+      part = std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run,
+                                           state_->end);
+    }
+    part->add(std::move(unit));
+    const PartLimits& limits = state_->limits;
+    const bool full = part->world_count() >= limits.worlds || part->bytes() >= limits.bytes;
+    if (full || std::chrono::steady_clock::now() - part->opened() >= limits.age) state_->close_part();
+  });
+}
+
+std::optional<Error> ResultsWriter::close_part_if_due(std::chrono::steady_clock::time_point now) {
+  return state_->guarded([&] {
+    if (state_->part && now - state_->part->opened() >= state_->limits.age) state_->close_part();
+  });
+}
+
+std::optional<Error> ResultsWriter::finish() {
+  return state_->guarded([&] { state_->close_part(); });
+}
+
+}  // namespace holdfast

@@ -1,0 +1,48 @@
+#include "io/run_description.hpp"
+
+#include <sstream>
+
+#include "io/text_file.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Length before text, so that no two lists of texts are joined to the same bytes.
+void append(std::string& bytes, const std::string& text) { bytes += std::to_string(text.size()) + ':' + text; }
+
+}  // namespace
+
+std::string fingerprint(const RunDescription& run) {
+  std::string settings;
+  for (const auto& [key, value] : run.settings) {
+    append(settings, key);
+    append(settings, value);
+  }
+  std::string layouts;
+  for (const std::string& name : run.layout_names) append(layouts, name);
+  std::string accelerations;
+  for (const Motion& motion : run.accelerations) {
+    append(accelerations, motion.name);
+    append(accelerations, motion.sha256);
+  }
+  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) +
+         " engine=" + run.engine + " layouts=" + sha256_of(layouts) +
+         " accelerations=" + sha256_of(accelerations) + " series=" + (run.record_series ? "1" : "0");
+}
+
+std::string fingerprint_difference(const std::string& a, const std::string& b) {
+  std::istringstream a_words(a);
+  std::istringstream b_words(b);
+  std::string difference;
+  std::string a_word;
+  std::string b_word;
+  while ((a_words >> a_word) && (b_words >> b_word)) {
+    if (a_word == b_word) continue;
+    difference += (difference.empty() ? "" : ", ") + a_word.substr(0, a_word.find('='));
+  }
+  if (difference.empty() && a != b) difference = "fingerprint";
+  return difference;
+}
+
+}  // namespace holdfast

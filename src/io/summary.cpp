@@ -1,0 +1,113 @@
+#include "io/summary.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "io/hdf5_file.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Worlds and boxes of a slice, at most; a slice has one world at least.
+constexpr std::uint64_t kSliceWorlds = 1024;
+constexpr std::uint64_t kSliceBoxes = std::uint64_t{1} << 17U;
+
+template <class T>
+T value_of(Result<T>&& result) {
+  if (!result) throw h5::Failure(result.error());
+  return std::move(*result);
+}
+
+/// The boxes [begin, begin + count) of the table.
+EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
+  const auto cut = [&](const auto& column) {
+    const auto from = column.begin() + static_cast<std::ptrdiff_t>(begin);
+    return std::decay_t<decltype(column)>(from, from + static_cast<std::ptrdiff_t>(count));
+  };
+  return {cut(end.displacement),      cut(end.tilt),
+          cut(end.kinetic_energy),    cut(end.peak_displacement),
+          cut(end.peak_kinetic_energy), cut(end.settling_displacement)};
+}
+
+std::vector<float> first_moves(ResultsReader& results, const WorldRow& row, const EndTable& end,
+                               const Thresholds& thresholds) {
+  const auto& peak = end.peak_displacement;
+  const bool any = std::any_of(peak.begin(), peak.end(),
+                               [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
+  // A box that never went beyond the threshold has no first time; most worlds are spared reading their series.
+  if (!any || row.sample_count == 0)
+    return std::vector<float>(row.box_count, std::numeric_limits<float>::quiet_NaN());
+  const Series series = value_of(results.path_of(row));
+  return first_move_times(series.time, series.displacement, row.box_count, thresholds);
+}
+
+void append_world(const WorldRow& row, const WorldVerdict& verdict, WorldSummary& worlds) {
+  worlds.fallen_boxes.push_back(verdict.fallen_boxes);
+  worlds.unstable_boxes.push_back(verdict.unstable_boxes);
+  worlds.moved_boxes.push_back(verdict.moved_boxes);
+  worlds.tilted_boxes.push_back(verdict.tilted_boxes);
+  worlds.total_kinetic_energy.push_back(verdict.total_kinetic_energy);
+  worlds.peak_kinetic_energy.push_back(row.peak_total_kinetic_energy);
+  worlds.max_displacement.push_back(verdict.max_displacement);
+  worlds.peak_displacement.push_back(verdict.peak_displacement);
+}
+
+void append_boxes(const EndTable& end, const Thresholds& thresholds, BoxSummary& boxes) {
+  for (std::size_t i = 0; i < end.displacement.size(); ++i) {
+    const BoxVerdict verdict = judge_box(end, i, thresholds);
+    boxes.displacement.push_back(end.displacement[i]);
+    boxes.max_displacement.push_back(end.peak_displacement[i]);
+    boxes.drop.push_back(verdict.drop);
+    boxes.tilt.push_back(end.tilt[i]);
+    boxes.kinetic_energy.push_back(end.kinetic_energy[i]);
+    boxes.peak_kinetic_energy.push_back(end.peak_kinetic_energy[i]);
+    boxes.fallen.push_back(verdict.fallen ? 1 : 0);
+    boxes.moved.push_back(verdict.moved ? 1 : 0);
+    boxes.tilted.push_back(verdict.tilted ? 1 : 0);
+    boxes.unstable.push_back(verdict.unstable ? 1 : 0);
+  }
+}
+
+/// Takes as many of the rows as make a slice.
+std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
+  std::uint64_t boxes = 0;
+  std::size_t count = 0;
+  while (count < rows.size() && (count == 0 || boxes + rows[count].box_count <= kSliceBoxes))
+    boxes += rows[count++].box_count;
+  rows.resize(count);
+  return rows;
+}
+
+SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, std::uint64_t world_begin) {
+  const std::uint64_t left = results.info().world_count - world_begin;
+  SummarySlice slice;
+  slice.world_begin = world_begin;
+  slice.rows = take_slice(value_of(results.worlds(world_begin, std::min(left, kSliceWorlds))));
+  slice.box_begin = slice.rows.front().box_begin;
+  const std::uint64_t box_count = slice.rows.back().box_begin + slice.rows.back().box_count - slice.box_begin;
+  const EndTable ends = value_of(results.ends(slice.box_begin, box_count));
+  for (const WorldRow& row : slice.rows) {
+    const EndTable end = part_of(ends, row.box_begin - slice.box_begin, row.box_count);
+    append_world(row, judge_world(end, thresholds), slice.worlds);
+    append_boxes(end, thresholds, slice.boxes);
+    const std::vector<float> times = first_moves(results, row, end, thresholds);
+    slice.boxes.first_move_time.insert(slice.boxes.first_move_time.end(), times.begin(), times.end());
+  }
+  return slice;
+}
+
+}  // namespace
+
+std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
+                                    const std::function<std::optional<Error>(const SummarySlice&)>& visit) {
+  return h5::caught("", [&] {
+    for (std::uint64_t world = 0; world < results.info().world_count;) {
+      const SummarySlice slice = derive_slice(results, thresholds, world);
+      if (const auto error = visit(slice)) throw h5::Failure(*error);
+      world += slice.rows.size();
+    }
+  });
+}
+
+}  // namespace holdfast
