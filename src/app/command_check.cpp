@@ -74,7 +74,7 @@ ExitCode check(const CheckOptions& options) {
     const Finding finding = check_file(input, config->settings);
     warn(finding.warnings);
     fail(ExitCode::bad_usage, finding.errors);
-    bad += finding.errors.empty() ? 0 : 1;
+    bad += finding.errors.empty() ? 0U : 1U;
     if (finding.errors.empty()) fmt::print("{}: ok: {}\n", input.path, finding.description);
   }
   if (bad > 0) fmt::print(stderr, "{} of {} files are bad\n", bad, inputs->size());
