@@ -41,7 +41,7 @@ Id text_type(std::size_t size) {
   Id type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, size);
   H5Tset_cset(type, H5T_CSET_UTF8);
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_strpad(type, size == H5T_VARIABLE ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
   return type;
 }
 

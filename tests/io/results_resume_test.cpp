@@ -1,0 +1,92 @@
+#include "io/results_resume.hpp"
+
+#include <fstream>
+
+#include "io/results_fixture.hpp"
+
+using namespace results_fixture;
+
+namespace {
+
+/// Writes all units of the run, a part each, and does not assemble them.
+void write_parts(const std::string& path, const Run& run) {
+  const auto writer = require_value(ResultsWriter::open(path, run.description, {}, every_unit()));
+  write_units(*writer, run, 0, run.units.size());
+}
+
+std::string message_of(const Result<Progress>& progress) {
+  REQUIRE_FALSE(progress);
+  return progress.error().message();
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("results_resume: nothing there is no progress", "[io][results]") {
+  const Folder folder;
+  const Progress progress = require_value(find_finished(folder / "results.h5", "x"));
+  CHECK(progress.world_count == 0);
+  CHECK_FALSE(progress.complete);
+}
+
+TEST_CASE("results_resume: finished parts are counted and left-over files removed", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}, {0, 0}, {5, 2}});
+  write_parts(path, run);
+  std::ofstream(path + ".parts/part-000004.h5.tmp") << "half";
+  std::ofstream(path + ".tmp") << "half";
+  const Progress progress = require_value(find_finished(path, fingerprint(run.description)));
+  CHECK(progress.part_count == 3);
+  CHECK(progress.world_count == 6);
+  CHECK(progress.box_count == 16);
+  CHECK(progress.sample_count == 12);
+  CHECK(progress.row_count == 2 * (12 + 10));
+  REQUIRE(progress.layouts.size() == 3);
+  CHECK(progress.layouts[2] == std::pair(run.description.layout_names[2], std::string(64, 'a')));
+  CHECK(list_directory(path + ".parts").size() == 3);
+  CHECK_FALSE(std::filesystem::exists(path + ".tmp"));
+}
+
+TEST_CASE("results_resume: another run's parts and file are refused, and it says what differs", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}});
+  write_parts(path, run);
+  RunDescription other = run.description;
+  other.config_text += "x";
+  other.accelerations[0].sha256[5] = 'c';
+  other.host = "another";
+  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (config, accelerations differ)"));
+  require_ok(assemble(path, run.description));
+  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (config, accelerations differ)"));
+}
+
+TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}, {2, 2}, {5, 2}});
+  write_parts(path, run);
+  const std::string second = path + ".parts/part-000002.h5";
+  SECTION("missing") {
+    std::filesystem::remove(second);
+    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "part-000002.h5: is missing"));
+    CHECK(assemble(path, run.description));
+  }
+  SECTION("damaged") {
+    std::filesystem::resize_file(second, 5000);
+    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "cannot be opened as an HDF5 file"));
+  }
+  SECTION("a copy of another") {
+    std::filesystem::copy_file(path + ".parts/part-000001.h5", second,
+                               std::filesystem::copy_options::overwrite_existing);
+    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "does not go on where"));
+  }
+  SECTION("the last worlds missing") {
+    std::filesystem::remove(path + ".parts/part-000003.h5");
+    const auto error = assemble(path, run.description);
+    REQUIRE(error);
+    CHECK(contains(error->message(), "does not hold all worlds of the run: 4 of 6"));
+  }
+}
