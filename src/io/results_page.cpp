@@ -130,7 +130,9 @@ std::string_view folder_of(std::string_view path) { return path.substr(0, path.r
 std::string results_page() {
   std::string page(kIntroduction);
   const auto to = std::back_inserter(page);
-  page += "\n`/worlds/status` is 0 when all is well, else the sum of these bits:\n\n| bit | name | meaning and cure |\n";
+  page +=
+      "\n`/worlds/status` is 0 when all is well, else the sum of these bits. Look at it, or at "
+          "`stop_reason`, before the summary: a world that was not run has no boxes, and so no fallen ones.\n\n| bit | name | meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const auto& [bit, meaning] : kStatusMeanings)
     fmt::format_to(to, "| {} | `{}` | {} |\n", static_cast<std::uint32_t>(bit), to_string(bit), meaning);
