@@ -89,7 +89,12 @@ struct ResultsWriter::State {
 };
 
 ResultsWriter::ResultsWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
-ResultsWriter::~ResultsWriter() = default;
+
+ResultsWriter::~ResultsWriter() {
+  // A run that ended before its first part leaves no folder behind; one with parts in it stays.
+  std::error_code not_empty;
+  std::filesystem::remove(parts_folder(state_->path), not_empty);
+}
 
 Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& path, RunDescription run,
                                                            const Progress& resume, const PartLimits& limits) {
