@@ -111,7 +111,6 @@ struct StatusMeaning {
 constexpr std::array<StatusMeaning, 6> kStatusMeanings = {{
     {Status::bad_layout, "the layout could not be used; not simulated, no boxes. See `status_text`"},
     {Status::bad_acceleration, "the acceleration could not be used; not simulated. See `status_text`"},
-    {Status::refused, "the engine cannot model what the settings ask; not simulated. Use another engine"},
     {Status::non_finite, "a state became infinite or undefined; the samples end before. Use a smaller step"},
     {Status::not_converged, "the solver's residual stayed above its bound. Allow more iterations or accuracy"},
     {Status::capacity, "a fixed capacity overflowed and contacts were lost. Use smaller batches"},
