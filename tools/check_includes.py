@@ -33,7 +33,8 @@ RULES = {
     "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
     "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "POSIX"}),
-    "app": ({"core", "io", "bullet", "parallel", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
+    "validate": ({"core", "validate"}, {"fmt"}),
+    "app": ({"core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
 }
 
 # Libraries that are kept to one file of their folder, so that they can be replaced there.

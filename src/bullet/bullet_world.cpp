@@ -1,5 +1,7 @@
 #include "bullet/bullet_world.hpp"
 
+#include <cmath>
+
 #include "bullet/bullet_number.hpp"
 #include "core/step_plan.hpp"
 
@@ -43,7 +45,8 @@ BulletWorld::BulletWorld(const WorldBatch& batch, const World& world, const Sett
       phase_begin_(0.0) {
   apply(preset, dynamics_.getSolverInfo());
   double cargo_mass = 0.0;
-  for (const double mass : view(batch.boxes, world).mass) cargo_mass += mass;
+  for (const double mass : view(batch.boxes, world).mass)
+    if (std::isfinite(mass)) cargo_mass += mass;
   container_ = settings.container.motion == ContainerMotion::free
                    ? make_free_container(dynamics_, settings, cargo_mass)
                    : make_prescribed_container(dynamics_, settings);
@@ -66,8 +69,10 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
     box.offset_shape->addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(Vec3(-centre_of_mass))), shape);
     shape = box.offset_shape.get();
   }
-  box.body = std::make_unique<btRigidBody>(to_bullet(batch.boxes.mass[i]), nullptr, shape,
-                                           to_bullet(batch.boxes.inertia[i]));
+  // Bullet's sign for a body that nothing moves is a mass of zero.
+  const bool fixed = !std::isfinite(batch.boxes.mass[i]);
+  box.body = std::make_unique<btRigidBody>(to_bullet(fixed ? 0.0 : batch.boxes.mass[i]), nullptr, shape,
+                                           to_bullet(fixed ? Vec3(Vec3::Zero()) : batch.boxes.inertia[i]));
 
   const Rotation& q = batch.state.orientation[i];
   box.start_position = batch.state.position[i];
@@ -78,7 +83,7 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   box.body->setLinearVelocity(to_bullet(batch.state.velocity[i]));
   box.body->setAngularVelocity(to_bullet(batch.state.angular_velocity[i]));
   box.body->setUserPointer(&box.surface);
-  if (preset_.sleeping == BulletSleeping::off) box.body->setActivationState(DISABLE_DEACTIVATION);
+  if (preset_.sleeping == BulletSleeping::off && !fixed) box.body->setActivationState(DISABLE_DEACTIVATION);
   dynamics_.addRigidBody(box.body.get());
 }
 

@@ -15,7 +15,7 @@ namespace holdfast {
 /// What of a box never changes, a column a quantity, an entry a box.
 struct BoxColumns {
   std::vector<Vec3> half_extents;    ///< m, body axes (those of the container at the layout's pose)
-  std::vector<double> mass;          ///< kg
+  std::vector<double> mass;          ///< kg; infinite: fixed to the container, as are its moments
   std::vector<Vec3> inertia;         ///< principal moments about the centre of mass, body axes, kg m²
   std::vector<Vec3> centre_of_mass;  ///< offset from the centroid, body axes, m
   std::vector<double> friction;      ///< coefficient of the surface, one side of a product
