@@ -118,6 +118,7 @@ void Dataset::extend(std::uint64_t length) {
 void Dataset::write_chunk(std::uint64_t index, std::span<const std::byte> bytes) {
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   if (H5Dwrite_chunk(id_, H5P_DEFAULT, 0, at.data(), bytes.size(), bytes.data()) < 0) fail("cannot be written");
+  file_->check_disk("cannot be written (" + std::string(spec_->path) + ")");
 }
 
 std::vector<std::byte> Dataset::read_chunk(std::uint64_t index) const {
