@@ -151,9 +151,7 @@ void make_group(const File& file, const std::string& path) {
   }
 }
 
-bool exists(const File& file, const std::string& path) {
-  return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0;
-}
+bool exists(const File& file, const std::string& path) { return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text) {
   const std::string copy(text);

@@ -132,7 +132,8 @@ std::string results_page() {
   const auto to = std::back_inserter(page);
   page +=
       "\n`/worlds/status` is 0 when all is well, else the sum of these bits. Look at it, or at "
-          "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | meaning and cure |\n";
+      "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | "
+      "meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const auto& [bit, meaning] : kStatusMeanings)
     fmt::format_to(to, "| {} | `{}` | {} |\n", static_cast<std::uint32_t>(bit), to_string(bit), meaning);
