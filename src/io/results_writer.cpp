@@ -41,14 +41,14 @@ void prepare_folder(const std::string& path, const Progress& resume) {
   if (std::filesystem::exists(path)) {
     throw h5::Failure(Error{.file = path,
                             .what = "exists already, and a finished results file is never written over",
-                            .accepted = "another name, or remove it first"});
+                            .accepted = "another name, or --overwrite to replace it"});
   }
   const std::size_t found = list_parts(path).size();
   if (found != resume.part_count) {
     throw h5::Failure(Error{.file = parts_folder(path),
                             .what = "holds the finished parts of an interrupted run",
                             .value = std::to_string(found),
-                            .accepted = "--resume to go on with it, or remove the folder"});
+                            .accepted = "--resume to go on with it, or --overwrite to start anew"});
   }
   std::error_code failure;
   std::filesystem::create_directories(parts_folder(path), failure);
