@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
 
 #include "app/commands.hpp"
+#include "app/report.hpp"
 #include "app/version.hpp"
 #include "core/closest_word.hpp"
 #include "core/settings_page.hpp"
@@ -29,36 +32,37 @@ std::string words_of(int argc, char** argv) {
   return line;
 }
 
-/// The words that a program could have meant by one that it does not know: its commands, or the options of the
-/// command that was chosen.
-std::vector<std::string> known_words(const CLI::App& program, bool is_option) {
-  std::vector<std::string> words;
-  if (!is_option) {
-    for (const CLI::App* command : program.get_subcommands({})) words.push_back(command->get_name());
-    return words;
-  }
-  const std::vector<CLI::App*> chosen = program.get_subcommands();
-  const CLI::App& command = chosen.empty() ? program : *chosen.front();
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
-  return words;
+/// The first word of a command line that should be a command and is none. CLI11 itself would only say that a
+/// command is required.
+std::optional<Error> unknown_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return std::nullopt;
+  const auto meant = closest_word(argv[1], std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown command",
+               .value = argv[1],
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant)
+                                 : fmt::format("accepted are {}", fmt::join(names, ", "))};
 }
 
-/// A word that belongs nowhere is told first: what else is wrong mostly follows from it. False when there is none.
-bool tell_unknown_word(const CLI::App& program) {
-  const std::vector<std::string> unknown = program.remaining(true);
-  if (unknown.empty()) return false;
-  const bool is_option = unknown.front().starts_with("-");
-  // `--key=value` is known by its key.
-  const std::string word = unknown.front().substr(0, is_option ? unknown.front().find('=') : std::string::npos);
-  const std::vector<std::string> words = known_words(program, is_option);
-  const auto meant = closest_word(word, std::vector<std::string_view>(words.begin(), words.end()));
-  fmt::print(stderr, "{}: {}; {}\n",
-             is_option                           ? "unknown option"
-             : program.get_subcommands().empty() ? "unknown command"
-                                                 : "a word too many",
-             word, meant ? fmt::format("did you mean {}?", *meant) : "--help lists what there is");
-  return true;
+/// The first word behind a command that belongs nowhere: an unknown option, or one word too many. It is told before
+/// all else, since what else CLI11 finds wrong mostly follows from it.
+std::optional<Error> unknown_word(const CLI::App& program) {
+  const std::vector<std::string> left = program.remaining(true);
+  if (left.empty()) return std::nullopt;
+  if (!left.front().starts_with("-")) return Error{.what = "a word too many", .value = left.front()};
+  const std::string option = left.front().substr(0, left.front().find('='));
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const auto meant = closest_word(option, std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown option",
+               .value = option,
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
 }
 
 }  // namespace
@@ -82,10 +86,13 @@ int main(int argc, char** argv) {
   add_summary_command(program, chosen);
   add_check_command(program, chosen);
   add_engines_command(program, chosen);
+  if (const auto error = unknown_command(program, argc, argv))
+    return static_cast<int>(fail(ExitCode::bad_usage, *error));
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0 && tell_unknown_word(program)) return static_cast<int>(ExitCode::bad_usage);
+    const auto unknown = error.get_exit_code() == 0 ? std::nullopt : unknown_word(program);
+    if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
     return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_usage);
   }
   return static_cast<int>(chosen.run());

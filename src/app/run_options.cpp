@@ -2,16 +2,10 @@
 
 namespace holdfast {
 
-namespace {
-
-constexpr int kMostThreads = 1024;  // as the key Threads
-
-}  // namespace
-
 void RunOptions::add_to(CLI::App& command) {
   command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`")->type_name("NAME");
   command.add_option("--threads", threads, "Threads; 0: one a core")
-      ->check(CLI::Range(0, kMostThreads))
+      ->check(CLI::Range(0, 1024))
       ->type_name("N");
   command.add_option("--scheduler", scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");

@@ -14,16 +14,20 @@ namespace {
 /// Length before text, so that no two lists of texts are joined to the same bytes.
 void append(std::string& bytes, const std::string& text) { bytes += std::to_string(text.size()) + ':' + text; }
 
-/// Settings that no result depends on, so that a run may be resumed with others.
-constexpr std::array<std::string_view, 3> kWithoutEffect = {"Screening/Threads", "Screening/Scheduler",
-                                                            "Export Settings/SavePath"};
+/// Settings that say how a run is done and where it is kept, not what comes out: they may change at a resume.
+constexpr std::array<std::string_view, 3> kWithoutInfluence = {"Screening/Threads", "Screening/Scheduler",
+                                                               "Export Settings/SavePath"};
+
+bool has_influence(const std::string& key) {
+  return std::find(kWithoutInfluence.begin(), kWithoutInfluence.end(), key) == kWithoutInfluence.end();
+}
 
 }  // namespace
 
 std::string fingerprint(const RunDescription& run) {
   std::string settings;
   for (const auto& [key, value] : run.settings) {
-    if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), key) != kWithoutEffect.end()) continue;
+    if (!has_influence(key)) continue;
     append(settings, key);
     append(settings, value);
   }
@@ -34,9 +38,9 @@ std::string fingerprint(const RunDescription& run) {
     append(accelerations, motion.name);
     append(accelerations, motion.sha256);
   }
-  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) + " engine=" + run.engine +
-         " layouts=" + sha256_of(layouts) + " accelerations=" + sha256_of(accelerations) +
-         " series=" + (run.record_series ? "1" : "0");
+  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) +
+         " engine=" + run.engine + " layouts=" + sha256_of(layouts) +
+         " accelerations=" + sha256_of(accelerations) + " series=" + (run.record_series ? "1" : "0");
 }
 
 std::string fingerprint_difference(const std::string& a, const std::string& b) {

@@ -188,12 +188,12 @@ class Usage(CliTest):
     def test_bad_command_lines(self):
         for arguments, words in (
                 ((), ("A subcommand is required",)),
-                (("scren",), ("unknown command: scren; did you mean screen?",)),
+                (("scren",), ("unknown command: scren; did you mean 'screen'?",)),
                 (("frobnicate",), ("unknown command: frobnicate",)),
-                (("--verson",), ("unknown option: --verson; did you mean --version?",)),
+                (("--verson",), ("unknown option: --verson; did you mean '--version'?",)),
                 (("screen",), ("--layouts",)),
-                (("screen", "--layout", "x", "--accelerations", "y"), ("unknown option: --layout; did you mean --layouts?",)),
-                (("screen", "--layouts", "x", "--accelerations", "y", "--thread=3"), ("did you mean --threads?",)),
+                (("screen", "--layout", "x", "--accelerations", "y"), ("unknown option: --layout; did you mean '--layouts'?",)),
+                (("screen", "--layouts", "x", "--accelerations", "y", "--thread=3"), ("did you mean '--threads'?",)),
                 (("screen", "--layouts", "x", "--accelerations", "y", "--threads", "-1"), ("--threads", "-1", "1024")),
                 (("screen", "--layouts", "x", "--accelerations", "y", "--threads", "many"), ("--threads", "many")),
                 (("screen", "--layouts", "x", "--accelerations", "y", "--resume", "--overwrite"), ("--overwrite", "--resume")),
