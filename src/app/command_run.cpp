@@ -75,9 +75,8 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
   auto options = std::make_shared<ConfigRunOptions>();
   command->add_option("config", options->config_path, "Configuration")->required()->type_name("FILE");
   options->run.add_to(*command);
-  command->callback([options, &chosen] {
-    chosen.run = [options, &chosen] { return run(*options, chosen.command_line); };
-  });
+  command->callback(
+      [options, &chosen] { chosen.run = [options, &chosen] { return run(*options, chosen.command_line); }; });
 }
 
 }  // namespace holdfast
