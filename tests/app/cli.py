@@ -17,6 +17,7 @@ import numpy as np
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 HOLDFAST = str(pathlib.Path(os.environ.get("HOLDFAST", SOURCE / "build/release/bin/holdfast")).resolve())
 SEED_LAYOUT = SOURCE / "configs/layouts/seed_example.txt"
+SEED_ACCELERATION = SOURCE / "configs/accelerations/seed_example.txt"
 PATIENCE = 60  # s that a program may take before a test gives it up
 
 CONFIG = """\
@@ -52,6 +53,12 @@ def start(*arguments, **options):
     """Starts the program and does not wait for its end."""
     return subprocess.Popen([HOLDFAST, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                             **{"stderr": subprocess.PIPE, "encoding": "utf-8", **options})
+
+
+def schedulers():
+    """The schedulers that were built, as the program lists them."""
+    refused = run("screen", "--scheduler", "none", "--layouts", SEED_LAYOUT, "--accelerations", SEED_ACCELERATION)
+    return refused.stderr.strip().split("accepted are ")[1].split(", ")
 
 
 def wait_for(condition, process=None):

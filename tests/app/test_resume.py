@@ -9,7 +9,7 @@ import unittest
 
 import h5py
 
-from cli import CONFIG, PATIENCE, SEED, CliTest, layout_text, run, start, wait_for
+from cli import CONFIG, PATIENCE, SEED, CliTest, layout_text, run, schedulers, start, wait_for
 
 LONG_ENOUGH = 3.5  # s, so that a part is finished, which takes 2 s, well before the run is
 ENDLESS = "0 100000 1 0 0\n"
@@ -74,7 +74,7 @@ class LongRun(CliTest):
         self.assert_refused(self.run_here(*self.arguments(), "--resume"), "results.h5", "accelerations differ")
 
     def test_with_other_threads_and_scheduler(self):
-        done = self.run_here(*self.arguments(), "--resume", "--threads", 3, "--scheduler", "openmp", "--quiet")
+        done = self.run_here(*self.arguments(), "--resume", "--threads", 3, "--scheduler", schedulers()[-2], "--quiet")
         self.assert_exit(done, 0)
         self.assertEqual((done.stdout, done.stderr), ("", ""))
         self.assert_same_results(self.common / "whole.h5", self.folder / "results.h5")

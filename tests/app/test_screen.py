@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, SOURCE, CliTest, datasets, layout_text, same_bits
+from cli import CONFIG, SOURCE, CliTest, datasets, layout_text, same_bits, schedulers
 
 DROP, MOVE, TILT = 0.05, 0.10, 10.0  # the defaults, m and degrees
 
@@ -33,7 +33,7 @@ class Contents(CliTest):
         super().setUp()
         self.write_inputs()
         self.path, self.done = self.screen("--threads", 2)
-        self.file = self.enterContext(h5py.File(self.path)) if hasattr(self, "enterContext") else h5py.File(self.path)
+        self.file = h5py.File(self.path)
         self.addCleanup(self.file.close)
 
     def column(self, path):
@@ -167,7 +167,7 @@ class SameResults(CliTest):
         self.layouts += [self.write(f"tower{i}.txt", layout_text([(100, 90, 35 * k, 130 + i, 120, 35 * (k + 1))
                                                                   for k in range(4)])) for i in range(6)]
         first, _ = self.screen("--scheduler", "serial", output="first.h5")
-        for scheduler in ("tbb", "openmp", "serial"):
+        for scheduler in schedulers():
             for threads in (1, 2, 3):
                 with self.subTest(scheduler=scheduler, threads=threads):
                     other, _ = self.screen("--scheduler", scheduler, "--threads", threads, "--overwrite")
