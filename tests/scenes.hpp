@@ -3,6 +3,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -72,9 +73,12 @@ struct Run {
 };
 
 /// Runs all worlds of `layouts` and `motions`; results in the batch's order.
+/// @param prepare changes the state that the worlds start from
 inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> layouts,
-                                std::span<const Motion* const> motions, const Settings& settings) {
+                                std::span<const Motion* const> motions, const Settings& settings,
+                                const std::function<void(StateColumns&)>& prepare = {}) {
   WorldBatch batch = make_batch(layouts, motions, settings);
+  if (prepare) prepare(batch.state);
   const std::vector<Vec3> start = batch.state.position;
   std::vector<std::unique_ptr<SeriesRecorder>> recorders;
   std::vector<Recorder*> watchers;
@@ -102,9 +106,10 @@ inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> la
 }
 
 /// Runs one world.
-inline Run run(const Engine& engine, const Layout& layout, const Motion& motion, const Settings& settings) {
+inline Run run(const Engine& engine, const Layout& layout, const Motion& motion, const Settings& settings,
+               const std::function<void(StateColumns&)>& prepare = {}) {
   const Motion* const motions[] = {&motion};
-  return std::move(run_all(engine, std::span(&layout, 1), motions, settings).front());
+  return std::move(run_all(engine, std::span(&layout, 1), motions, settings, prepare).front());
 }
 
 /// An engine of the catalogue; a failure of the test where it cannot be made.
