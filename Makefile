@@ -16,6 +16,7 @@ demo: build  ## Screen the sample layouts under the norm accelerations into demo
 	@mkdir -p demo
 	build/release/bin/holdfast screen -c configs/demo.ini --layouts configs/layouts \
 	  --accelerations configs/accelerations -o demo/results.h5 --overwrite
+	@cat examples/next_steps.txt
 
 test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)

@@ -91,7 +91,7 @@ void add_check_command(CLI::App& program, ChosenCommand& chosen) {
   auto options = std::make_shared<CheckOptions>();
   command->add_option("paths", options->paths, "Files, folders, or - for a list on standard input")
       ->required()
-      ->type_name("PATH...");
+      ->type_name("PATH");
   command->add_option("-c,--config", options->config_path, "Configuration that gives container and axes")
       ->type_name("FILE");
   command->callback([options, &chosen] { chosen.run = [options] { return check(*options); }; });

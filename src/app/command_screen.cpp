@@ -59,8 +59,8 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   auto options = std::make_shared<ScreenOptions>();
   command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
       ->type_name("FILE");
-  command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH...");
-  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH...");
+  command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
   command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
   options->run.add_to(*command);
   command->callback([options, &chosen] {

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
 
 #include "app/commands.hpp"
+#include "app/report.hpp"
 #include "app/version.hpp"
+#include "core/closest_word.hpp"
 #include "core/settings_page.hpp"
 #include "io/results_page.hpp"
 
@@ -28,6 +32,21 @@ std::string words_of(int argc, char** argv) {
   return line;
 }
 
+/// The first word of a command line that should be a command and is none. CLI11 itself would only say that a
+/// command is required.
+std::optional<Error> unknown_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return std::nullopt;
+  const auto meant = closest_word(argv[1], std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown command",
+               .value = argv[1],
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant)
+                                 : fmt::format("accepted are {}", fmt::join(names, ", "))};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -49,6 +68,8 @@ int main(int argc, char** argv) {
   add_summary_command(program, chosen);
   add_check_command(program, chosen);
   add_engines_command(program, chosen);
+  if (const auto error = unknown_command(program, argc, argv))
+    return static_cast<int>(fail(ExitCode::bad_usage, *error));
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

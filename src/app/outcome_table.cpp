@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct WorldLine {
 /// Layouts under one acceleration, each counted once, by the worst that happened in it.
 struct AccelerationLine {
   std::uint64_t stayed = 0, moved = 0, fell = 0, failed = 0;
+  std::optional<WorldLine> worst;
 };
 
 /// A layout that did not even stand under gravity alone.
@@ -46,13 +48,13 @@ class Tally {
   }
 
   OutcomeTable table() const {
-    std::string text = fmt::format("\n{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}\n", "layouts that", name_width(), "stayed",
-                                   "moved", "fell", "failed");
+    std::string text = fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", "layouts that", name_width(), "stayed",
+                                   "moved", "fell", "failed", "the worst one");
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
-      text += fmt::format("{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}\n", info_.accelerations[i], name_width(), line.stayed,
-                          line.moved, line.fell, line.failed);
+      text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", info_.accelerations[i], name_width(), line.stayed,
+                          line.moved, line.fell, line.failed, line.worst ? info_.layouts[line.worst->layout] : "-");
       failed += line.failed;
     }
     return {text + worst_lines() + unstable_lines() + failed_lines(), failed};
@@ -71,13 +73,14 @@ class Tally {
                           summary.peak_displacement[i]};
     const bool moved = world.moved + world.tilted > 0;
     ++(world.fallen > 0 ? line.fell : moved ? line.moved : line.stayed);
-    if (world.fallen > 0 || moved) add_to_worst(world);
+    if (world.fallen > 0 || moved) add_to_worst(world, line);
     if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
   }
 
-  void add_to_worst(const WorldLine& world) {
-    const auto better = [](const WorldLine& a, const WorldLine& b) { return a.badness() > b.badness(); };
-    worst_.insert(std::upper_bound(worst_.begin(), worst_.end(), world, better), world);
+  void add_to_worst(const WorldLine& world, AccelerationLine& line) {
+    if (!line.worst || world.badness() > line.worst->badness()) line.worst = world;
+    const auto worse = [](const WorldLine& a, const WorldLine& b) { return a.badness() > b.badness(); };
+    worst_.insert(std::upper_bound(worst_.begin(), worst_.end(), world, worse), world);
     if (worst_.size() > kWorstShown) worst_.pop_back();
   }
 

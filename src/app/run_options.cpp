@@ -3,10 +3,14 @@
 namespace holdfast {
 
 void RunOptions::add_to(CLI::App& command) {
-  command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`");
-  command.add_option("--threads", threads, "Threads; 0: one a core")->check(CLI::NonNegativeNumber);
-  command.add_option("--scheduler", scheduler, "How work is spread over threads: tbb, openmp or serial");
-  command.add_option("--text", text_folder, "Also write the three kinds of text files into this folder");
+  command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`")->type_name("NAME");
+  command.add_option("--threads", threads, "Threads; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command.add_option("--scheduler", scheduler, "How work is spread over threads: tbb, openmp or serial")
+      ->type_name("NAME");
+  command.add_option("--text", text_folder, "Also write the three kinds of text files into this folder")
+      ->type_name("DIR");
   command.add_flag("--no-series", no_series, "Keep end states and peaks only, no time series");
   auto* go_on = command.add_flag("--resume", resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", overwrite, "Replace the results of an earlier run")->excludes(go_on);

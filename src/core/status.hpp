@@ -11,10 +11,9 @@ enum class Status : std::uint32_t {
   ok = 0,
   bad_layout = 1U << 0U,        ///< the layout could not be used. Cure: see status_text
   bad_acceleration = 1U << 1U,  ///< the acceleration could not be used. Cure: see status_text
-  refused = 1U << 2U,           ///< the engine cannot model what the settings ask. Cure: another engine
-  non_finite = 1U << 3U,        ///< a state became infinite or undefined; the samples end before. Cure: a smaller step
-  not_converged = 1U << 4U,     ///< the solver's residual stayed above its bound. Cure: more iterations or accuracy
-  capacity = 1U << 5U,          ///< a fixed capacity overflowed and contacts were lost. Cure: smaller batches
+  non_finite = 1U << 2U,        ///< a state became infinite or undefined; the samples end before. Cure: a smaller step
+  not_converged = 1U << 3U,     ///< the solver's residual stayed above its bound. Cure: more iterations or accuracy
+  capacity = 1U << 4U,          ///< a fixed capacity overflowed and contacts were lost. Cure: smaller batches
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -26,7 +25,7 @@ constexpr bool has(Status status, Status bit) {
 
 /// Why a world ended.
 enum class StopReason : std::uint8_t {
-  not_run = 0,   ///< a bad input, or refused
+  not_run = 0,   ///< a bad input
   timeout = 1,   ///< the simulated time was up
   sleeping = 2,  ///< all boxes had come to rest
   failed = 3,    ///< the status says why

@@ -45,6 +45,7 @@ void PartBuilder::add(PackedUnit&& unit) {
 void PartBuilder::append_world(const WorldRecord& world, std::uint64_t sample_count) {
   const std::uint64_t local_world = at(end_, Axis::worlds) - at(begin_, Axis::worlds);
   const auto box_count = static_cast<std::uint32_t>(world.boxes.id.size());
+  assert(world.end.displacement.size() == box_count && world.end.settling_displacement.size() == box_count);
   WorldRow row;
   row.layout = world.layout;
   row.acceleration = world.acceleration;

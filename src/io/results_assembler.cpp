@@ -27,7 +27,7 @@ class Parts {
   std::shared_ptr<h5::File> open(std::size_t part) {
     if (kept_[part]) return kept_[part];
     auto file = std::make_shared<h5::File>(h5::File::open(part_path(path_, part + 1)));
-    constexpr std::size_t kMostKept = 200;
+    constexpr std::size_t kMostKept = 64;
     if (part < kMostKept) kept_[part] = file;
     return file;
   }

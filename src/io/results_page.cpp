@@ -88,7 +88,7 @@ constexpr std::string_view kParts = R"(
 While a run goes on, finished worlds are safe in `results.h5.parts/part-000001.h5`, `part-000002.h5`, …: each holds a
 consecutive range of worlds, and is closed after 256 worlds, 32 MB or 2 seconds. A part appears under its name only
 when all of it is on disk, so a kill or a power cut costs the open part at most. At the end the parts become
-`results.h5` and are removed. `--resume` goes on after the last finished part, if config, settings, engine, layouts
+`results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part, if config, settings, engine, layouts
 and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor
 seconds aside).
 
@@ -111,7 +111,6 @@ struct StatusMeaning {
 constexpr std::array<StatusMeaning, 6> kStatusMeanings = {{
     {Status::bad_layout, "the layout could not be used; not simulated, no boxes. See `status_text`"},
     {Status::bad_acceleration, "the acceleration could not be used; not simulated. See `status_text`"},
-    {Status::refused, "the engine cannot model what the settings ask; not simulated. Use another engine"},
     {Status::non_finite, "a state became infinite or undefined; the samples end before. Use a smaller step"},
     {Status::not_converged, "the solver's residual stayed above its bound. Allow more iterations or accuracy"},
     {Status::capacity, "a fixed capacity overflowed and contacts were lost. Use smaller batches"},
@@ -130,7 +129,9 @@ std::string_view folder_of(std::string_view path) { return path.substr(0, path.r
 std::string results_page() {
   std::string page(kIntroduction);
   const auto to = std::back_inserter(page);
-  page += "\n`/worlds/status` is 0 when all is well, else the sum of these bits:\n\n| bit | name | meaning and cure |\n";
+  page +=
+      "\n`/worlds/status` is 0 when all is well, else the sum of these bits. Look at it, or at "
+          "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const auto& [bit, meaning] : kStatusMeanings)
     fmt::format_to(to, "| {} | `{}` | {} |\n", static_cast<std::uint32_t>(bit), to_string(bit), meaning);

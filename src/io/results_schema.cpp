@@ -187,7 +187,7 @@ std::string_view to_string(ElementType type) {
 std::size_t dataset_index(std::string_view path) {
   for (std::size_t i = 0; i < kSchema.size(); ++i)
     if (kSchema[i].path == path) return i;
-  assert(!"a path of the schema");
+  assert(false && "a path of the schema");
   return 0;
 }
 

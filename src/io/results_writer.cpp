@@ -41,14 +41,14 @@ void prepare_folder(const std::string& path, const Progress& resume) {
   if (std::filesystem::exists(path)) {
     throw h5::Failure(Error{.file = path,
                             .what = "exists already, and a finished results file is never written over",
-                            .accepted = "another name, or remove it first"});
+                            .accepted = "give another name, or --overwrite to replace it"});
   }
   const std::size_t found = list_parts(path).size();
   if (found != resume.part_count) {
     throw h5::Failure(Error{.file = parts_folder(path),
                             .what = "holds the finished parts of an interrupted run",
                             .value = std::to_string(found),
-                            .accepted = "--resume to go on with it, or remove the folder"});
+                            .accepted = "--resume goes on with it, --overwrite starts anew"});
   }
   std::error_code failure;
   std::filesystem::create_directories(parts_folder(path), failure);
@@ -89,7 +89,12 @@ struct ResultsWriter::State {
 };
 
 ResultsWriter::ResultsWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
-ResultsWriter::~ResultsWriter() = default;
+
+ResultsWriter::~ResultsWriter() {
+  // A run that ended before its first part leaves no folder behind; one with parts in it stays.
+  std::error_code not_empty;
+  std::filesystem::remove(parts_folder(state_->path), not_empty);
+}
 
 Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& path, RunDescription run,
                                                            const Progress& resume, const PartLimits& limits) {

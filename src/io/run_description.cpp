@@ -1,6 +1,9 @@
 #include "io/run_description.hpp"
 
+#include <algorithm>
+#include <array>
 #include <sstream>
+#include <string_view>
 
 #include "io/text_file.hpp"
 
@@ -11,11 +14,20 @@ namespace {
 /// Length before text, so that no two lists of texts are joined to the same bytes.
 void append(std::string& bytes, const std::string& text) { bytes += std::to_string(text.size()) + ':' + text; }
 
+/// Settings that say how a run is done and where it is kept, not what comes out: they may change at a resume.
+constexpr std::array<std::string_view, 3> kWithoutInfluence = {"Screening/Threads", "Screening/Scheduler",
+                                                               "Export Settings/SavePath"};
+
+bool has_influence(const std::string& key) {
+  return std::find(kWithoutInfluence.begin(), kWithoutInfluence.end(), key) == kWithoutInfluence.end();
+}
+
 }  // namespace
 
 std::string fingerprint(const RunDescription& run) {
   std::string settings;
   for (const auto& [key, value] : run.settings) {
+    if (!has_influence(key)) continue;
     append(settings, key);
     append(settings, value);
   }

@@ -27,7 +27,8 @@ struct RunDescription {
 };
 
 /// What must be the same for a run to be taken up again, as text: `config=… settings=… engine=… layouts=…
-/// accelerations=… series=…`, SHA-256 of each where it is long. Neither command line nor host nor time is in it.
+/// accelerations=… series=…`, SHA-256 of each where it is long. Neither command line, host, time, threads
+/// nor scheduler are in it.
 std::string fingerprint(const RunDescription& run);
 
 /// Names of what differs between two fingerprints, joined by ", "; empty when they are equal.

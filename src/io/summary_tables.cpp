@@ -69,12 +69,15 @@ void write_summary_tables(const h5::File& file, ResultsReader& results, const Th
 
 std::optional<Error> write_summary(const std::string& results_path, const Thresholds& thresholds,
                                    const std::string& path) {
-  return h5::caught(path, [&] {
+  const auto error = h5::caught(path, [&] {
     if (std::filesystem::exists(path)) {
       throw h5::Failure(Error{.file = path, .what = "exists already", .accepted = "the name of a new file"});
     }
     write_file(h5::File::open(results_path), path, thresholds);
   });
+  std::error_code ignored;
+  if (error) std::filesystem::remove(temporary_name(path), ignored);
+  return error;
 }
 
 }  // namespace holdfast

@@ -34,6 +34,11 @@ std::string base_name(const std::string& folder) {
   return name.empty() || name == "." || name == ".." ? "batch" : name;
 }
 
+/// "nan" instead of the zeros of a world that was not simulated: nobody shall take it for one where all stood.
+std::string outcome(const WorldRow& row, double value) {
+  return row.stop_reason == StopReason::not_run ? "nan" : fmt::format("{}", value);
+}
+
 /// What both files of a world begin with.
 std::string heading(const ResultsInfo& info, const WorldRow& row) {
   std::string text = fmt::format("# layout {}, acceleration {}, engine {}, status {}", layout_name(info, row),
@@ -78,7 +83,7 @@ void write_resumed(ResultsReader& results, const SummarySlice& slice, std::size_
   if (!boxes) throw h5::Failure(boxes.error());
   OutputFile file(path);
   file.write(heading(results.info(), row));
-  file.write(fmt::format("# number of fallen boxes\n{}\n", slice.worlds.fallen_boxes[world]));
+  file.write("# number of fallen boxes\n" + outcome(row, slice.worlds.fallen_boxes[world]) + '\n');
   file.write("# id  displacement of the centre of mass x y z [m]  kinetic energy [J]\n");
   std::string lines;
   for (std::size_t box = 0; box < row.box_count; ++box) {
@@ -88,7 +93,7 @@ void write_resumed(ResultsReader& results, const SummarySlice& slice, std::size_
                    slice.boxes.kinetic_energy[i]);
   }
   file.write(lines);
-  file.write(fmt::format("# total kinetic energy [J]\n{}\n", slice.worlds.total_kinetic_energy[world]));
+  file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds.total_kinetic_energy[world]) + '\n');
   file.close();
 }
 
@@ -101,7 +106,8 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
     write_solution(results, row, folder + "/[SOLUTION]" + pair);
     write_resumed(results, slice, world, folder + "/[SOLUTION_RESUMED]" + pair);
     batch.write(fmt::format("{}\t{}\t{}\t{}\n", layout_name(results.info(), row), acceleration_name(results.info(), row),
-                            slice.worlds.fallen_boxes[world], slice.worlds.total_kinetic_energy[world]));
+                            outcome(row, slice.worlds.fallen_boxes[world]),
+                            outcome(row, slice.worlds.total_kinetic_energy[world])));
   }
 }
 
@@ -122,7 +128,7 @@ std::optional<Error> export_text(const std::string& results_path, const std::str
     const std::vector<std::string> layouts = distinct_stems(info.layouts);
     const std::vector<std::string> accelerations = distinct_stems(info.accelerations);
     OutputFile batch(folder + "/[BATCH-RESUMED]$" + base_name(batch_directory));
-    batch.write("# layout file\tacceleration file\tfallen boxes\ttotal kinetic energy [J]\n");
+    batch.write("# layout file\tacceleration file\tfallen boxes\ttotal kinetic energy [J]   (nan: not simulated)\n");
     const auto error =
         derive_summary(*results, info.thresholds, [&](const SummarySlice& slice) -> std::optional<Error> {
           return h5::caught(folder, [&] { export_slice(*results, slice, folder, layouts, accelerations, batch); });

@@ -8,7 +8,6 @@ TEST_CASE("status: names of the bits, joined", "[core][status]") {
   CHECK(to_string(Status::ok) == "ok");
   CHECK(to_string(Status::bad_layout) == "bad_layout");
   CHECK(to_string(Status::bad_acceleration) == "bad_acceleration");
-  CHECK(to_string(Status::refused) == "refused");
   CHECK(to_string(Status::non_finite | Status::not_converged) == "non_finite+not_converged");
   CHECK(to_string(Status::capacity | Status::bad_layout) == "bad_layout+capacity");
 }

@@ -2,8 +2,10 @@
 
 #include <sys/resource.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 #include "io/results_fixture.hpp"
 
@@ -149,6 +151,29 @@ TEST_CASE("results_writer: an open part is closed when it is old enough", "[io][
   CHECK(std::filesystem::exists(path + ".parts/part-000001.h5"));
   require_ok(writer->close_part_if_due(now + std::chrono::seconds(9)));
   CHECK_FALSE(std::filesystem::exists(path + ".parts/part-000002.h5"));
+}
+
+TEST_CASE("results_writer: a timer may close parts while another thread writes", "[io][results]") {
+  const Run run = make_run(mixed_shapes());
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const auto writer = require_value(ResultsWriter::open(path, run.description));
+  std::atomic<bool> done = false;
+  std::optional<Error> timer_error;
+  std::thread timer([&] {
+    while (!done && !timer_error)
+      timer_error = writer->close_part_if_due(std::chrono::steady_clock::now() + std::chrono::hours(1));
+  });
+  std::optional<Error> error;
+  for (const UnitRecord& unit : run.units)
+    if (!error) error = writer->write(ResultsWriter::pack(writer->place(UnitRecord(unit))));
+  done = true;
+  timer.join();
+  require_ok(error);
+  require_ok(timer_error);
+  require_ok(writer->finish());
+  require_ok(assemble(path, run.description));
+  check_file(path, run, 0, run.units.size());
 }
 
 TEST_CASE("results_writer: never writes over results or over the parts of an interrupted run", "[io][results]") {

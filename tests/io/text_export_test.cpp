@@ -51,6 +51,15 @@ TEST_CASE("text_export: the seed's three kinds of file", "[io][results]") {
   CHECK(batch[0].starts_with("a.txt\tbraking.txt\t"));
 }
 
+TEST_CASE("text_export: a world that was not simulated has no outcome", "[io][results]") {
+  const Folder folder;
+  write_run_to(folder / "results.h5", make_run({{0, 0}}), never());
+  require_ok(export_text(folder / "results.h5", folder / "text", "batch"));
+  const auto batch = data_lines(folder / "text/[BATCH-RESUMED]$batch");
+  REQUIRE(batch.size() == 2);
+  CHECK(batch[0] == "loading, \"0\".txt\tbraking.txt\tnan\tnan");
+}
+
 TEST_CASE("text_export: a part is refused, and so is a folder that cannot be made", "[io][results]") {
   const Run run = make_run({{3, 4}});
   const Folder folder;
