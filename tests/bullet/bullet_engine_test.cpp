@@ -176,3 +176,14 @@ TEST_CASE("bullet_engine: the residual is small where the solver converges", "[b
   CAPTURE(hasty_stack);
   CHECK(hasty_stack > one);
 }
+
+TEST_CASE("bullet_engine: without gravity boxes float, and there is no residual", "[bullet][bullet_engine]") {
+  Settings settings = open_floor(0.5);
+  settings.gravity = 0.0;
+  const Run one = run("bullet", layout_of({box({10, 10, 5}, kFlat)}), constant(2, 1), settings);
+  CHECK(one.displacement().x() == Approx(-1 - kStep).epsilon(1e-5));
+  CHECK(one.displacement().z() == 0.0);
+  const Run pushed = run("bullet", one_box(kFlat), motion_of({{1, Vec3(0, 0, 5)}}), settings);
+  CHECK(pushed.displacement().norm() < 1e-4);
+  CHECK(pushed.record.outcome.counters.max_residual == 0.0);
+}
