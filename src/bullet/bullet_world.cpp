@@ -105,8 +105,9 @@ double BulletWorld::advance(const Phase& phase) {
 
   ++counters_.steps;
   counters_.solve_iterations = solver_.iterations();
-  counters_.max_residual =
-      std::max(counters_.max_residual, solver_.take_residual() / (settings_.gravity * plan.step()));
+  const double residual = solver_.take_residual();
+  const double gained = settings_.gravity * plan.step();
+  if (gained > 0.0) counters_.max_residual = std::max(counters_.max_residual, residual / gained);
   return plan.end_of(phase_step_++);
 }
 

@@ -59,7 +59,8 @@ class Group {
   bool settle() {
     const StateColumns layout = batch_.state;
     std::vector<std::size_t> failed;
-    const Phase gravity_alone{-settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
+    // 0 − x: without settling time starts at 0, not at a negative zero.
+    const Phase gravity_alone{0.0 - settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
     time_ = gravity_alone.begin;
     while (time_ < gravity_alone.end && !running_.empty()) {
       if (abort_.load(std::memory_order_relaxed)) return false;
