@@ -44,9 +44,8 @@ BulletWorld::BulletWorld(const WorldBatch& batch, const World& world, const Sett
   apply(preset, dynamics_.getSolverInfo());
   double cargo_mass = 0.0;
   for (const double mass : view(batch.boxes, world).mass) cargo_mass += mass;
-  container_ = settings.container.motion == ContainerMotion::free
-                   ? make_free_container(dynamics_, settings, cargo_mass)
-                   : make_prescribed_container(dynamics_, settings);
+  container_ = settings.container.motion == ContainerMotion::free ? make_free_container(dynamics_, settings, cargo_mass)
+                                                                  : make_prescribed_container(dynamics_, settings);
   boxes_.reserve(world.box_count);
   for (std::size_t i = 0; i < world.box_count; ++i) add_box(batch, world.box_begin + i);
 }
@@ -66,8 +65,8 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
     box.offset_shape->addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(Vec3(-centre_of_mass))), shape);
     shape = box.offset_shape.get();
   }
-  box.body = std::make_unique<btRigidBody>(to_bullet(batch.boxes.mass[i]), nullptr, shape,
-                                           to_bullet(batch.boxes.inertia[i]));
+  box.body =
+      std::make_unique<btRigidBody>(to_bullet(batch.boxes.mass[i]), nullptr, shape, to_bullet(batch.boxes.inertia[i]));
 
   const Rotation& q = batch.state.orientation[i];
   box.start_position = batch.state.position[i];

@@ -165,8 +165,8 @@ double latest_end(const Motion& motion, const Settings& settings) {
   return motion.end_time() + (sleeping ? kSleepingPatience : 0.0);
 }
 
-bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
-              std::span<Recorder* const> recorders, const std::atomic<bool>& abort) {
+bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
+              const std::atomic<bool>& abort) {
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (std::vector<std::size_t>& group : groups_of(batch, engine.traits().lock_step)) {
     if (!Group(*simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;

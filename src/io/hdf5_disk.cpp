@@ -105,7 +105,7 @@ hid_t register_driver() {
   driver.name = "holdfast_disk";
   driver.maxaddr = static_cast<haddr_t>(std::numeric_limits<off_t>::max());
   driver.fc_degree = H5F_CLOSE_WEAK;
-  driver.fapl_size = sizeof(DiskState*);
+  driver.fapl_size = sizeof(DiskState*);  // NOLINT(bugprone-sizeof-expression): the property is a pointer
   driver.open = open_file;
   driver.close = close_file;
   driver.query = query;

@@ -1,8 +1,9 @@
 #include "core/series_recorder.hpp"
 
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 
 #include "scenes.hpp"
@@ -50,7 +51,7 @@ class HandDriven {
   SeriesRecorder recorder;
 };
 
-bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 bool is_positive_zero(float number) { return same_bits(number, 0.0F); }
 
 }  // namespace
