@@ -84,7 +84,8 @@ ExitCode check(const CheckOptions& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("check", "Check inputs without simulating: layouts, accelerations, configs");
+  CLI::App* command =
+      program.add_subcommand("check", "Check inputs without simulating: layouts, accelerations, configs");
   command->footer(
       "Example:\n"
       "  holdfast check candidates/ brake.txt config.ini");

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "app/commands.hpp"
@@ -25,7 +26,11 @@ Result<BatchFolder> inputs_of(const Config& config, std::vector<Error>& warnings
                  .what = "names nothing to run",
                  .accepted = "give [Screening] Layout and Acceleration, or BatchSimulation = true and BatchPath"};
   }
-  return BatchFolder{{settings.screening.layout}, {settings.screening.acceleration}};
+  const auto layouts = layout_paths(std::vector{settings.screening.layout}, std::cin, warnings);
+  if (!layouts) return layouts.errors();
+  const auto accelerations = acceleration_paths(std::vector{settings.screening.acceleration}, std::cin, warnings);
+  if (!accelerations) return accelerations.errors();
+  return BatchFolder{*layouts, *accelerations};
 }
 
 ExitCode run(const ConfigRunOptions& options, const std::string& command_line) {
@@ -70,9 +75,8 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
   auto options = std::make_shared<ConfigRunOptions>();
   command->add_option("config", options->config_path, "Configuration")->required()->type_name("FILE");
   options->run.add_to(*command);
-  command->callback([options, &chosen] {
-    chosen.run = [options, &chosen] { return run(*options, chosen.command_line); };
-  });
+  command->callback(
+      [options, &chosen] { chosen.run = [options, &chosen] { return run(*options, chosen.command_line); }; });
 }
 
 }  // namespace holdfast

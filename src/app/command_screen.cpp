@@ -20,7 +20,9 @@ struct ScreenOptions {
   RunOptions run;
 };
 
-bool is_listed(const std::vector<std::string>& paths) { return std::find(paths.begin(), paths.end(), "-") != paths.end(); }
+bool is_listed(const std::vector<std::string>& paths) {
+  return std::find(paths.begin(), paths.end(), "-") != paths.end();
+}
 
 ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
   const Result<Config> config = load_config(options.config_path);
@@ -63,9 +65,8 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
   command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
   options->run.add_to(*command);
-  command->callback([options, &chosen] {
-    chosen.run = [options, &chosen] { return screen(*options, chosen.command_line); };
-  });
+  command->callback(
+      [options, &chosen] { chosen.run = [options, &chosen] { return screen(*options, chosen.command_line); }; });
 }
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -23,15 +24,25 @@ struct SummaryOptions {
 ExitCode summarise(const SummaryOptions& options) {
   const Result<ResultsReader> results = ResultsReader::open(options.results_path);
   if (!results) return fail(ExitCode::bad_usage, results.error());
+  if (options.output_path && std::filesystem::exists(*options.output_path)) {
+    return fail(ExitCode::bad_usage,
+                {.file = *options.output_path, .what = "exists already", .accepted = "the name of a new file"});
+  }
   Thresholds thresholds = results->info().thresholds;
   thresholds.drop = options.drop.value_or(thresholds.drop);
   thresholds.move = options.move.value_or(thresholds.move);
   thresholds.tilt = options.tilt.value_or(thresholds.tilt);
 
+  if (!results->info().complete) {
+    warn(std::vector{Error{.file = options.results_path,
+                           .what = "is a part of an unfinished run, and holds some of its worlds",
+                           .accepted = "`holdfast screen --resume` finishes the run"}});
+  }
+
   const Result<OutcomeTable> table = outcome_table(options.results_path, thresholds);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  fmt::print("thresholds: drop {} m, move {} m, tilt {} degrees\n{}", thresholds.drop, thresholds.move,
-             thresholds.tilt, table->text);
+  fmt::print("thresholds: drop {} m, move {} m, tilt {} degrees\n{}", thresholds.drop, thresholds.move, thresholds.tilt,
+             table->text);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/engine_plugin.hpp"
 #include "core/closest_word.hpp"
+#include "core/engine_plugin.hpp"
 
 namespace holdfast {
 

@@ -47,6 +47,24 @@ std::optional<Error> unknown_command(const CLI::App& program, int argc, char** a
                                  : fmt::format("accepted are {}", fmt::join(names, ", "))};
 }
 
+/// The first word behind a command that belongs nowhere: an unknown option, or one word too many. It is told before
+/// all else, since what else CLI11 finds wrong mostly follows from it.
+std::optional<Error> unknown_word(const CLI::App& program) {
+  const std::vector<std::string> left = program.remaining(true);
+  if (left.empty()) return std::nullopt;
+  if (!left.front().starts_with("-")) return Error{.what = "a word too many", .value = left.front()};
+  const std::string option = left.front().substr(0, left.front().find('='));
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const auto meant = closest_word(option, std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown option",
+               .value = option,
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,6 +91,8 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const auto unknown = error.get_exit_code() == 0 ? std::nullopt : unknown_word(program);
+    if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
     return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_usage);
   }
   return static_cast<int>(chosen.run());

@@ -43,8 +43,13 @@ class Tally {
  public:
   explicit Tally(const ResultsInfo& info) : info_(info), accelerations_(info.accelerations.size()) {}
 
-  void add(const SummarySlice& slice) {
-    for (std::size_t i = 0; i < slice.rows.size(); ++i) add(slice.rows[i], slice.worlds, i);
+  /// False when a world names an acceleration that the file does not have.
+  bool add(const SummarySlice& slice) {
+    for (std::size_t i = 0; i < slice.rows.size(); ++i) {
+      if (slice.rows[i].acceleration >= accelerations_.size()) return false;
+      add(slice.rows[i], slice.worlds, i);
+    }
+    return true;
   }
 
   OutcomeTable table() const {
@@ -54,7 +59,7 @@ class Tally {
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
       text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", info_.accelerations[i], name_width(), line.stayed,
-                          line.moved, line.fell, line.failed, line.worst ? info_.layouts[line.worst->layout] : "-");
+                          line.moved, line.fell, line.failed, line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.failed;
     }
     return {text + worst_lines() + unstable_lines() + failed_lines(), failed};
@@ -68,8 +73,12 @@ class Tally {
       failures_.emplace(row.status_text, 0).first->second += 1;
       return;
     }
-    const WorldLine world{row.layout,        row.acceleration,         row.box_count,
-                          summary.fallen_boxes[i], summary.moved_boxes[i], summary.tilted_boxes[i],
+    const WorldLine world{row.layout,
+                          row.acceleration,
+                          row.box_count,
+                          summary.fallen_boxes[i],
+                          summary.moved_boxes[i],
+                          summary.tilted_boxes[i],
                           summary.peak_displacement[i]};
     const bool moved = world.moved + world.tilted > 0;
     ++(world.fallen > 0 ? line.fell : moved ? line.moved : line.stayed);
@@ -84,6 +93,12 @@ class Tally {
     if (worst_.size() > kWorstShown) worst_.pop_back();
   }
 
+  /// A part names the layouts that begin in it, and not the one that goes on from the part before.
+  std::string name_of_layout(std::uint64_t layout) const {
+    const std::uint64_t i = layout - info_.layout_begin;
+    return i < info_.layouts.size() ? info_.layouts[i] : fmt::format("layout {}", layout);
+  }
+
   std::size_t name_width() const {
     std::size_t width = std::string_view("layouts that").size();
     for (const std::string& name : info_.accelerations) width = std::max(width, name.size());
@@ -95,7 +110,7 @@ class Tally {
     std::string text = "\nworst worlds\n";
     for (const WorldLine& world : worst_) {
       text += fmt::format("  {} under {}: of {} boxes {} fell, {} moved, {} tilted; farthest {:.2f} m\n",
-                          info_.layouts[world.layout], info_.accelerations[world.acceleration], world.boxes,
+                          name_of_layout(world.layout), info_.accelerations[world.acceleration], world.boxes,
                           world.fallen, world.moved, world.tilted, world.peak_displacement);
     }
     return text;
@@ -107,7 +122,7 @@ class Tally {
     std::size_t shown = 0;
     for (const auto& [layout, line] : unstable_) {
       if (shown++ == kUnstableShown) break;
-      text += fmt::format("  {}: {} of {} boxes\n", info_.layouts[layout], line.unstable, line.boxes);
+      text += fmt::format("  {}: {} of {} boxes\n", name_of_layout(layout), line.unstable, line.boxes);
     }
     if (unstable_.size() > kUnstableShown) text += fmt::format("  and {} more\n", unstable_.size() - kUnstableShown);
     return text;
@@ -121,15 +136,16 @@ class Tally {
       if (shown++ == kUnstableShown) break;
       text += fmt::format("  {} world{}: {}\n", count, count == 1 ? "" : "s", reason);
     }
-    if (failures_.size() > kUnstableShown) text += fmt::format("  and {} more reasons\n", failures_.size() - kUnstableShown);
+    if (failures_.size() > kUnstableShown)
+      text += fmt::format("  and {} more reasons\n", failures_.size() - kUnstableShown);
     return text;
   }
 
   const ResultsInfo& info_;
   std::vector<AccelerationLine> accelerations_;
   std::vector<WorldLine> worst_;
-  std::map<std::uint64_t, UnstableLine> unstable_;      ///< by layout
-  std::map<std::string, std::uint64_t> failures_;  ///< worlds by reason
+  std::map<std::uint64_t, UnstableLine> unstable_;  ///< by layout
+  std::map<std::string, std::uint64_t> failures_;   ///< worlds by reason
 };
 
 }  // namespace
@@ -139,8 +155,8 @@ Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresh
   if (!results) return results.errors();
   Tally tally(results->info());
   const auto add = [&](const SummarySlice& slice) -> std::optional<Error> {
-    tally.add(slice);
-    return std::nullopt;
+    if (tally.add(slice)) return std::nullopt;
+    return Error{.file = results_path, .what = "is damaged: a world has an acceleration that is not in the file"};
   };
   if (const auto error = derive_summary(*results, thresholds, add)) return *error;
   return tally.table();

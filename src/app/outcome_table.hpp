@@ -10,7 +10,7 @@ namespace holdfast {
 
 /// The outcome of a run for a reader at a terminal.
 struct OutcomeTable {
-  std::string text;                ///< lines, with a newline at the end
+  std::string text;                 ///< lines, with a newline at the end
   std::uint64_t failed_worlds = 0;  ///< whose status is not ok
 };
 

@@ -27,7 +27,8 @@ std::string progress_text(const ProgressCounts& counts, double seconds) {
   if (here == 0 || seconds <= 0.0) return text;
   const double rate = static_cast<double>(here) / seconds;
   const std::uint64_t steps = counts.steps;
-  const double skipped = steps == 0 ? 0.0 : 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
+  const double skipped =
+      steps == 0 ? 0.0 : 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
   return text + fmt::format("  {:.{}f} worlds/s  {:.0f} % of steps skipped  {} to go", rate, rate < 10.0 ? 2 : 0,
                             skipped, clock_text(static_cast<double>(counts.total - done) / rate));
 }

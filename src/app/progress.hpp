@@ -11,8 +11,8 @@ namespace holdfast {
 
 /// How far a run has come; counted by the writing thread, read by the one that shows it.
 struct ProgressCounts {
-  std::uint64_t total = 0;      ///< worlds of the run
-  std::uint64_t resumed = 0;    ///< of these, finished by an earlier run
+  std::uint64_t total = 0;               ///< worlds of the run
+  std::uint64_t resumed = 0;             ///< of these, finished by an earlier run
   std::atomic<std::uint64_t> done = 0;   ///< finished, the resumed ones included
   std::atomic<std::uint64_t> steps = 0;  ///< of the worlds finished in this run
   std::atomic<std::uint64_t> steps_skipped = 0;

@@ -4,9 +4,7 @@ namespace holdfast {
 
 void RunOptions::add_to(CLI::App& command) {
   command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`")->type_name("NAME");
-  command.add_option("--threads", threads, "Threads; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
+  command.add_option("--threads", threads, "Threads; 0: one a core")->check(CLI::Range(0, 1024))->type_name("N");
   command.add_option("--scheduler", scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
   command.add_option("--text", text_folder, "Also write the three kinds of text files into this folder")

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 
 #include "app/engine_catalog.hpp"
@@ -31,6 +32,8 @@
 namespace holdfast {
 
 namespace {
+
+constexpr std::size_t kWarningsShown = 20;
 
 std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
   std::vector<RunMotion> motions;
@@ -124,6 +127,8 @@ class Run {
           [&](PackedUnit&& unit) { return write(std::move(unit)); });
       keep(writer_.finish());
     }
+    if (warning_count_ > kWarningsShown)
+      fmt::print(stderr, "and {} more warnings; `holdfast check` prints all\n", warning_count_ - kWarningsShown);
     if (error_) fmt::print(stderr, "{}\n", error_->message());
     return !error_ && counts_.done == counts_.total;
   }
@@ -137,6 +142,8 @@ class Run {
   /// Says what became of a unit's worlds, in their order.
   void announce(const UnitRecord& record) {
     const std::scoped_lock lock(notes_mutex_);
+    for (const Error& warning : record.warnings)
+      if (!job_.quiet && ++warning_count_ <= kWarningsShown) notes_.push_back("warning: " + warning.message());
     for (const WorldRecord& world : record.worlds) {
       const std::string layout = std::filesystem::path(job_.layout_paths[world.layout]).filename().string();
       const std::string& acceleration = motions_[world.acceleration].motion.name;
@@ -204,6 +211,7 @@ class Run {
   std::size_t world_;  ///< index of the next world to be placed
   Thresholds thresholds_;
   std::mutex notes_mutex_;
+  std::size_t warning_count_ = 0;
   std::vector<std::string> notes_;  ///< lines that the progress line's thread will print
   std::string lines_;               ///< JSON of worlds placed and not yet written
   std::optional<Error> error_;
@@ -211,8 +219,19 @@ class Run {
   bool stop_told_ = false;
 };
 
+/// Whether a file may be replaced: it is HDF5, or holds nothing.
+bool is_replaceable(const std::string& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kSignature.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return file.gcount() == 0 || head == kSignature;
+}
+
 /// Removes what an earlier run left under that name.
 std::optional<Error> remove_results(const std::string& path) {
+  if (!is_replaceable(path))
+    return Error{.file = path, .what = "is not a results file, and left as it is", .accepted = "another name"};
   std::error_code error;
   std::filesystem::remove(path, error);
   if (!error) std::filesystem::remove_all(path + ".parts", error);
@@ -240,18 +259,19 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bo
 ExitCode run_screening(const ScreeningJob& job) {
   if (!scheduler_of(job.settings.screening.scheduler)) {
     return fail(ExitCode::bad_usage, {.what = "unknown scheduler",
-                            .value = job.settings.screening.scheduler,
-                            .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))});
+                                      .value = job.settings.screening.scheduler,
+                                      .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))});
   }
   const Result<std::unique_ptr<Engine>> engine = make_engine(job.settings.screening.engine, job.settings);
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
   if (job.text_folder && !job.record_series)
-    return fail(ExitCode::bad_usage, {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
+    return fail(ExitCode::bad_usage,
+                {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
   const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
   const RunDescription description = describe_run(job, motions);
   if (job.overwrite) {
-    if (const auto error = remove_results(job.results_path)) return fail(ExitCode::some_failed, *error);
+    if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }
   Progress finished;
   if (job.resume) {
@@ -267,6 +287,7 @@ ExitCode run_screening(const ScreeningJob& job) {
   Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
   if (!writer) return fail(ExitCode::bad_usage, writer.error());
 
+  watch_stop_signals();
   if (!job.quiet) {
     fmt::print(stderr, "{} layouts x {} accelerations = {} worlds, engine {}, scheduler {}, {} threads{}\n",
                job.layout_paths.size(), motions.size(), job.layout_paths.size() * motions.size(), description.engine,
@@ -276,8 +297,10 @@ ExitCode run_screening(const ScreeningJob& job) {
   Run run(job, **engine, motions, **writer, finished);
   const bool all_there = run.go();
   if (run.write_failed()) {
-    fmt::print(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n", run.done(), run.total(),
-               job.results_path);
+    // What was written to the part that failed is lost: only the finished parts count.
+    const Result<Progress> safe = find_finished(job.results_path, fingerprint(description));
+    fmt::print(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n",
+               safe ? safe->world_count : 0, run.total(), job.results_path);
     return ExitCode::some_failed;
   }
   if (!all_there) {

@@ -26,6 +26,7 @@ double thread_cpu_seconds() {
 struct UnitLayout {
   Layout layout;
   std::string error;
+  std::vector<Error> warnings;
 };
 
 UnitLayout read_unit_layout(const std::string& path, const Settings& settings) {
@@ -37,8 +38,7 @@ UnitLayout read_unit_layout(const std::string& path, const Settings& settings) {
     return unit;
   }
   unit.layout.sha256 = file->sha256;
-  std::vector<Error> warnings;
-  Result<Layout> layout = parse_layout(*file, settings, warnings);
+  Result<Layout> layout = parse_layout(*file, settings, unit.warnings);
   if (layout) {
     unit.layout = std::move(*layout);
   } else {
@@ -66,7 +66,10 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
     layouts.push_back(read_unit_layout(layout_paths_[i], settings_));
     if (layouts.back().error.empty()) usable_layouts.push_back(layouts.back().layout);
-    if (unit.motion_begin == 0) record.layouts.push_back({i, layouts.back().layout});
+    if (unit.motion_begin > 0) continue;
+    record.layouts.push_back({i, layouts.back().layout});
+    const std::vector<Error>& warnings = layouts.back().warnings;
+    record.warnings.insert(record.warnings.end(), warnings.begin(), warnings.end());
   }
   std::vector<const Motion*> usable_motions;
   for (std::size_t i = unit.motion_begin; i < unit.motion_end; ++i)

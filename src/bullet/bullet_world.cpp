@@ -47,9 +47,8 @@ BulletWorld::BulletWorld(const WorldBatch& batch, const World& world, const Sett
   double cargo_mass = 0.0;
   for (const double mass : view(batch.boxes, world).mass)
     if (std::isfinite(mass)) cargo_mass += mass;
-  container_ = settings.container.motion == ContainerMotion::free
-                   ? make_free_container(dynamics_, settings, cargo_mass)
-                   : make_prescribed_container(dynamics_, settings);
+  container_ = settings.container.motion == ContainerMotion::free ? make_free_container(dynamics_, settings, cargo_mass)
+                                                                  : make_prescribed_container(dynamics_, settings);
   boxes_.reserve(world.box_count);
   for (std::size_t i = 0; i < world.box_count; ++i) add_box(batch, world.box_begin + i);
 }
@@ -110,8 +109,9 @@ double BulletWorld::advance(const Phase& phase) {
 
   ++counters_.steps;
   counters_.solve_iterations = solver_.iterations();
-  counters_.max_residual =
-      std::max(counters_.max_residual, solver_.take_residual() / (settings_.gravity * plan.step()));
+  const double residual = solver_.take_residual();
+  const double gained = settings_.gravity * plan.step();
+  if (gained > 0.0) counters_.max_residual = std::max(counters_.max_residual, residual / gained);
   return plan.end_of(phase_step_++);
 }
 

@@ -61,7 +61,7 @@ class BulletWorld {
   std::unique_ptr<ContainerBody> container_;
   std::vector<BoxBody> boxes_;
 
-  double phase_begin_;         ///< begin of the phase whose acceleration is set, s
+  double phase_begin_;            ///< begin of the phase whose acceleration is set, s
   std::uint64_t phase_step_ = 0;  ///< steps taken in that phase
   bool phase_set_ = false;
   Vec3 acceleration_ = Vec3::Zero();

@@ -69,7 +69,8 @@ class FreeContainer final : public ContainerBody {
     for (const Panel& side : sides) volume += side.half_extents.prod();
     for (const Panel& side : sides) {
       panel_shapes_.push_back(std::make_unique<btBoxShape>(to_bullet(side.half_extents)));
-      panels.addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(side.centre)), panel_shapes_.back().get());
+      panels.addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(side.centre)),
+                           panel_shapes_.back().get());
       masses.push_back(to_bullet(container.mass * side.half_extents.prod() / volume));
     }
     btTransform container_from_shell;

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "bullet/bullet_number.hpp"
 
@@ -37,8 +38,12 @@ btScalar pair_restitution(const btCollisionObject* first, const btCollisionObjec
 }  // namespace
 
 void install_contact_laws() {
-  gCalculateCombinedFrictionCallback = pair_friction;
-  gCalculateCombinedRestitutionCallback = pair_restitution;
+  // Once a plug-in: other engines may be at work when one more is made.
+  static std::once_flag installed;
+  std::call_once(installed, [] {
+    gCalculateCombinedFrictionCallback = pair_friction;
+    gCalculateCombinedRestitutionCallback = pair_restitution;
+  });
 }
 
 }  // namespace holdfast

@@ -20,7 +20,7 @@ struct Counters {
   std::uint64_t steps_skipped = 0;     ///< of these, the ones proved to change nothing and not computed
   std::uint64_t solve_iterations = 0;  ///< of the contact solver, over all steps
   /// Largest change of a contact's velocity in the last iteration of a step, over g times the step: 1 is what
-  /// gravity adds in that step. Worst of all steps.
+  /// gravity adds in that step. Worst of all steps; 0 without gravity.
   double max_residual = 0.0;
 };
 

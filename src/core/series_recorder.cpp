@@ -17,9 +17,7 @@ Float4 to_float(const Rotation& q) {
 }
 
 /// Linear between `a` and `b`; exactly `b` at share 1, so that samples at step ends are the states themselves.
-Vec3 between(const Vec3& a, const Vec3& b, double share) {
-  return share == 1.0 ? b : Vec3(a + share * (b - a));
-}
+Vec3 between(const Vec3& a, const Vec3& b, double share) { return share == 1.0 ? b : Vec3(a + share * (b - a)); }
 
 /// Normalised linear interpolation along the shorter arc: for the small turn of one step as good as along the
 /// great circle, and without trigonometric functions.
@@ -92,8 +90,8 @@ void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
     record_.end.displacement.push_back(displacement(end.position[box], box));
     record_.end.tilt.push_back(tilt(end.orientation[box], box));
-    record_.end.kinetic_energy.push_back(static_cast<float>(
-        kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
+    record_.end.kinetic_energy.push_back(
+        static_cast<float>(kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
   }
   record_.state_hash = state_hash(end);
   record_.outcome = outcome;
@@ -135,8 +133,7 @@ void SeriesRecorder::update_peaks(const StateView& state) {
   EndTable& end = record_.end;
   double total_energy = 0.0;
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
-    const double energy =
-        kinetic_energy(box, state.velocity[box], state.angular_velocity[box], state.orientation[box]);
+    const double energy = kinetic_energy(box, state.velocity[box], state.angular_velocity[box], state.orientation[box]);
     total_energy += energy;
     end.peak_kinetic_energy[box] = std::max(end.peak_kinetic_energy[box], static_cast<float>(energy));
     end.peak_displacement[box] = std::max(end.peak_displacement[box], length(displacement(state.position[box], box)));

@@ -59,7 +59,8 @@ class Group {
   bool settle() {
     const StateColumns layout = batch_.state;
     std::vector<std::size_t> failed;
-    const Phase gravity_alone{-settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
+    // 0 − x: without settling time starts at 0, not at a negative zero.
+    const Phase gravity_alone{0.0 - settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
     time_ = gravity_alone.begin;
     while (time_ < gravity_alone.end && !running_.empty()) {
       if (abort_.load(std::memory_order_relaxed)) return false;
@@ -164,8 +165,8 @@ double latest_end(const Motion& motion, const Settings& settings) {
   return motion.end_time() + (sleeping ? kSleepingPatience : 0.0);
 }
 
-bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
-              std::span<Recorder* const> recorders, const std::atomic<bool>& abort) {
+bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
+              const std::atomic<bool>& abort) {
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (std::vector<std::size_t>& group : groups_of(batch, engine.traits().lock_step)) {
     if (!Group(*simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;

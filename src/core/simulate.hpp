@@ -29,7 +29,7 @@ double latest_end(const Motion& motion, const Settings& settings);
 /// @param recorders one a world, in the batch's order
 /// @param abort     looked at after every step; when set, the rest is left undone
 /// @return false when aborted: recorders of worlds that had not ended heard no `finish`
-bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
-              std::span<Recorder* const> recorders, const std::atomic<bool>& abort);
+bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
+              const std::atomic<bool>& abort);
 
 }  // namespace holdfast

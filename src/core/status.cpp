@@ -8,7 +8,7 @@ namespace holdfast {
 std::string to_string(Status status) {
   constexpr std::array<std::pair<Status, const char*>, 5> kNames = {{{Status::bad_layout, "bad_layout"},
                                                                      {Status::bad_acceleration, "bad_acceleration"},
-                                                                                                                                          {Status::non_finite, "non_finite"},
+                                                                     {Status::non_finite, "non_finite"},
                                                                      {Status::not_converged, "not_converged"},
                                                                      {Status::capacity, "capacity"}}};
   std::string text;

@@ -27,7 +27,7 @@ struct FreeCompressor {
 
 libdeflate_compressor* compressor() {
   // One a thread: making one costs as much as compressing a small chunk.
-  thread_local const std::unique_ptr<libdeflate_compressor, FreeCompressor> kept(libdeflate_alloc_compressor(1));
+  thread_local std::unique_ptr<libdeflate_compressor, FreeCompressor> kept(libdeflate_alloc_compressor(1));
   if (!kept) throw std::bad_alloc();
   return kept.get();
 }

@@ -9,13 +9,20 @@ namespace {
 
 hid_t stored_type(ElementType type) {
   switch (type) {
-    case ElementType::u8: return H5T_STD_U8LE;
-    case ElementType::u32: return H5T_STD_U32LE;
-    case ElementType::u64: return H5T_STD_U64LE;
-    case ElementType::i32: return H5T_STD_I32LE;
-    case ElementType::f32: return H5T_IEEE_F32LE;
-    case ElementType::f64: return H5T_IEEE_F64LE;
-    case ElementType::text: break;
+    case ElementType::u8:
+      return H5T_STD_U8LE;
+    case ElementType::u32:
+      return H5T_STD_U32LE;
+    case ElementType::u64:
+      return H5T_STD_U64LE;
+    case ElementType::i32:
+      return H5T_STD_I32LE;
+    case ElementType::f32:
+      return H5T_IEEE_F32LE;
+    case ElementType::f64:
+      return H5T_IEEE_F64LE;
+    case ElementType::text:
+      break;
   }
   return H5T_C_S1;
 }
@@ -104,8 +111,7 @@ std::vector<std::byte> Dataset::read(std::uint64_t begin, std::uint64_t count) c
   const Id in_memory(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose);
   H5Sselect_hyperslab(in_file, H5S_SELECT_SET, from.data(), nullptr, extent.data(), nullptr);
   const Id type = type_of(*spec_, number_bytes_);
-  if (H5Dread(id_, type, in_memory, in_file, H5P_DEFAULT, bytes.data()) < 0)
-    fail("cannot be read");
+  if (H5Dread(id_, type, in_memory, in_file, H5P_DEFAULT, bytes.data()) < 0) fail("cannot be read");
   return bytes;
 }
 
@@ -118,6 +124,7 @@ void Dataset::extend(std::uint64_t length) {
 void Dataset::write_chunk(std::uint64_t index, std::span<const std::byte> bytes) {
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   if (H5Dwrite_chunk(id_, H5P_DEFAULT, 0, at.data(), bytes.size(), bytes.data()) < 0) fail("cannot be written");
+  file_->check_disk("cannot be written (" + std::string(spec_->path) + ")");
 }
 
 std::vector<std::byte> Dataset::read_chunk(std::uint64_t index) const {

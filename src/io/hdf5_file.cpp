@@ -1,5 +1,7 @@
 #include "io/hdf5_file.hpp"
 
+#include <cstring>
+
 namespace holdfast::h5 {
 
 namespace {
@@ -82,9 +84,17 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
 File File::create(const std::string& path) {
   be_quiet();
   const Id access = access_list();
+  auto disk = std::make_unique<DiskState>();
+  use_disk_driver(access, disk.get());
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  if (disk->error_number != 0) {
+    H5Fclose(id);
+    throw Failure(Error{.file = path, .what = "cannot be created", .value = std::strerror(disk->error_number)});
+  }
   if (id < 0) fail_with(path, "cannot be created");
-  return {path, id};
+  File file(path, id);
+  file.disk_ = std::move(disk);
+  return file;
 }
 
 File File::create_in_memory(const std::string& path) {
@@ -114,10 +124,20 @@ std::vector<std::byte> File::image() {
 }
 
 void File::close() {
-  if (!id_.close()) fail("cannot be written");
+  const bool closed = id_.close();
+  check_disk("cannot be written");
+  if (!closed) fail("cannot be written");
 }
 
-void File::fail(const std::string& what) const { fail_with(path_, what); }
+void File::check_disk(const std::string& what) const {
+  if (disk_ && disk_->error_number != 0)
+    throw Failure(Error{.file = path_, .what = what, .value = std::strerror(disk_->error_number)});
+}
+
+void File::fail(const std::string& what) const {
+  check_disk(what);
+  fail_with(path_, what);
+}
 
 void make_group(const File& file, const std::string& path) {
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
@@ -131,9 +151,7 @@ void make_group(const File& file, const std::string& path) {
   }
 }
 
-bool exists(const File& file, const std::string& path) {
-  return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0;
-}
+bool exists(const File& file, const std::string& path) { return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text) {
   const std::string copy(text);

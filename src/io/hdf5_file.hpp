@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "io/hdf5_disk.hpp"
 #include "io/results_schema.hpp"
 
 /// HDF5's C interface with owners and errors: what the results file needs of it. Inside src/io only; `Failure`
@@ -81,6 +83,8 @@ class Id {
 /// An open HDF5 file.
 class File {
  public:
+  File(File&&) = default;
+
   /// A new file on disk; one of that name is replaced.
   static File create(const std::string& path);
   /// A new file that lives in memory; `path` is for messages.
@@ -96,6 +100,8 @@ class File {
   /// Writes what is left to write and closes the file. Every dataset of it must be closed before.
   void close();
 
+  /// Fails when something could not be written to disk so far.
+  void check_disk(const std::string& what) const;
   /// A failure that names the file and what HDF5 said last.
   [[noreturn]] void fail(const std::string& what) const;
   /// Fails when HDF5 returned a negative number; passes it on otherwise.
@@ -107,6 +113,7 @@ class File {
  private:
   File(std::string path, hid_t id) : path_(std::move(path)), id_(id, H5Fclose) {}
   std::string path_;
+  std::unique_ptr<DiskState> disk_;  ///< of a file made on disk
   Id id_;
 };
 

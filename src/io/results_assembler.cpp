@@ -91,7 +91,8 @@ void assemble_series(const h5::File& file, const DatasetSpec& spec, Parts& parts
     if (begin == end) continue;
     const auto source = parts.open(part);
     const h5::Dataset dataset = h5::Dataset::open(*source, spec);
-    for (std::uint64_t chunk = begin; chunk < end; ++chunk) target.write_chunk(chunk, dataset.read_chunk(chunk - begin));
+    for (std::uint64_t chunk = begin; chunk < end; ++chunk)
+      target.write_chunk(chunk, dataset.read_chunk(chunk - begin));
   }
 }
 

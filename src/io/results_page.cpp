@@ -88,7 +88,8 @@ constexpr std::string_view kParts = R"(
 While a run goes on, finished worlds are safe in `results.h5.parts/part-000001.h5`, `part-000002.h5`, …: each holds a
 consecutive range of worlds, and is closed after 256 worlds, 32 MB or 2 seconds. A part appears under its name only
 when all of it is on disk, so a kill or a power cut costs the open part at most. At the end the parts become
-`results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part, if config, settings, engine, layouts
+`results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part,
+if config, settings, engine, layouts
 and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor
 seconds aside).
 
@@ -131,7 +132,8 @@ std::string results_page() {
   const auto to = std::back_inserter(page);
   page +=
       "\n`/worlds/status` is 0 when all is well, else the sum of these bits. Look at it, or at "
-          "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | meaning and cure |\n";
+      "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | "
+      "meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const auto& [bit, meaning] : kStatusMeanings)
     fmt::format_to(to, "| {} | `{}` | {} |\n", static_cast<std::uint32_t>(bit), to_string(bit), meaning);

@@ -71,8 +71,7 @@ struct ResultsReader::State {
     info.host = text("host");
     info.fingerprint = text("fingerprint");
     // A file that is being assembled has all but this.
-    if (H5Aexists(file->id(), "complete") > 0)
-      info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
+    if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
     info.world_begin = h5::read_count_attribute(*file, "/", "worlds_begin");
     info.layout_begin = h5::read_count_attribute(*file, "/", "layouts_begin");
@@ -155,8 +154,8 @@ Result<Series> ResultsReader::series(const WorldRow& world) {
     visit_series(
         [&](std::string_view path, auto& column) {
           const bool of_samples = dataset_spec(path).axis == Axis::samples;
-          state_->read(path, of_samples ? world.sample_begin : world.row_begin,
-                       of_samples ? world.sample_count : rows, column);
+          state_->read(path, of_samples ? world.sample_begin : world.row_begin, of_samples ? world.sample_count : rows,
+                       column);
         },
         series);
     return series;

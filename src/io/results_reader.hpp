@@ -20,8 +20,8 @@ struct ResultsInfo {
   std::string created_utc;
   std::string host;
   std::string fingerprint;
-  bool complete = false;   ///< false for a part
-  Thresholds thresholds;   ///< by which its summary is judged
+  bool complete = false;           ///< false for a part
+  Thresholds thresholds;           ///< by which its summary is judged
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;

@@ -28,7 +28,8 @@ inline constexpr std::size_t kAxisCount = 8;
 /// Name of the axis as above.
 std::string_view to_string(Axis axis);
 
-/// Type of the numbers of a dataset. Text is UTF-8 of fixed length, as long as the longest value needs, padded with zero bytes.
+/// Type of the numbers of a dataset. Text is UTF-8 of fixed length, as long as the longest value needs, padded with
+/// zero bytes.
 enum class ElementType : std::uint8_t { u8, u32, u64, i32, f32, f64, text };
 
 /// Size of one number, bytes; 0 for text, whose length varies from file to file.

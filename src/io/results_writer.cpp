@@ -130,8 +130,8 @@ std::optional<Error> ResultsWriter::write(PackedUnit&& unit) {
   return state_->guarded([&] {
     std::unique_ptr<PartBuilder>& part = state_->part;
     if (!part) {
-      part = std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run,
-                                           state_->end);
+      part =
+          std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run, state_->end);
     }
     part->add(std::move(unit));
     const PartLimits& limits = state_->limits;

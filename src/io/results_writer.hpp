@@ -27,6 +27,7 @@ struct LayoutRecord {
 struct UnitRecord {
   std::vector<LayoutRecord> layouts;  ///< those whose first world is in this unit, by rising index
   std::vector<WorldRecord> worlds;    ///< in the order of the file
+  std::vector<Error> warnings;        ///< of the layouts, for the user; not kept in the file
 };
 
 /// A unit whose place in the file is fixed.

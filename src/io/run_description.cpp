@@ -38,9 +38,9 @@ std::string fingerprint(const RunDescription& run) {
     append(accelerations, motion.name);
     append(accelerations, motion.sha256);
   }
-  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) +
-         " engine=" + run.engine + " layouts=" + sha256_of(layouts) +
-         " accelerations=" + sha256_of(accelerations) + " series=" + (run.record_series ? "1" : "0");
+  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) + " engine=" + run.engine +
+         " layouts=" + sha256_of(layouts) + " accelerations=" + sha256_of(accelerations) +
+         " series=" + (run.record_series ? "1" : "0");
 }
 
 std::string fingerprint_difference(const std::string& a, const std::string& b) {

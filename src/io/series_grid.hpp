@@ -21,10 +21,10 @@ struct SeriesChunk {
 
 /// What a unit adds to the series: the chunks it completes, and what is left over after them.
 struct SeriesPiece {
-  std::uint64_t sample_begin = 0;  ///< first sample of the unit in the run
-  std::uint64_t row_begin = 0;     ///< first row of the unit in the run
-  std::uint64_t sample_end = 0;    ///< one past the last
-  std::uint64_t row_end = 0;       ///< one past the last
+  std::uint64_t sample_begin = 0;            ///< first sample of the unit in the run
+  std::uint64_t row_begin = 0;               ///< first row of the unit in the run
+  std::uint64_t sample_end = 0;              ///< one past the last
+  std::uint64_t row_end = 0;                 ///< one past the last
   std::vector<std::uint64_t> sample_counts;  ///< of each world of the unit
   std::vector<SeriesChunk> chunks;
   /// Raw copy of the incomplete chunk after the unit, by column; may begin with rows of earlier units.

@@ -25,19 +25,18 @@ EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
     const auto from = column.begin() + static_cast<std::ptrdiff_t>(begin);
     return std::decay_t<decltype(column)>(from, from + static_cast<std::ptrdiff_t>(count));
   };
-  return {cut(end.displacement),      cut(end.tilt),
-          cut(end.kinetic_energy),    cut(end.peak_displacement),
+  return {cut(end.displacement),        cut(end.tilt),
+          cut(end.kinetic_energy),      cut(end.peak_displacement),
           cut(end.peak_kinetic_energy), cut(end.settling_displacement)};
 }
 
 std::vector<float> first_moves(ResultsReader& results, const WorldRow& row, const EndTable& end,
                                const Thresholds& thresholds) {
   const auto& peak = end.peak_displacement;
-  const bool any = std::any_of(peak.begin(), peak.end(),
-                               [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
+  const bool any =
+      std::any_of(peak.begin(), peak.end(), [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
   // A box that never went beyond the threshold has no first time; most worlds are spared reading their series.
-  if (!any || row.sample_count == 0)
-    return std::vector<float>(row.box_count, std::numeric_limits<float>::quiet_NaN());
+  if (!any || row.sample_count == 0) return std::vector<float>(row.box_count, std::numeric_limits<float>::quiet_NaN());
   const Series series = value_of(results.path_of(row));
   return first_move_times(series.time, series.displacement, row.box_count, thresholds);
 }

@@ -26,17 +26,17 @@ struct WorldSummary {
 
 /// /summary/boxes, an entry a box.
 struct BoxSummary {
-  std::vector<Float3> displacement;         ///< at the end, m
-  std::vector<float> max_displacement;      ///< over all steps, m
-  std::vector<float> drop;                  ///< m
-  std::vector<float> tilt;                  ///< degrees
-  std::vector<float> kinetic_energy;        ///< at the end, J
-  std::vector<float> peak_kinetic_energy;   ///< over all steps, J
-  std::vector<std::uint8_t> fallen;         ///< 0 or 1, as the next three
+  std::vector<Float3> displacement;        ///< at the end, m
+  std::vector<float> max_displacement;     ///< over all steps, m
+  std::vector<float> drop;                 ///< m
+  std::vector<float> tilt;                 ///< degrees
+  std::vector<float> kinetic_energy;       ///< at the end, J
+  std::vector<float> peak_kinetic_energy;  ///< over all steps, J
+  std::vector<std::uint8_t> fallen;        ///< 0 or 1, as the next three
   std::vector<std::uint8_t> moved;
   std::vector<std::uint8_t> tilted;
   std::vector<std::uint8_t> unstable;
-  std::vector<float> first_move_time;       ///< s; not-a-number when never, or without series
+  std::vector<float> first_move_time;  ///< s; not-a-number when never, or without series
 };
 
 /// The summary of some consecutive worlds and all their boxes.

@@ -60,10 +60,10 @@ std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const 
     const std::size_t begin = row.box_begin - slice.box_begin;
     for (std::size_t i = begin; i < begin + row.box_count; ++i) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", names, boxes.id[i],
-                     boxes.material[i], number(boxes.mass[i]), vector(b.displacement[i]),
-                     number(b.max_displacement[i]), number(b.drop[i]), number(b.tilt[i]),
-                     number(b.kinetic_energy[i]), number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i],
-                     b.tilted[i], b.unstable[i], number(b.first_move_time[i]));
+                     boxes.material[i], number(boxes.mass[i]), vector(b.displacement[i]), number(b.max_displacement[i]),
+                     number(b.drop[i]), number(b.tilt[i]), number(b.kinetic_energy[i]),
+                     number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i], b.tilted[i], b.unstable[i],
+                     number(b.first_move_time[i]));
     }
   }
   return text;

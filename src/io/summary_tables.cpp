@@ -53,8 +53,7 @@ void write_summary_tables(const h5::File& file, ResultsReader& results, const Th
   for (const DatasetSpec& spec : kSchema) {
     if (spec.origin != Origin::derived) continue;
     const ResultsInfo& info = results.info();
-    writers.emplace(spec.path,
-                    TableWriter(file, spec, spec.axis == Axis::worlds ? info.world_count : info.box_count));
+    writers.emplace(spec.path, TableWriter(file, spec, spec.axis == Axis::worlds ? info.world_count : info.box_count));
   }
   const auto append = [&](std::string_view path, const auto& values) { writers.at(path).append_values(values); };
   const auto error = derive_summary(results, thresholds, [&](const SummarySlice& slice) -> std::optional<Error> {

@@ -105,8 +105,8 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
     const std::string pair = "$" + layouts.at(row.layout) + "$" + accelerations.at(row.acceleration);
     write_solution(results, row, folder + "/[SOLUTION]" + pair);
     write_resumed(results, slice, world, folder + "/[SOLUTION_RESUMED]" + pair);
-    batch.write(fmt::format("{}\t{}\t{}\t{}\n", layout_name(results.info(), row), acceleration_name(results.info(), row),
-                            outcome(row, slice.worlds.fallen_boxes[world]),
+    batch.write(fmt::format("{}\t{}\t{}\t{}\n", layout_name(results.info(), row),
+                            acceleration_name(results.info(), row), outcome(row, slice.worlds.fallen_boxes[world]),
                             outcome(row, slice.worlds.total_kinetic_energy[world])));
   }
 }

@@ -10,8 +10,9 @@ namespace holdfast {
 /// Writes the three kinds of text files of a complete results file into the folder (made when missing, files of
 /// the same name replaced): `[SOLUTION]$Layout$Acceleration` with the raw samples, `[SOLUTION_RESUMED]$Layout
 /// $Acceleration` with the outcome, a file a world each, and `[BATCH-RESUMED]$BatchDirectory` with one line a
-/// world. A world that was not simulated has `nan` for its outcome. `$Layout` and `$Acceleration` are the file names without extension; where two are equal the later
-/// ones end in `~2`, `~3`, …. The `$` signs stay: `[SOLUTION]$loading_7$braking`.
+/// world. A world that was not simulated has `nan` for its outcome. `$Layout` and `$Acceleration` are the file names
+/// without extension; where two are equal the later ones end in `~2`, `~3`, …. The `$` signs stay:
+/// `[SOLUTION]$loading_7$braking`.
 /// @param batch_directory name for the file of the batch; its last part is used
 std::optional<Error> export_text(const std::string& results_path, const std::string& folder,
                                  const std::string& batch_directory);

@@ -29,8 +29,7 @@ inline constexpr std::size_t kUnitsInFlight = 8;
 /// @param pack  (B&&) -> C
 /// @param write (C&&) -> bool; false ends the run
 template <class Work, class Place, class Pack, class Write>
-void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work, Place place, Pack pack,
-                  Write write) {
+void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work, Place place, Pack pack, Write write) {
   using A = decltype(work(std::size_t{}));
   using B = std::optional<decltype(place(std::declval<typename A::value_type>()))>;
   using C = std::optional<decltype(pack(std::declval<typename B::value_type>()))>;
@@ -63,7 +62,8 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
                                                 control.stop();
                                                 return 0;
                                               }) &
-              tbb::make_filter<std::size_t, A>(tbb::filter_mode::parallel, [&](std::size_t unit) { return work(unit); }) &
+              tbb::make_filter<std::size_t, A>(tbb::filter_mode::parallel,
+                                               [&](std::size_t unit) { return work(unit); }) &
               tbb::make_filter<A, B>(tbb::filter_mode::serial_in_order,
                                      [&](A item) { return place_in_order(std::move(item)); }) &
               tbb::make_filter<B, C>(tbb::filter_mode::parallel, [&](B item) { return pack_one(std::move(item)); }) &
@@ -86,6 +86,7 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
       A item = go_on ? work(unit) : A();
 #pragma omp ordered
       {
+        // NOLINTNEXTLINE(bugprone-use-after-move): clang-tidy takes the ordered region for a loop of its own
         write_in_order(pack_one(place_in_order(std::move(item))));
         if (!writing) {
 #pragma omp atomic write

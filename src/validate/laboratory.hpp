@@ -15,11 +15,11 @@ namespace holdfast {
 
 /// An engine with a choice of its solver's settings: one curve's point, one column of the tables.
 struct EngineSetting {
-  std::string engine;   ///< name of the engine
-  std::string name;     ///< of the setting: "240 Hz, 50 it, 2F R"
+  std::string engine;                     ///< name of the engine
+  std::string name;                       ///< of the setting: "240 Hz, 50 it, 2F R"
   std::function<void(Settings&)> choose;  ///< sets step and solver in a scene's settings
-  bool quick = false;   ///< part of a quick run
-  bool reference = false;  ///< one of the references of the load suite
+  bool quick = false;                     ///< part of a quick run
+  bool reference = false;                 ///< one of the references of the load suite
 };
 
 /// Makes an engine by name. The laboratory does not know how.
@@ -27,8 +27,8 @@ using EngineFactory = std::function<Result<std::unique_ptr<Engine>>(const std::s
 
 /// What an observer sees after each step: all in double, as the engine has it.
 struct Moment {
-  double time = 0.0;   ///< s
-  double step = 0.0;   ///< length of the step that ended, s; 0 at the start
+  double time = 0.0;  ///< s
+  double step = 0.0;  ///< length of the step that ended, s; 0 at the start
   StateView state;
 };
 
@@ -85,8 +85,8 @@ double turn_of(const Rotation& container_from_body);
 double time_to_reach(Laboratory& laboratory, const Scene& scene, double level,
                      const std::function<double(const StateView&)>& quantity);
 
-/// The smallest amplitude at which `exceeds` is true, by bisection, to a share of `precision`; assumes one border between
-/// `low` (false) and `high` (true). `high` when it is false even there; `low` when it is true already there.
+/// The smallest amplitude at which `exceeds` is true, by bisection, to a share of `precision`; assumes one border
+/// between `low` (false) and `high` (true). `high` when it is false even there; `low` when it is true already there.
 double smallest_amplitude(double low, double high, double precision, const std::function<bool(double)>& exceeds);
 
 }  // namespace holdfast

@@ -15,22 +15,22 @@ inline constexpr double kFixed = std::numeric_limits<double>::infinity();
 
 /// A box of a scene, with a pose and velocities of its own. Container frame, SI.
 struct SceneBox {
-  Vec3 size = Vec3::Ones();        ///< edge lengths, body axes, m
-  Vec3 position = Vec3::Zero();    ///< of the centroid, m
+  Vec3 size = Vec3::Ones();                     ///< edge lengths, body axes, m
+  Vec3 position = Vec3::Zero();                 ///< of the centroid, m
   Rotation orientation = Rotation::Identity();  ///< container_from_body
-  Vec3 velocity = Vec3::Zero();          ///< m/s
-  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
-  double mass = 0.0;                     ///< kg; 0: by the density of the scene's settings; kFixed: fixed
-  std::optional<double> friction;        ///< of the surface, one side of a product; absent: the scene's settings
-  std::optional<double> restitution;     ///< of the surface; absent: the scene's settings
+  Vec3 velocity = Vec3::Zero();                 ///< m/s
+  Vec3 angular_velocity = Vec3::Zero();         ///< rad/s
+  double mass = 0.0;                            ///< kg; 0: by the density of the scene's settings; kFixed: fixed
+  std::optional<double> friction;               ///< of the surface, one side of a product; absent: the scene's settings
+  std::optional<double> restitution;            ///< of the surface; absent: the scene's settings
 };
 
 /// A box that stands on the floor of its scene's container, or on a height: its size, where its lower corner of
 /// least coordinates is.
 SceneBox standing_box(const Vec3& size, const Vec3& corner_min);
 
-/// A world that no layout file can describe: what known answers are measured on. Constant once made; engines never see it,
-/// only the columns made of it.
+/// A world that no layout file can describe: what known answers are measured on. Constant once made; engines never see
+/// it, only the columns made of it.
 struct Scene {
   Settings settings;  ///< container, contact laws, gravity; the solver's part is filled in by whoever runs it
   std::vector<SceneBox> boxes;

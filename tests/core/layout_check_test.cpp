@@ -8,7 +8,7 @@ using namespace holdfast;
 namespace {
 
 /// Boxes of 1 m³ with these lower corners, on lines 2, 3, ...
-Layout cubes(std::vector<Vec3> corners) {
+Layout cubes(const std::vector<Vec3>& corners) {
   Layout layout;
   for (const Vec3& corner : corners)
     layout.boxes.push_back({corner, corner + Vec3::Ones(), 1, static_cast<long>(layout.boxes.size()) + 2});

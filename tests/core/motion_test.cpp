@@ -7,7 +7,7 @@ using namespace holdfast;
 namespace {
 
 /// Segments of (start, duration, acceleration along x).
-Motion motion_of(std::vector<Vec3> segments) {
+Motion motion_of(const std::vector<Vec3>& segments) {
   Motion motion;
   for (const Vec3& s : segments) motion.segments.push_back({s[0], s[1], Vec3(s[2], 0, 0), 0});
   return motion;

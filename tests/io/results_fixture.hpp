@@ -142,7 +142,9 @@ inline std::vector<Shape> mixed_shapes() {
 
 /// Closes a part at every unit, or none before the end.
 inline PartLimits every_unit() { return {.worlds = 1, .age = std::chrono::hours(1)}; }
-inline PartLimits never() { return {.worlds = 1U << 30U, .bytes = std::size_t{1} << 40U, .age = std::chrono::hours(1)}; }
+inline PartLimits never() {
+  return {.worlds = 1U << 30U, .bytes = std::size_t{1} << 40U, .age = std::chrono::hours(1)};
+}
 
 inline void require_ok(const std::optional<Error>& error) {
   INFO((error ? error->message() : ""));

@@ -1,0 +1,52 @@
+#include "app/engine_catalog.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace holdfast;
+
+TEST_CASE("engine_catalog: every engine can be made and knows its name", "[app][engine_catalog]") {
+  REQUIRE_FALSE(engine_catalog().empty());
+  for (const EngineEntry& entry : engine_catalog()) {
+    CAPTURE(entry.name);
+    CHECK_FALSE(entry.sentence.empty());
+    const Result<std::unique_ptr<Engine>> engine = make_engine(entry.name, Settings{});
+    REQUIRE(engine);
+    CHECK((*engine)->traits().name == entry.name);
+  }
+}
+
+TEST_CASE("engine_catalog: the default of the settings is the first", "[app][engine_catalog]") {
+  CHECK(engine_catalog().front().name == Settings{}.screening.engine);
+}
+
+TEST_CASE("engine_catalog: a misspelt engine gets a suggestion", "[app][engine_catalog]") {
+  const Result<std::unique_ptr<Engine>> engine = make_engine("bulet", Settings{});
+  REQUIRE_FALSE(engine);
+  CHECK(engine.error().message() == "unknown engine: bulet; did you mean 'bullet'?");
+}
+
+TEST_CASE("engine_catalog: an unknown engine gets the list", "[app][engine_catalog]") {
+  const Result<std::unique_ptr<Engine>> engine = make_engine("warp", Settings{});
+  REQUIRE_FALSE(engine);
+  CHECK(engine.error().what == "unknown engine");
+  for (const EngineEntry& entry : engine_catalog())
+    CHECK(engine.error().accepted.find(entry.name) != std::string::npos);
+  CHECK_FALSE(make_engine("", Settings{}));
+}
+
+TEST_CASE("engine_catalog: an engine refuses what it cannot model", "[app][engine_catalog]") {
+  Settings settings;
+  settings.container.motion = ContainerMotion::free;
+  settings.contact.friction_model = FrictionModel::pairs;
+  settings.contact.box_floor = 0.5;
+  settings.contact.box_wall = 0.3;
+  for (const char* name : {"bullet", "bullet-f64", "bullet-stock"}) {
+    const Result<std::unique_ptr<Engine>> engine = make_engine(name, settings);
+    REQUIRE_FALSE(engine);
+    CHECK(engine.error().message() ==
+          "a free container is one body for Bullet, with one friction; "
+          "BoxFloor and BoxWall must be equal, or Motion = prescribed");
+  }
+  settings.contact.box_wall = 0.5;
+  CHECK(make_engine("bullet", settings));
+}

@@ -1,0 +1,235 @@
+"""Bad input and bad usage: one line that says where and what, the right exit code, and never a crash."""
+import unittest
+
+from cli import SEED, SHOVE, SOURCE, CliTest, datasets, layout_text
+
+HEAD = "1 2\n"
+BOX = "0 0 0 80 60 100 1\n"
+
+# name, content, line:column of the message ("" where it is about the whole file), what it says
+BAD_LAYOUTS = [
+    ("empty", "", "", "is empty"),
+    ("only_header", HEAD, "", "has no boxes"),
+    ("no_header", BOX + BOX, "1:1", "the header is missing"),
+    ("few_columns", HEAD + BOX + "100 0 0 180 60 1\n", "3:1", "too few columns"),
+    ("word", HEAD + "0 0 zero 80 60 100 1\n", "2:5", "z1 of box 1 is not a number: zero"),
+    ("nan", HEAD + "0 0 0 nan 60 100 1\n", "2:7", "x2 of box 1 is not a number: nan"),
+    ("infinite", HEAD + "0 0 0 80 1e999 100 1\n", "2:10", "y2 of box 1 is not a number: 1e999"),
+    ("material", HEAD + "0 0 0 80 60 100 1.5\n", "2:17", "the material of box 1 is not an id: 1.5"),
+    ("flat", HEAD + "0 0 0 0 60 100 1\n", "2", "box 1"),
+    ("reversed", HEAD + "80 0 0 0 60 100 1\n", "2", "box 1"),
+    ("outside", HEAD + BOX + "550 0 0 630 60 100 1\n", "3", "box 2"),
+    ("below", HEAD + "0 0 -10 80 60 100 1\n", "2", "box 1"),
+    ("overlap", HEAD + BOX + "70 0 0 150 60 100 1\n", "3", "box 2 overlaps box 1 of line 2: 100 mm deep"),
+    ("binary", b"1 2\n\x00\xff\xfe 0 0 80 60 100 1\n", "2:1", ""),
+]
+BAD_ACCELERATIONS = [
+    ("empty", "", "", "is empty"),
+    ("only_comment", "# time duration x y z\n", "", "has no segments"),
+    ("few_columns", "0 1 0 0 0\n1 1 0 0\n", "2:1", "too few columns: 4"),
+    ("many_columns", "0 1 0 0 0 7\n", "1:1", "too many columns: 6"),
+    ("word", "0 1 0 fast 0\n", "1:7", "ay is not a number: fast"),
+    ("infinite", "0 1 inf 0 0\n", "1:5", "ax is not a number: inf"),
+    ("negative_time", "-1 1 0 0 0\n", "1:1", "the initial time is negative"),
+    ("no_duration", "0 0 0 0 0\n", "1:3", "the duration is too short"),
+    ("overlap", "0 1 1 0 0\n0.5 1 2 0 0\n", "2:1", "the segment overlaps that of line 1"),
+    ("unsorted", "1 1 1 0 0\n0 1 2 0 0\n", "2:1", "the segment is before that of line 1"),
+]
+BAD_CONFIGS = [
+    ("unknown_key", "[Screening]\nEngin = bullet\n", "2:1", "unknown key in [Screening]: Engin; did you mean Engine?"),
+    ("unknown_section", "[Screning]\n", "1:1", "did you mean [Screening]?"),
+    ("wrong_section", "[Screening]\nDensityValue = 3\n", "2:1", "it belongs to [Physics Engine]"),
+    ("not_a_number", "[Physics Engine]\nDensityValue = heavy\n", "2:16", "DensityValue has a wrong value: heavy"),
+    ("negative", "[Physics Engine]\nDensityValue = -1\n", "2:16", "a number above 0 (kg/m³"),
+    ("no_value", "[Physics Engine]\nDensityValue =\n", "2:15", "DensityValue has no value"),
+    ("twice", "[Container]\nLength = 1\nLength = 2\n", "3:1", "the key is given twice: Length; its first value is on line 2"),
+    ("no_section", "Length = 1\n", "1:1", "a key before any section"),
+    ("prose", "[Container]\nlong and wide\n", "2:1", "neither a section nor a key with a value"),
+    ("word", "[Container]\nUpAxis = x\n", "2:10", "UpAxis has a wrong value: x; z or y"),
+    ("conflict", "[Material 3]\nDensity = 3\nMass = 4\n", "3:1", "both a mass and a density"),
+]
+BAD_FILES = [(kind, *row) for kind, table in (("layout", BAD_LAYOUTS), ("acceleration", BAD_ACCELERATIONS),
+                                              ("config", BAD_CONFIGS)) for row in table]
+
+
+class Check(CliTest):
+    def test_good_files_are_named(self):
+        self.write_inputs()
+        done = self.run_here("check", "config.ini", "seed.txt", "shove.txt")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(done.stdout, "config.ini: ok: config, 2 keys\nseed.txt: ok: layout, 3 boxes\n"
+                                      "shove.txt: ok: acceleration, 3 segments, 1.02 s\n")
+
+    def test_the_samples_are_good(self):
+        for folder in ("configs/layouts", "configs/accelerations", "bench/layouts", "configs/demo.ini"):
+            done = self.run_here("check", SOURCE / folder)
+            self.assert_exit(done, 0)
+            self.assertEqual(done.stderr, "")
+
+    def test_a_bad_file_is_told_where_and_why(self):
+        for kind, name, content, place, what in BAD_FILES:
+            with self.subTest(kind=kind, name=name):
+                path = self.write(f"{kind}_{name}.txt", content)
+                done = self.run_here("check", path.name)
+                self.assert_exit(done, 2)
+                self.assertEqual(done.stdout, "")
+                said = done.stderr.splitlines()[0]
+                if name in ("empty", "only_header", "only_comment", "binary", "many_columns"):
+                    # These do not show what they should have been, which `screen` knows.
+                    self.assertIn(f"{path.name}: neither layout, acceleration nor config", said)
+                else:
+                    self.assertTrue(said.startswith(f"{path.name}:{place}"), said)
+                    self.assertIn(what, said)
+                self.assertEqual(done.stderr.splitlines()[-1], "1 of 1 files are bad")
+
+    def test_all_faults_of_all_files_are_told(self):
+        self.write("a.txt", HEAD + "0 0 zero 80 60 100 1\n0 0 0 80 60 tall 1\n")
+        self.write("b.txt", "0 1 0 fast 0\n")
+        self.write("good.txt", HEAD + BOX)
+        done = self.run_here("check", "a.txt", "b.txt", "good.txt")
+        self.assert_exit(done, 2)
+        self.assertEqual([line.split(" ")[0] for line in done.stderr.splitlines()],
+                         ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
+        self.assertEqual(done.stdout, "good.txt: ok: layout, 1 boxes\n")
+
+    def test_the_container_of_the_config_counts(self):
+        self.write("long.ini", "[Container]\nLength = 1200\n")
+        self.write("long.txt", HEAD + "900 0 0 1000 60 100 1\n")
+        self.assert_exit(self.run_here("check", "long.txt"), 2)
+        self.assert_exit(self.run_here("check", "long.txt", "-c", "long.ini"), 0)
+
+
+class Screen(CliTest):
+    def test_a_bad_layout_becomes_a_row(self):
+        self.write_inputs()
+        self.layouts = [self.write("a_good.txt", layout_text(SEED))]
+        for name, content, *_ in BAD_LAYOUTS:
+            self.layouts.append(self.write(f"b_{name}.txt", content))
+        self.layouts.append(self.write("c_good.txt", layout_text(SEED)))
+        path, done = self.screen(expect=1)
+        data = datasets(path)
+        status = data["/worlds/status"].reshape(-1, 2)
+        self.assertEqual([list(row) for row in status], [[0, 0], *[[1, 1]] * len(BAD_LAYOUTS), [0, 0]])
+        said = done.stderr.splitlines()
+        for i, (name, _, place, what) in enumerate(BAD_LAYOUTS, 1):
+            with self.subTest(name=name):
+                text = data["/worlds/status_text"][2 * i].decode()
+                self.assertIn(f"b_{name}.txt:{place}", text)
+                self.assertIn(what, text)
+                self.assertEqual(said.count(text), 1, "each is told once")
+                self.assertEqual(data["/worlds/box_count"][2 * i], 0)
+        # The good ones are what they are without the bad ones.
+        self.layouts = [self.layouts[0]]
+        alone, _ = self.screen(output="alone.h5")
+        hashes = datasets(alone)["/worlds/state_hash"]
+        self.assertEqual(list(hashes), list(data["/worlds/state_hash"][:2]))
+        self.assertEqual(list(hashes), list(data["/worlds/state_hash"][-2:]))
+
+    def test_a_bad_acceleration_becomes_a_row(self):
+        self.write_inputs()
+        self.layouts = self.layouts[:2]
+        self.accelerations = [self.write("a_good.txt", SHOVE)]
+        for name, content, *_ in BAD_ACCELERATIONS:
+            self.accelerations.append(self.write(f"b_{name}.txt", content))
+        path, done = self.screen("--json", expect=1)
+        data = datasets(path)
+        status = data["/worlds/status"].reshape(2, -1)
+        self.assertEqual([list(row) for row in status], [[0, *[2] * len(BAD_ACCELERATIONS)]] * 2)
+        for i, (name, _, place, what) in enumerate(BAD_ACCELERATIONS, 1):
+            with self.subTest(name=name):
+                text = data["/worlds/status_text"][i].decode()
+                self.assertIn(f"b_{name}.txt:{place}", text)
+                self.assertIn(what, text)
+                self.assertIn(text, done.stderr.splitlines())
+        self.assertEqual(done.stdout.count('"status":"bad_acceleration"'), 2 * len(BAD_ACCELERATIONS))
+
+    def test_a_bad_config_ends_all(self):
+        for name, content, place, what in BAD_CONFIGS:
+            with self.subTest(name=name):
+                self.write_inputs()
+                self.config = self.write("bad.ini", content)
+                done = self.screen(expect=2)[1]
+                self.assert_refused(done, f"bad.ini:{place}: ", what)
+        self.assertFalse(list(self.folder.glob("results*")))
+
+    def test_what_is_not_there_is_told(self):
+        self.write_inputs()
+        for arguments, words in (
+                (("--engine", "bulet"), ("unknown engine: bulet", "did you mean 'bullet'?")),
+                (("--engine", "warp"), ("unknown engine: warp", "accepted are", "bullet-f64")),
+                (("--scheduler", "opnmp"), ("unknown scheduler: opnmp", "accepted are tbb")),
+                (("--no-series", "--text", "text"), ("text files need the series",))):
+            with self.subTest(arguments=arguments):
+                done = self.screen(*arguments, expect=2)[1]
+                self.assert_refused(done, *words)
+        self.assertFalse(list(self.folder.glob("results*")))
+
+    def test_missing_files(self):
+        self.write_inputs()
+        good = ["-c", "config.ini", "--layouts", "seed.txt", "--accelerations", "rest.txt", "-o", "r.h5"]
+        for i, missing in ((1, "nope.ini"), (3, "nope.txt"), (5, "nope.txt"), (1, ""), (3, "")):
+            with self.subTest(missing=missing, of=good[i - 1]):
+                done = self.run_here("screen", *good[:i], missing, *good[i + 1:])
+                if missing:
+                    self.assert_refused(done, missing)
+                elif i == 3:
+                    self.assert_refused(done, "an empty path")
+
+    def test_a_place_that_cannot_be_written(self):
+        self.write_inputs()
+        for output in ("seed.txt/results.h5", "/proc/results.h5"):
+            with self.subTest(output=output):
+                done = self.screen(output=output, expect=2)[1]
+                self.assert_refused(done, "results.h5")
+
+
+class Usage(CliTest):
+    def test_bad_command_lines(self):
+        for arguments, words in (
+                ((), ("A subcommand is required",)),
+                (("scren",), ("unknown command: scren; did you mean 'screen'?",)),
+                (("frobnicate",), ("unknown command: frobnicate",)),
+                (("--verson",), ("unknown option: --verson; did you mean '--version'?",)),
+                (("screen",), ("--layouts",)),
+                (("screen", "--layout", "x", "--accelerations", "y"), ("unknown option: --layout; did you mean '--layouts'?",)),
+                (("screen", "--layouts", "x", "--accelerations", "y", "--thread=3"), ("did you mean '--threads'?",)),
+                (("screen", "--layouts", "x", "--accelerations", "y", "--threads", "-1"), ("--threads", "-1", "1024")),
+                (("screen", "--layouts", "x", "--accelerations", "y", "--threads", "many"), ("--threads", "many")),
+                (("screen", "--layouts", "x", "--accelerations", "y", "--resume", "--overwrite"), ("--overwrite", "--resume")),
+                (("check",), ("paths",)),
+                (("summary",), ("results",)),
+                (("run",), ("config",)),
+                (("run", "a.ini", "b.ini"), ("b.ini",)),
+                (("summary", "r.h5", "--drop-threshold", "-1"), ("--drop-threshold",)),
+                (("engines", "all"), ("all",))):
+            with self.subTest(arguments=arguments):
+                done = self.run_here(*arguments)
+                self.assert_exit(done, 2)
+                self.assertEqual(done.stdout, "")
+                self.assertLessEqual(len(done.stderr.splitlines()), 2, done.stderr)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+
+    def test_help_has_an_example(self):
+        commands = ("screen", "run", "summary", "check", "engines")
+        for command in ((), *((command,) for command in commands)):
+            with self.subTest(command=command):
+                done = self.run_here(*command, "--help")
+                self.assert_exit(done, 0)
+                self.assertEqual(done.stderr, "")
+                self.assertIn("\nExample:\n  holdfast " + "".join(command), done.stdout)
+        for command in commands:
+            self.assertIn(f"\n  {command} ", self.run_here("--help").stdout)
+
+    def test_pages(self):
+        self.assertRegex(self.run_here("--version").stdout, r"^holdfast \d+\.\d+\.\d+ ")
+        self.assertIn("BoxFriction", self.run_here("--help-config").stdout)
+        engines = self.run_here("engines")
+        self.assert_exit(engines, 0)
+        for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
+            self.assertRegex(engines.stdout, f"(?m)^{name}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,100 @@
+"""The README's own commands and snippets, run as they stand in a copy of the folders that they name."""
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import unittest
+
+from cli import HOLDFAST, PATIENCE, SOURCE, CliTest, layout_text, TOWER
+
+NOT_HERE = ("make", "git", "sudo", "apt", "apt-get", "cd")  # what builds or installs
+
+
+def blocks(document, *languages):
+    """The fenced blocks of a document in one of the languages."""
+    text = (SOURCE / document).read_text()
+    found = re.findall(r"^```(\w+)[^\n]*\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    return [content for language, content in found if language in languages]
+
+
+def commands(document):
+    """The command lines of its shell blocks; of a console block, those behind a prompt."""
+    found = []
+    for content in blocks(document, "sh", "bash", "shell"):
+        found += content.replace("\\\n", " ").splitlines()
+    for content in blocks(document, "console"):
+        found += [line[2:] for line in content.replace("\\\n", " ").splitlines() if line.startswith("$ ")]
+    return [line for line in (line.strip() for line in found)
+            if line and not line.startswith("#") and shlex.split(line)[0] not in NOT_HERE]
+
+
+class Readme(CliTest):
+    """A folder like that of the sources, with the program built and a small demo run."""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("configs", "examples"):
+            shutil.copytree(SOURCE / name, self.folder / name)
+        programs = self.folder / "build/release/bin"
+        programs.mkdir(parents=True)
+        (programs / "holdfast").symlink_to(HOLDFAST)
+        self.environment = {**os.environ, "PATH": f"{programs}:/usr/bin:/bin"}
+        # The README speaks of a container of this name.
+        self.write("few/BR15_077_ep.txt", layout_text(TOWER))
+        done = self.run_here("screen", "-c", "configs/demo.ini", "--engine", "bullet-stock", "--layouts", "few",
+                             "configs/layouts/seed_example.txt", "--accelerations", "configs/accelerations", "-o",
+                             "demo/results.h5", "--quiet")
+        self.assert_exit(done, 0)
+
+    def run_command(self, command):
+        done = subprocess.run(command, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL, text=True,
+                              capture_output=True, timeout=PATIENCE, check=False)
+        self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def test_commands(self):
+        lines = commands("README.md")
+        self.assertGreater(len(lines), 0, "the README shows no command")
+        for line in lines:
+            with self.subTest(command=line):
+                self.run_command(["bash", "-c", line])
+        self.assertTrue(any("holdfast screen" in line for line in lines))
+
+    def test_python_snippets(self):
+        snippets = blocks("README.md", "python")
+        self.assertGreater(len(snippets), 0, "the README shows no Python")
+        for snippet in snippets:
+            with self.subTest(snippet=snippet):
+                self.run_command([sys.executable, "-c", snippet])
+
+    def test_python_snippets_about_the_results_file(self):
+        shutil.copy(self.folder / "demo/results.h5", self.folder / "results.h5")
+        snippets = blocks("docs/results_file.md", "python")
+        self.assertGreater(len(snippets), 0)
+        for snippet in snippets:
+            with self.subTest(snippet=snippet):
+                self.run_command([sys.executable, "-c", snippet])
+
+    def test_examples(self):
+        done = self.run_command([sys.executable, "examples/summary_table.py", "demo/results.h5", "--csv", "table.csv"])
+        self.assertIn("seed_example.txt", done.stdout)
+        self.assertTrue((self.folder / "table.csv").exists())
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("no matplotlib")
+        self.run_command([sys.executable, "examples/plot_box.py", "demo/results.h5", "-o", "box.png"])
+        self.assertGreater((self.folder / "box.png").stat().st_size, 1000)
+
+    def test_links_lead_somewhere(self):
+        for document in ("README.md", "CONTRIBUTING.md", "configs/README.md"):
+            for target in re.findall(r"\]\(([^)#\s]+)", (SOURCE / document).read_text()):
+                if "://" not in target:
+                    self.assertTrue((SOURCE / pathlib.Path(document).parent / target).exists(), f"{document}: {target}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,121 @@
+"""`holdfast summary`: other thresholds, CSV, a new file; never a change of the results."""
+import hashlib
+import unittest
+
+import h5py
+import numpy as np
+import pandas as pd
+
+from cli import CliTest, datasets, same_bits
+
+
+class Summary(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write_inputs()
+        bad = self.write('bad, "indeed".txt', "1\n0 0 0 0 1 1 1\n")
+        self.layouts.append(bad)
+        self.results, _ = self.screen(expect=1)
+        self.hash = self.sha256()
+
+    def tearDown(self):
+        self.assertEqual(self.sha256(), self.hash, "the results file has changed")
+        super().tearDown()
+
+    def sha256(self):
+        return hashlib.sha256(self.results.read_bytes()).hexdigest()
+
+    def summary(self, *arguments, expect=0):
+        done = self.run_here("summary", "results.h5", *arguments)
+        self.assert_exit(done, expect)
+        return done
+
+    def recount(self, drop, move, tilt):
+        """(fallen, moved, tilted) boxes of every world, from the end values of the boxes."""
+        data = datasets(self.results)
+        displacement = data["/boxes/end_displacement"].astype(float)
+        flags = (-displacement[:, 2] > drop, np.linalg.norm(displacement, axis=1) > move,
+                 data["/boxes/end_tilt"].astype(float) > tilt)
+        worlds = len(data["/worlds/layout"])
+        return [np.bincount(data["/boxes/world"].astype(int), flag, worlds).astype(int).tolist() for flag in flags]
+
+    def test_other_thresholds_count_otherwise(self):
+        counts = []
+        for drop, move, tilt in ((0.05, 0.1, 10), (0.0001, 0.01, 0.5), (0.7, 0.9, 60), (50, 50, 179)):
+            with self.subTest(drop=drop, move=move, tilt=tilt):
+                output = f"at{drop}.h5"
+                done = self.summary("--drop-threshold", drop, "--move-threshold", move, "--tilt-threshold", tilt, "-o",
+                                    output)
+                self.assertIn(f"thresholds: drop {drop} m, move {move} m, tilt {tilt} degrees", done.stdout)
+                data = datasets(self.folder / output, ["/summary/worlds"])
+                found = [data[f"/summary/worlds/{name}_boxes"].tolist() for name in ("fallen", "moved", "tilted")]
+                self.assertEqual(found, self.recount(drop, move, tilt))
+                counts.append(np.sum(found))
+        self.assertEqual(counts[3], 0)
+        self.assertEqual(len(set(counts)), 4)
+
+    def test_own_thresholds_give_the_same_tables(self):
+        self.summary("-o", "again.h5")
+        expected, found = (datasets(self.folder / name, ["/summary"]) for name in ("results.h5", "again.h5"))
+        self.assertEqual(sorted(expected), sorted(found))
+        for name in expected:
+            self.assertTrue(same_bits(expected[name], found[name]), name)
+        with h5py.File(self.folder / "again.h5") as file:
+            self.assertEqual(file.attrs["format"], "holdfast summary")
+            self.assertEqual(file["summary"].attrs["drop_threshold"], 0.05)
+
+    def test_prints_what_the_run_printed(self):
+        _, done = self.screen(output="other.h5", expect=1)
+        table = done.stdout.split("\nresults:")[0]
+        self.assertEqual(self.summary().stdout.split("\n", 1)[1].strip(), table.strip())
+
+    def test_csv_is_what_the_file_holds(self):
+        self.summary("--csv", "tables")
+        worlds, boxes = (pd.read_csv(self.folder / f"tables/{name}.csv") for name in ("worlds", "boxes"))
+        data = datasets(self.results)
+        names = {kind: [name.decode() for name in data[f"/inputs/{kind}s/name"][data[f"/worlds/{kind}"]]]
+                 for kind in ("layout", "acceleration")}
+        for table, path, of_world in ((worlds, "worlds", np.arange(8)), (boxes, "boxes", data["/boxes/world"])):
+            self.assertEqual(list(table["world"]), list(of_world))
+            for kind, values in names.items():
+                self.assertEqual(list(table[kind]), [values[w] for w in of_world])
+            checked = 0
+            for column in table:
+                base = column.removesuffix("_m").removesuffix("_J").removesuffix("_degree").removesuffix("_s")
+                if f"/summary/{path}/{base}" in data:
+                    expected = data[f"/summary/{path}/{base}"]
+                    # By default pandas may miss the last bit of a double.
+                    np.testing.assert_allclose(table[column].to_numpy(expected.dtype), expected, 1e-14, 0, err_msg=column)
+                    checked += 1
+            self.assertGreater(checked, 6)
+        for i, axis in enumerate("xyz"):
+            np.testing.assert_array_equal(boxes[f"displacement_{axis}_m"].to_numpy(np.float32),
+                                          data["/summary/boxes/displacement"][:, i])
+        np.testing.assert_array_equal(boxes["mass_kg"].to_numpy(np.float32), data["/boxes/mass"])
+        self.assertEqual(list(worlds["status"]), ["ok"] * 6 + ["bad_layout"] * 2)
+        self.assertEqual(worlds["status_text"][6], data["/worlds/status_text"][6].decode())
+
+    def test_a_new_file_only(self):
+        precious = self.write("precious.h5", "mine")
+        for output in ("precious.h5", "results.h5"):
+            done = self.summary("-o", output, expect=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"{output}: exists already", done.stderr)
+        self.assertEqual(precious.read_text(), "mine")
+
+    def test_files_that_are_no_results(self):
+        whole = self.results.read_bytes()
+        self.write("truncated.h5", whole[:len(whole) // 2])
+        self.write("stub.h5", whole[:100])
+        self.write("empty.h5", b"")
+        self.write("text.h5", "Nothing of the kind.\n")
+        with h5py.File(self.folder / "foreign.h5", "w") as file:
+            file["values"] = np.arange(3)
+        self.summary("-o", "tables.h5")
+        for name in ("truncated.h5", "stub.h5", "empty.h5", "text.h5", "foreign.h5", "tables.h5", "missing.h5", "."):
+            with self.subTest(name=name):
+                self.assert_refused(self.run_here("summary", name), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,63 @@
+#include "app/world_json.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using namespace holdfast;
+
+namespace {
+
+WorldRecord record_of_two_boxes() {
+  WorldRecord world;
+  world.outcome = {.stop_reason = StopReason::timeout, .end_time = 2.5, .counters = {.steps = 600, .steps_skipped = 5}};
+  world.state_hash = 0xab;
+  world.cpu_seconds = 0.25;
+  world.peak_total_kinetic_energy = 8;
+  world.end.displacement = {{0, 0, -0.5F}, {}};
+  world.end.tilt = {45, 0};
+  world.end.kinetic_energy = {1.5F, 0};
+  world.end.peak_displacement = {0.75F, 0};
+  world.end.peak_kinetic_energy = {8, 0};
+  world.end.settling_displacement = {{}, {}};
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("world_json: all of a world on one line, in this order", "[app][world_json]") {
+  CHECK(world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}) ==
+        R"({"world":7,"layout":"a.txt","acceleration":"b.txt","status":"ok","status_text":"","stop_reason":"timeout",)"
+        R"("boxes":2,"fallen_boxes":1,"moved_boxes":1,"tilted_boxes":1,"unstable_boxes":0,)"
+        R"("max_displacement_m":0.5,"peak_displacement_m":0.75,"total_kinetic_energy_J":1.5,)"
+        R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,)"
+        R"("cpu_seconds":0.25,"state_hash":"00000000000000ab"})");
+}
+
+TEST_CASE("world_json: counts follow the thresholds", "[app][world_json]") {
+  const std::string json = world_json(record_of_two_boxes(), "a", "b", 0, {.drop = 1, .move = 1, .tilt = 50});
+  CHECK(json.find(R"("fallen_boxes":0,"moved_boxes":0,"tilted_boxes":0)") != std::string::npos);
+}
+
+TEST_CASE("world_json: a bad layout is a row without boxes", "[app][world_json]") {
+  WorldRecord world;
+  world.outcome.status = Status::bad_layout;
+  world.status_text = "a.txt:3: box 1 has no \"height\"";
+  const std::string json = world_json(world, "a.txt", "b.txt", 0, {});
+  CHECK(
+      json.find(R"("status":"bad_layout","status_text":"a.txt:3: box 1 has no \"height\"","stop_reason":"not_run")") !=
+      std::string::npos);
+  CHECK(json.find(R"("boxes":0)") != std::string::npos);
+}
+
+TEST_CASE("world_json: names that are not UTF-8, and line breaks, stay one line of valid JSON", "[app][world_json]") {
+  const std::string json = world_json(record_of_two_boxes(), "a\xff.txt", "b\n.txt", 0, {});
+  CHECK(json.find("a\xEF\xBF\xBD.txt") != std::string::npos);
+  CHECK(json.find("b\\n.txt") != std::string::npos);
+  CHECK(json.find('\n') == std::string::npos);
+}
+
+TEST_CASE("world_json: numbers that are not finite are null", "[app][world_json]") {
+  WorldRecord world = record_of_two_boxes();
+  world.outcome.counters.max_residual = std::numeric_limits<double>::infinity();
+  CHECK(world_json(world, "a", "b", 0, {}).find(R"("max_residual":null)") != std::string::npos);
+}
