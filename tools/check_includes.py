@@ -24,7 +24,7 @@ LIBRARIES = {
     "CLI11": r"CLI/",
     "nlohmann": r"nlohmann/",
     "Catch2": r"catch2/",
-    "POSIX": r"(unistd|fcntl|dlfcn|signal|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
+    "POSIX": r"(unistd|fcntl|dlfcn|signal|spawn|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
 }
 
 # A folder under src: the folders and the libraries that it may name.

@@ -7,19 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/program_folder.hpp"
 #include "core/closest_word.hpp"
 #include "core/engine_plugin.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// Plug-ins lie in ../lib/ of the program's folder, in the build tree as where it is installed.
-std::filesystem::path plugin_folder() {
-  std::error_code ignored;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  return program.parent_path().parent_path() / "lib";
-}
 
 Result<MakeEngine*> load_plugin(const std::string& file) {
   const std::filesystem::path path = plugin_folder() / file;

@@ -22,15 +22,17 @@ std::string clock_text(double seconds) {
 
 std::string progress_text(const ProgressCounts& counts, double seconds) {
   const std::uint64_t done = counts.done;
-  std::string text = fmt::format("{}/{} worlds", done, counts.total);
+  std::string text = fmt::format("{}/{} {}", done, counts.total, counts.noun);
   const std::uint64_t here = done - counts.resumed;
   if (here == 0 || seconds <= 0.0) return text;
   const double rate = static_cast<double>(here) / seconds;
+  text += fmt::format("  {:.{}f} {}/s", rate, rate < 10.0 ? 2 : 0, counts.noun);
   const std::uint64_t steps = counts.steps;
-  const double skipped =
-      steps == 0 ? 0.0 : 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
-  return text + fmt::format("  {:.{}f} worlds/s  {:.0f} % of steps skipped  {} to go", rate, rate < 10.0 ? 2 : 0,
-                            skipped, clock_text(static_cast<double>(counts.total - done) / rate));
+  if (steps > 0) {
+    const double skipped = 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
+    text += fmt::format("  {:.0f} % of steps skipped", skipped);
+  }
+  return text + fmt::format("  {} to go", clock_text(static_cast<double>(counts.total - done) / rate));
 }
 
 ProgressLine::ProgressLine(const ProgressCounts& counts, std::FILE* stream, bool quiet)

@@ -11,14 +11,15 @@ namespace holdfast {
 
 /// How far a run has come; counted by the writing thread, read by the one that shows it.
 struct ProgressCounts {
-  std::uint64_t total = 0;               ///< worlds of the run
+  const char* noun = "worlds";           ///< what is counted
+  std::uint64_t total = 0;               ///< all of the run
   std::uint64_t resumed = 0;             ///< of these, finished by an earlier run
   std::atomic<std::uint64_t> done = 0;   ///< finished, the resumed ones included
   std::atomic<std::uint64_t> steps = 0;  ///< of the worlds finished in this run
   std::atomic<std::uint64_t> steps_skipped = 0;
 };
 
-/// The text of a progress line: worlds done and in all, worlds a second, share of steps skipped, time to go.
+/// The text of a progress line: done and in all, a second, share of steps skipped (when there were steps), time to go.
 std::string progress_text(const ProgressCounts& counts, double seconds);
 
 /// Shows progress on a stream: one line drawn over and over on a terminal, a plain line every ten seconds
