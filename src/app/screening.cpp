@@ -54,6 +54,11 @@ std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
   return motions;
 }
 
+/// "1 layout", "2 layouts".
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string host_name() {
   std::array<char, 256> name = {};
   gethostname(name.data(), name.size() - 1);
@@ -289,10 +294,11 @@ ExitCode run_screening(const ScreeningJob& job) {
 
   watch_stop_signals();
   if (!job.quiet) {
-    fmt::print(stderr, "{} layouts x {} accelerations = {} worlds, engine {}, scheduler {}, {} threads{}\n",
-               job.layout_paths.size(), motions.size(), job.layout_paths.size() * motions.size(), description.engine,
-               job.settings.screening.scheduler, thread_count(job.settings.screening.threads),
-               finished.world_count > 0 ? fmt::format(", {} worlds finished before", finished.world_count) : "");
+    const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
+    fmt::print(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
+               counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
+               description.engine, job.settings.screening.scheduler, counted(threads, "thread"),
+               finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
   Run run(job, **engine, motions, **writer, finished);
   const bool all_there = run.go();

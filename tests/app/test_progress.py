@@ -47,7 +47,7 @@ class Progress(CliTest):
         self.assertEqual(code, 0)
         lines = drawn.split("\r\n")
         self.assertEqual(lines[-1].count("\n"), 0)
-        self.assertIn("20 layouts x 1 accelerations = 20 worlds", lines[0])
+        self.assertIn("20 layouts x 1 acceleration = 20 worlds", lines[0])
         self.assertEqual(len(lines), 2, "the line is drawn over, never continued")
         shown = lines[1].split("\r")
         texts = [text.strip() for text in shown if re.match(r"\d+/20 worlds  [\d.]+ worlds/s  \d+ % of steps skipped"

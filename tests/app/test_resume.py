@@ -63,7 +63,7 @@ class LongRun(CliTest):
         self.assertGreater(self.safe_worlds, 0)
         done = self.run_here(*self.arguments(), "--resume", "--threads", 1)
         self.assert_exit(done, 0)
-        self.assertIn(f"{self.safe_worlds} worlds finished before", done.stderr)
+        self.assertIn(f"{self.safe_worlds} finished before", done.stderr)
         self.assert_same_results(self.common / "whole.h5", self.folder / "results.h5")
         self.assertFalse((self.folder / "results.h5.parts").exists())
 
@@ -117,7 +117,7 @@ class LongRun(CliTest):
         self.assertIn("--resume", said)
         done = self.run_here(*self.arguments(), "--resume", "--threads", 2)
         self.assert_exit(done, 0)
-        self.assertIn(f"{finished} worlds finished before", done.stderr)
+        self.assertIn(f"{finished} finished before", done.stderr)
         self.assert_same_results(self.common / "whole.h5", self.folder / "results.h5")
 
 
