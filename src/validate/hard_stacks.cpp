@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "validate/departure.hpp"
 #include "validate/hard_cases.hpp"
 #include "validate/stack.hpp"
+#include "validate/twins.hpp"
 
 namespace holdfast {
 
@@ -125,6 +128,23 @@ std::vector<Measurement> slab_slides_on_four(Laboratory& laboratory) {
           scaled("turn (rad)", turn_of(end.orientation.back()), 0.0, 1.0, ToleranceClass::fine)};
 }
 
+/// Three boxes that slip on each other for 0.5 s (`slipping_stack`): paths of ½ (0.3 g) t² for the top one, ½ (0.1 g)
+/// t² for the middle one, none for the lowest one, against the load, whatever its heading.
+std::vector<Measurement> slipping(Laboratory& laboratory, double heading) {
+  constexpr double kSeconds = 0.5;
+  Scene scene = slipping_stack();
+  const double gravity = scene.settings.gravity;
+  const Vec3 along = {std::cos(heading), std::sin(heading), 0.0};
+  scene.then(kSeconds, 0.5 * gravity * along);
+  const Snapshot end = final_state(laboratory, scene);
+  const auto moved = [&](std::size_t box) { return -(end.position[box] - scene.boxes[box].position).dot(along); };
+  const double path = 0.5 * gravity * kSeconds * kSeconds;
+  return {relative("displacement of the top (m)", moved(2), 0.3 * path, ToleranceClass::fine),
+          relative("displacement of the middle (m)", moved(1), 0.1 * path, ToleranceClass::fine),
+          scaled("displacement of the lowest (m)", moved(0), 0.0, path, ToleranceClass::fine),
+          scaled("turn of the top (rad)", turn_of(end.orientation[2]), 0.0, 1.0, ToleranceClass::fine)};
+}
+
 }  // namespace
 
 std::vector<Case> hard_stack_cases() {
@@ -161,6 +181,10 @@ std::vector<Case> hard_stack_cases() {
       {"hard", "slab_on_four", "does a slab on four corners rest", kShare, true, slab_on_four},
       {"hard", "slab_slides_on_four", "how a slab slides over four supports", kShare, true, slab_slides_on_four},
   };
+  for (const int degrees : {0, 30, 45})
+    cases.push_back({"hard", fmt::format("slipping_stack_{}", degrees), "how far three boxes slip on each other",
+                     "friction from a normal force that is not the final one; slip along the axes of a pyramid", true,
+                     [=](Laboratory& l) { return slipping(l, degrees * std::numbers::pi / 180.0); }});
   struct Ratio {
     const char* name;
     std::vector<double> from_floor_up;

@@ -10,6 +10,7 @@ namespace holdfast {
 namespace {
 
 constexpr double kSide = 16.0;
+const Vec3 kFlat = {1.0, 1.0, 0.25};
 
 SceneBox box_of(const Vec3& size, const Vec3& corner, double friction) {
   SceneBox box = standing_box(size, corner);
@@ -20,15 +21,20 @@ SceneBox box_of(const Vec3& size, const Vec3& corner, double friction) {
 
 }  // namespace
 
-Scene assorted_scene() {
+Scene slipping_stack() {
   Scene scene = empty_scene({kSide, kSide, kSide}, 0.0);
-  scene.settings.container.friction = 0.8;
-  const Vec3 flat = {1.0, 1.0, 0.25};
-  // Friction of the pairs 0.4, 0.3 and 0.2 from the floor up: the lowest one stays, the others slip.
-  scene.boxes = {box_of(flat, {5.0, 5.0, 0.0}, 0.5), box_of(flat, {5.0, 5.0, 0.25}, 0.6),
-                 box_of(flat, {5.0, 5.0, 0.5}, 1.0 / 3.0),
-                 // Tips along x from 0.25 g on, along y from 0.5 g on; does not slip.
-                 box_of({0.25, 0.5, 1.0}, {10.0, 5.0, 0.0}, 1.0), box_of(flat, {7.5, 9.5, 0.0}, 0.25)};
+  scene.settings.container.friction = 1.0;
+  // Products: 1 x 0.5, 0.5 x 0.6, 0.6 x 1/3.
+  scene.boxes = {box_of(kFlat, {5.0, 5.0, 0.0}, 0.5), box_of(kFlat, {5.0, 5.0, 0.25}, 0.6),
+                 box_of(kFlat, {5.0, 5.0, 0.5}, 1.0 / 3.0)};
+  return scene;
+}
+
+Scene assorted_scene() {
+  Scene scene = slipping_stack();
+  // Tips along x from 0.25 g on, along y from 0.5 g on; does not slip.
+  scene.boxes.push_back(box_of({0.25, 0.5, 1.0}, {10.0, 5.0, 0.0}, 1.0));
+  scene.boxes.push_back(box_of(kFlat, {7.5, 9.5, 0.0}, 0.25));
   const double load = 0.5 * scene.settings.gravity;
   scene.then(0.5, {load * std::sqrt(0.75), 0.5 * load, 0.0});
   return scene;

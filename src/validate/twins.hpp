@@ -4,6 +4,12 @@
 
 namespace holdfast {
 
+/// Three flat boxes of equal mass on each other with friction 0.5, 0.3 and 0.2 from the floor up, in the middle of a
+/// container 16 m square. Under a load of 0.5 g they slip on each other: with m a of its own and the friction of its
+/// neighbours on each, the top one gains 0.5 g − 0.2 g, the middle one 0.5 g − (0.6 − 0.2) g; the lowest one, pulled
+/// by 0.5 + 0.6 of its weight, stays, as the floor holds 1.5.
+Scene slipping_stack();
+
 /// Three kinds of motion at once, under an oblique load of 0.5 g for half a second: three flat boxes that slip on each
 /// other, a slender box that topples, and a box that slides alone. Nothing collides, so that small differences stay
 /// small. Coordinates are binary fractions, the container is 16 m square: mirroring it is exact.
