@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/simulate.hpp"
 
@@ -17,10 +19,12 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Passes what the drive loop sees on to an observer, and stops the loop when that has seen enough.
+/// Passes what the drive loop sees of one world on to an observer, until that has seen enough.
 class ObservingRecorder final : public Recorder {
  public:
-  ObservingRecorder(const Observer& observer, const std::atomic<bool>& abort) : observer_(observer), abort_(abort) {}
+  /// @param seen_enough called once, when the observer has
+  ObservingRecorder(const Observer& observer, std::function<void()> seen_enough)
+      : observer_(observer), seen_enough_(std::move(seen_enough)) {}
 
   void start(const BoxView& /*boxes*/, const StateView& /*layout*/, const StateView& settled) override {
     tell({0.0, 0.0, settled});
@@ -29,20 +33,30 @@ class ObservingRecorder final : public Recorder {
   void step(const Step& step) override { tell({step.end, step.end - step.begin, step.after}); }
   void finish(const Outcome& outcome, const StateView& /*end*/) override { outcome_ = outcome; }
 
-  const std::atomic<bool>& enough() const { return enough_; }
   const Outcome& outcome() const { return outcome_; }
 
  private:
   void tell(const Moment& moment) {
+    if (enough_) return;
     outcome_.end_time = moment.time;
-    if (!enough_ && (!observer_(moment) || abort_)) enough_ = true;
+    enough_ = !observer_(moment);
+    if (enough_) seen_enough_();
   }
 
   const Observer& observer_;
-  const std::atomic<bool>& abort_;
-  std::atomic<bool> enough_ = false;
+  std::function<void()> seen_enough_;
+  bool enough_ = false;
   Outcome outcome_;
 };
+
+/// The settings of a scene with the solver's part filled in.
+Settings settings_of(const Scene& scene, const EngineSetting& setting) {
+  Settings settings = scene.settings;
+  setting.choose(settings);
+  for (std::optional<double>* rate : {&settings.steps_per_second, &settings.bullet.steps_per_second})
+    if (*rate) **rate /= scene.step_factor;
+  return settings;
+}
 
 Snapshot copy_of(const Moment& moment) {
   const StateView& state = moment.state;
@@ -59,21 +73,48 @@ Laboratory::Laboratory(EngineFactory factory, const EngineSetting& setting, cons
     : factory_(std::move(factory)), setting_(setting), abort_(abort) {}
 
 Outcome Laboratory::run(const Scene& scene, const Observer& observer) {
-  Settings settings = scene.settings;
-  setting_.choose(settings);
-  WorldBatch batch = scene.batch();
-  ObservingRecorder recorder(observer, abort_);
-  Recorder* const recorders[] = {&recorder};
+  return run({&scene, 1}, {&observer, 1}).front();
+}
+
+std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<const Observer> observers) {
+  const Settings settings = settings_of(scenes.front(), setting_);
+  WorldBatch batch;
+  for (const Scene& scene : scenes) scene.append_to(batch);
+
+  // The run ends when nobody watches any more, or when asked to from outside.
+  std::atomic<bool> over = false;
+  std::size_t watching = scenes.size();
+  std::vector<Observer> watched;
+  for (const Observer& observer : observers)
+    watched.push_back([&](const Moment& moment) {
+      if (abort_) over = true;
+      return observer(moment);
+    });
+  std::vector<std::unique_ptr<ObservingRecorder>> owned;
+  std::vector<Recorder*> recorders;
+  for (const Observer& observer : watched) {
+    owned.push_back(std::make_unique<ObservingRecorder>(observer, [&] {
+      if (--watching == 0) over = true;
+    }));
+    recorders.push_back(owned.back().get());
+  }
+
   const double begin = thread_cpu_seconds();
   const Result<std::unique_ptr<Engine>> engine = factory_(setting_.engine, settings);
-  if (!engine) return {.status = Status::non_finite, .stop_reason = StopReason::failed};
-  simulate(**engine, batch, settings, recorders, recorder.enough());
-
+  if (!engine)
+    return std::vector<Outcome>(scenes.size(), {.status = Status::non_finite, .stop_reason = StopReason::failed});
+  simulate(**engine, batch, settings, recorders, over);
   cost_.cpu_seconds += thread_cpu_seconds() - begin;
-  const auto movable =
-      std::count_if(batch.boxes.mass.begin(), batch.boxes.mass.end(), [](double mass) { return std::isfinite(mass); });
-  cost_.box_seconds += static_cast<double>(movable) * (recorder.outcome().end_time + settings.screening.settle_seconds);
-  return recorder.outcome();
+
+  std::vector<Outcome> outcomes;
+  for (std::size_t world = 0; world < scenes.size(); ++world) {
+    const BoxView boxes = view(batch.boxes, batch.worlds[world]);
+    const auto movable =
+        std::count_if(boxes.mass.begin(), boxes.mass.end(), [](double mass) { return std::isfinite(mass); });
+    outcomes.push_back(owned[world]->outcome());
+    cost_.box_seconds += static_cast<double>(movable) * (outcomes.back().end_time + settings.screening.settle_seconds);
+  }
+  return outcomes;
 }
 
 Snapshot final_state(Laboratory& laboratory, const Scene& scene) {
@@ -82,6 +123,18 @@ Snapshot final_state(Laboratory& laboratory, const Scene& scene) {
     last = copy_of(moment);
     return true;
   });
+  return last;
+}
+
+std::vector<Snapshot> final_states(Laboratory& laboratory, std::span<const Scene> scenes) {
+  std::vector<Snapshot> last(scenes.size());
+  std::vector<Observer> observers;
+  for (Snapshot& snapshot : last)
+    observers.push_back([&snapshot](const Moment& moment) {
+      snapshot = copy_of(moment);
+      return true;
+    });
+  laboratory.run(scenes, observers);
   return last;
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,10 @@ class Laboratory {
   /// the observer then has not seen the end.
   Outcome run(const Scene& scene, const Observer& observer);
 
+  /// Runs several scenes as the worlds of one batch, with the settings of the first and an observer each, until all
+  /// have ended or all observers have seen enough.
+  std::vector<Outcome> run(std::span<const Scene> scenes, std::span<const Observer> observers);
+
   const EngineSetting& setting() const { return setting_; }
   const RunCost& cost() const { return cost_; }
 
@@ -73,6 +78,9 @@ struct Snapshot {
 
 /// Runs the scene and returns the last state it reached.
 Snapshot final_state(Laboratory& laboratory, const Scene& scene);
+
+/// Runs the scenes as the worlds of one batch and returns the last state that each reached.
+std::vector<Snapshot> final_states(Laboratory& laboratory, std::span<const Scene> scenes);
 
 /// Largest distance of any box from where it began, at any step of the run, m. Infinite when the run failed.
 double largest_displacement(Laboratory& laboratory, const Scene& scene);

@@ -17,8 +17,14 @@ Scene& Scene::then(double duration, const Vec3& acceleration) {
 }
 
 WorldBatch Scene::batch() const {
-  static const Layout kNoLayout;
   WorldBatch batch;
+  append_to(batch);
+  return batch;
+}
+
+void Scene::append_to(WorldBatch& batch) const {
+  static const Layout kNoLayout;
+  const std::size_t begin = batch.boxes.mass.size();
   for (const SceneBox& box : boxes) {
     const bool fixed = box.mass == kFixed;
     const double density_mass = settings.density_value * box.size.prod();
@@ -37,8 +43,7 @@ WorldBatch Scene::batch() const {
     batch.state.velocity.push_back(box.velocity);
     batch.state.angular_velocity.push_back(box.angular_velocity);
   }
-  batch.worlds.push_back({&kNoLayout, &motion, 0, boxes.size()});
-  return batch;
+  batch.worlds.push_back({&kNoLayout, &motion, begin, boxes.size()});
 }
 
 Scene empty_scene(const Vec3& container_size, double friction, double restitution) {

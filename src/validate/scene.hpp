@@ -35,12 +35,18 @@ struct Scene {
   Settings settings;  ///< container, contact laws, gravity; the solver's part is filled in by whoever runs it
   std::vector<SceneBox> boxes;
   Motion motion;
+  /// Multiplies the step that the engine setting names: for twins whose time runs at another rate, and to see how an
+  /// answer depends on the step.
+  double step_factor = 1.0;
 
   /// Appends a stretch of constant acceleration of the container, m/s², at the motion's end.
   Scene& then(double duration, const Vec3& acceleration);
 
   /// Box `i` and all others in the same order: columns as an engine takes them. The scene must outlive the batch.
   WorldBatch batch() const;
+
+  /// Appends the scene to a batch, as its last world.
+  void append_to(WorldBatch& batch) const;
 };
 
 /// An empty container of the given inner size, m, where every pair of surfaces has the friction coefficient `friction`
