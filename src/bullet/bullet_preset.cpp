@@ -8,7 +8,6 @@ BulletPreset bullet_preset(std::string_view engine, const Settings& settings) {
     preset.iterations = 10;
     preset.friction_directions = 1;
     preset.random_order = false;
-    preset.split_impulse_threshold = -0.04;
   }
   if (settings.steps_per_second) preset.steps_per_second = *settings.steps_per_second;
 

@@ -177,7 +177,8 @@ std::vector<SettingKey> make_table() {
   add(Truth{}, "SplitImpulse", "", "", MEMBER(bullet.split_impulse),
       "Whether penetrations are corrected apart from velocities; presets: bullet true, bullet-stock true.");
   add(Any{}, "SplitImpulseThreshold", "m", "", MEMBER(bullet.split_impulse_threshold),
-      "Distance below which SplitImpulse acts; presets: bullet 0, bullet-stock -0.04.");
+      "Distance below which SplitImpulse acts: 0 makes rebounds exact and keeps overlaps from popping, at the price of "
+      "creep; presets: bullet -0.04, bullet-stock -0.04.");
   add(Share{}, "Erp", "", "", MEMBER(bullet.erp),
       "Share of a penetration corrected a step through velocities; presets: bullet 0.2, bullet-stock 0.2.");
   add(Share{}, "Erp2", "", "", MEMBER(bullet.erp2),
