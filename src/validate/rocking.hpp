@@ -5,9 +5,9 @@ namespace holdfast {
 /// A block that rocks on its two lower edges without slipping (Housner 1963): half diagonal R, atan(width / height) α.
 ///   θ'' = −p² sin(α − θ),  p² = 3 g / (4 R)
 struct RockingBlock {
-  double half_diagonal = 0.0;   ///< R, m
-  double slenderness = 0.0;     ///< α, rad
-  double frequency = 0.0;       ///< p, 1/s
+  double half_diagonal = 0.0;  ///< R, m
+  double slenderness = 0.0;    ///< α, rad
+  double frequency = 0.0;      ///< p, 1/s
 };
 
 RockingBlock rocking_block(double width, double height, double gravity);

@@ -48,11 +48,11 @@ Track track_of(Laboratory& laboratory, const Scene& scene) {
   return track;
 }
 
-std::vector<Peak> peaks_of(const Track& track, const Quantity& quantity) {
+std::vector<Peak> peaks_of(const Track& track, const Quantity& quantity, double least) {
   std::vector<Peak> peaks;
   for (std::size_t i = 1; i + 1 < track.size(); ++i) {
     const std::array<double, 3> value = {quantity(track[i - 1]), quantity(track[i]), quantity(track[i + 1])};
-    if (value[0] < value[1] && value[1] >= value[2])
+    if (value[1] > least && value[0] < value[1] && value[1] >= value[2])
       peaks.push_back(parabola_peak({track[i - 1].time, track[i].time, track[i + 1].time}, value));
   }
   return peaks;
@@ -99,8 +99,8 @@ double energy_gain(const Scene& scene, const Track& track) {
     const Snapshot& before = track[i - 1];
     const Snapshot& after = track[i];
     // No step straddles a change of the acceleration: that of the middle holds for all of it.
-    const Vec3 field = Vec3(0, 0, -scene.settings.gravity) -
-                       acceleration_at(scene.motion, 0.5 * (before.time + after.time));
+    const Vec3 field =
+        Vec3(0, 0, -scene.settings.gravity) - acceleration_at(scene.motion, 0.5 * (before.time + after.time));
     for (std::size_t k = 0; k < boxes.mass.size(); ++k)
       if (std::isfinite(boxes.mass[k])) work += boxes.mass[k] * field.dot(after.position[k] - before.position[k]);
     gain = std::max(gain, kinetic_energy(scene, after) - start - work);

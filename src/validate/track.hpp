@@ -18,13 +18,14 @@ using Quantity = std::function<double(const Snapshot&)>;
 
 /// A local maximum of a quantity.
 struct Peak {
-  double time = 0.0;   ///< s
+  double time = 0.0;  ///< s
   double value = 0.0;
 };
 
 /// The maxima of a quantity inside the track, by the parabola through the largest sample and its neighbours: exact for
 /// what flies, of fourth order in the step for what swings smoothly through its peak.
-std::vector<Peak> peaks_of(const Track& track, const Quantity& quantity);
+/// @param least smaller maxima are left out: noise of a box at rest
+std::vector<Peak> peaks_of(const Track& track, const Quantity& quantity, double least);
 
 /// How something meets an obstacle, judged by the last state before.
 struct Arrival {
