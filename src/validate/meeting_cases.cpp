@@ -56,6 +56,20 @@ std::vector<Measurement> pair(Laboratory& laboratory, double restitution, double
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
+/// Two boxes of different surfaces meet: the one that gives back less decides, as for a box and the container its own
+/// surface does.
+std::vector<Measurement> mixed_surfaces(Laboratory& laboratory) {
+  Scene scene = empty_scene(kContainer, 0.0, 0.25);
+  scene.boxes = {flat_box(4.0, 100, 1.0), flat_box(5.2137, 100, 0.0)};
+  scene.boxes[0].restitution = 1.0;
+  scene.boxes[1].restitution = 0.5;
+  scene.then(0.7, Vec3::Zero());
+  const Snapshot end = final_state(laboratory, scene);
+  const Meeting after = meet(100, 100, 0.5, 1.0);
+  return {scaled("speed of the first after (m/s)", end.velocity[0].x(), after.first, 1.0, fine),
+          scaled("speed of the second after (m/s)", end.velocity[1].x(), after.second, 1.0, fine)};
+}
+
 /// A box sliding at 3 m/s with friction 0.3 meets one at rest after 0.4 m; both slide on until friction has stopped
 /// them, each v²/(2 μ g) further. The vertical faces are without friction: they could exchange load otherwise.
 std::vector<Measurement> sliding_pair(Laboratory& laboratory, double restitution, double first_mass,
@@ -134,6 +148,8 @@ std::vector<Case> meeting_cases() {
           "momentum lost between bodies, restitution too high", e == 0.0 || e == 0.5,
           [=](Laboratory& laboratory) { return pair(laboratory, e, m.first, m.second); });
   }
+  add("rebound_pair_mixed_surfaces", "boxes with restitution 1 and 0.5 meet", "product or mean of both", true,
+      mixed_surfaces);
   for (const double e : {0.0, 0.5, 1.0})
     add(fmt::format("both_sides_e_{}", e), "two boxes meet a third one from both sides at once",
         "the order of contacts breaks the symmetry", e == 0.5,
