@@ -56,4 +56,15 @@ Scene empty_scene(const Vec3& container_size, double friction, double restitutio
   return scene;
 }
 
+Scene scene_of_pairs(const Vec3& container_size, double box_floor, double box_box, double box_wall,
+                     double restitution) {
+  Scene scene = empty_scene(container_size, 0.0, restitution);
+  ContactSettings& contact = scene.settings.contact;
+  contact.friction_model = FrictionModel::pairs;
+  contact.box_floor = box_floor;
+  contact.box_box = box_box;
+  contact.box_wall = box_wall;
+  return scene;
+}
+
 }  // namespace holdfast

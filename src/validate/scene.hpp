@@ -53,4 +53,8 @@ struct Scene {
 /// and the restitution `restitution`.
 Scene empty_scene(const Vec3& container_size, double friction, double restitution = 0.0);
 
+/// An empty container with a friction coefficient for each kind of pair: box and floor, box and box, box and wall.
+Scene scene_of_pairs(const Vec3& container_size, double box_floor, double box_box, double box_wall,
+                     double restitution = 0.0);
+
 }  // namespace holdfast
