@@ -13,8 +13,8 @@ double border_near(double expected, double precision, const std::function<bool(d
   for (double share = precision;; share *= 10.0) {
     far = border_is_below ? expected * std::max(0.0, 1.0 - share) : expected * (1.0 + share);
     if (exceeds(far) != border_is_below) break;
-    if (far == 0.0) return 0.0;
-    if (!border_is_below && far >= 10.0 * expected) return std::numeric_limits<double>::infinity();
+    if (border_is_below && !(far > 0.0)) return 0.0;
+    if (!border_is_below && !(far < 10.0 * expected)) return std::numeric_limits<double>::infinity();
     near = far;
   }
   double low = std::min(near, far);

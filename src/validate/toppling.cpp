@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace holdfast {
 
@@ -94,15 +95,21 @@ long double Toppling::horizontal_force() const {
 double Toppling::friction_needed() const { return std::abs(static_cast<double>(horizontal_force())) / support(); }
 
 double toppling_threshold(const Pivoted& body, double gravity, double angle, double time) {
-  double low = gravity * std::tan(body.lean);
-  double high = 2.0 * low;
-  while (high - low > 1e-12 * high) {
-    const double middle = 0.5 * (low + high);
-    Toppling toppling(body, middle, gravity);
-    toppling.advance_to(time);
-    (toppling.angle() < angle ? low : high) = middle;
+  const double limit = gravity * std::tan(body.lean);
+  const auto lateness = [&](double log_excess) {
+    return Toppling(body, limit * (1.0 + std::exp(log_excess)), gravity).time_to(angle) - time;
+  };
+  // The time falls nearly in a straight line with the logarithm of the excess: secants find it in a few rounds.
+  double before = std::log(1e-4);
+  double late_before = lateness(before);
+  double now = std::log(1e-3);
+  double late = lateness(now);
+  for (int i = 0; i < 20 && std::abs(now - before) > 1e-9 && late != late_before; ++i) {
+    const double next = now - late * (now - before) / (late - late_before);
+    before = std::exchange(now, next);
+    late_before = std::exchange(late, lateness(next));
   }
-  return high;
+  return limit * (1.0 + std::exp(now));
 }
 
 double overturning_pulse(const Pivoted& body, double acceleration, double gravity) {

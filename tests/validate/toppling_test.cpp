@@ -82,6 +82,8 @@ TEST_CASE("toppling: the threshold within a time is above that for ever", "[vali
   CHECK(threshold > 0.25 * kGravity);
   CHECK(threshold < 0.2502 * kGravity);
   CHECK(Toppling(body, threshold, kGravity).time_to(0.1745) == Approx(5.0).epsilon(1e-6));
+  // Short boxes fall so fast that five seconds are for ever.
+  CHECK(toppling_threshold(about_edge(0.2, 1.0), kGravity, 0.1745, 5.0) == Approx(0.2 * kGravity).epsilon(1e-7));
 }
 
 TEST_CASE("toppling: after the shortest pulse the body just reaches its top", "[validate][toppling]") {
