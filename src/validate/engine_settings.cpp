@@ -6,8 +6,7 @@ namespace {
 
 /// Bullet with a step, a number of iterations, and either friction as shipped (1F: one direction, fixed order) or
 /// 2F R (two directions, random order).
-EngineSetting bullet(const char* engine, const char* name, double steps_per_second, int iterations,
-                     bool quick = false) {
+EngineSetting bullet(const char* engine, const char* name, double steps_per_second, int iterations, bool quick = false) {
   return {engine, name,
           [=](Settings& settings) {
             settings.steps_per_second = steps_per_second;
@@ -20,11 +19,16 @@ EngineSetting bullet(const char* engine, const char* name, double steps_per_seco
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
-      bullet("bullet", "240 Hz, 50 it", 240, 50, true), bullet("bullet", "60 Hz, 10 it", 60, 10),
-      bullet("bullet", "120 Hz, 20 it", 120, 20),       bullet("bullet", "240 Hz, 10 it", 240, 10),
-      bullet("bullet", "480 Hz, 50 it", 480, 50),       bullet("bullet-f64", "240 Hz, 50 it", 240, 50),
-      bullet("bullet-f64", "1000 Hz, 50 it", 1000, 50), bullet("bullet-stock", "240 Hz, 10 it", 240, 10, true),
-      bullet("bullet-stock", "60 Hz, 10 it", 60, 10),   bullet("bullet-stock", "1000 Hz, 10 it", 1000, 10),
+      bullet("bullet", "240 Hz, 50 it", 240, 50, true),
+      bullet("bullet", "60 Hz, 10 it", 60, 10),
+      bullet("bullet", "120 Hz, 20 it", 120, 20),
+      bullet("bullet", "240 Hz, 10 it", 240, 10),
+      bullet("bullet", "480 Hz, 50 it", 480, 50),
+      bullet("bullet-f64", "240 Hz, 50 it", 240, 50),
+      bullet("bullet-f64", "1000 Hz, 50 it", 1000, 50),
+      bullet("bullet-stock", "240 Hz, 10 it", 240, 10, true),
+      bullet("bullet-stock", "60 Hz, 10 it", 60, 10),
+      bullet("bullet-stock", "1000 Hz, 10 it", 1000, 10),
   };
   return kSettings;
 }

@@ -70,8 +70,8 @@ Outcome Laboratory::run(const Scene& scene, const Observer& observer) {
   simulate(**engine, batch, settings, recorders, recorder.enough());
 
   cost_.cpu_seconds += thread_cpu_seconds() - begin;
-  const auto movable =
-      std::count_if(batch.boxes.mass.begin(), batch.boxes.mass.end(), [](double mass) { return std::isfinite(mass); });
+  const auto movable = std::count_if(batch.boxes.mass.begin(), batch.boxes.mass.end(),
+                                     [](double mass) { return std::isfinite(mass); });
   cost_.box_seconds += static_cast<double>(movable) * (recorder.outcome().end_time + settings.screening.settle_seconds);
   return recorder.outcome();
 }
