@@ -38,7 +38,11 @@ std::vector<Task> tasks_of(const ValidationPlan& plan, const std::vector<EngineS
     for (const EngineSetting& reference : references) add_loads(reference);
   for (const EngineSetting& setting : plan.settings) {
     for (const Case& known : plan.cases) tasks.push_back({&setting, &known, nullptr});
-    add_loads(setting);
+    // A setting that is a reference would be compared with itself.
+    const bool is_reference = std::any_of(references.begin(), references.end(), [&](const EngineSetting& reference) {
+      return reference.engine == setting.engine && reference.name == setting.name;
+    });
+    if (!is_reference) add_loads(setting);
   }
   return tasks;
 }

@@ -1,0 +1,84 @@
+"""`holdfast validate` from outside: choice of cases, JSON, report, bounds. The quick suite itself is a test of its own."""
+import json
+import pathlib
+import signal
+import subprocess
+import tempfile
+import unittest
+
+import pandas as pd
+
+from cli import run, start
+
+MEMBERS = {"case", "engine", "setting", "metric", "value", "expected", "error", "tolerance", "pass", "cpu_seconds"}
+
+
+class Validate(unittest.TestCase):
+    def test_json_lists_the_measurements_of_the_choice(self):
+        done = run("validate", "--quick", "--suite", "slide", "--engine", "bullet", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = json.loads(done.stdout)
+        self.assertGreater(len(rows), 10)
+        for row in rows:
+            self.assertLessEqual(MEMBERS, row.keys())
+            self.assertEqual((row["engine"], row["suite"]), ("bullet", "slide"))
+            self.assertEqual(row["pass"], row["error"] is not None and row["error"] <= row["tolerance"])
+
+    def test_one_case_is_printed_with_its_numbers(self):
+        done = run("validate", "--quick", "--case", "slide_path", "--engine", "bullet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # The first-order path of Bullet: longer by h/t.
+        self.assertIn("slide_path, displacement (m): -1.23136, expected -1.22625", done.stdout)
+
+    def test_the_result_does_not_depend_on_threads(self):
+        def measured(threads):
+            done = run("validate", "--quick", "--suite", "slide,tip", "--threads", threads, "--json")
+            return [{key: value for key, value in row.items() if key != "cpu_seconds"} for row in json.loads(done.stdout)]
+
+        self.assertEqual(measured(1), measured(2))
+
+    def test_report_stands_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("validate", "--quick", "--suite", "slide,tip", "-o", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            page = pathlib.Path(folder, "index.html").read_text()
+            self.assertIn("slide_path", page)
+            self.assertIn("<svg", page)
+            for link in ("src=", "href=\"http", "@import"):
+                self.assertNotIn(link, page)
+            table = pd.read_csv(pathlib.Path(folder, "measurements.csv"))
+            self.assertEqual(len(table), len(json.loads(pathlib.Path(folder, "measurements.json").read_text())))
+
+    def test_an_error_above_its_bound_fails_and_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bounds = pathlib.Path(folder, "bounds.tsv")
+            choice = ("validate", "--quick", "--case", "slide_path", "--engine", "bullet")
+            self.assertEqual(run(*choice, "--record-bounds", bounds).returncode, 0)
+            self.assertEqual(run(*choice, "--bounds", bounds).returncode, 0)
+            lines = bounds.read_text().splitlines()
+            bounds.write_text("\n".join(line.rsplit("\t", 1)[0] + "\t1e-9" if "displacement" in line else line
+                                        for line in lines) + "\n")
+            done = run(*choice, "--bounds", bounds)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("slide_path, displacement (m): error 0.00417, bound 1e-09", done.stderr)
+
+    def test_unknown_names_are_said_with_what_was_meant(self):
+        for arguments, said in ((("--suite", "slid"), "did you mean 'slide'"), (("--case", "slide_pat"), "slide_path"),
+                                (("--engine", "bulet"), "did you mean 'bullet'")):
+            done = run("validate", "--quick", *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(said, done.stderr)
+
+    def test_interrupted_keeps_nothing_and_says_so(self):
+        process = start("validate", "--suite", "hard", "--threads", "1")
+        try:
+            process.wait(timeout=1.5)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("stopped", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
