@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draws the report of `holdfast validate -o DIR` from the tables in that folder: DIR/index.html and the pictures in it.
+"""Draws the report of `holdfast validate -o DIR` from the tables in that folder: DIR/index.html, the pictures in it
+and tables.md.
 
 The page needs no network and no other file. Example: validation_report.py validation
 """
@@ -140,6 +141,30 @@ def overview(rows, cost):
     return "\n".join(lines) + "</table>"
 
 
+def markdown(rows, cost):
+    """The overview and the errors of the curves' metrics as Markdown, for a page of documentation."""
+    labels = list(dict.fromkeys(rows["label"]))
+    suites = [suite for suite in SUITES if suite in set(rows["suite"])]
+
+    def passed(label, suite):
+        cell = rows[(rows["label"] == label) & (rows["suite"] == suite)]["pass"]
+        return f"{cell.sum()} of {len(cell)}" if len(cell) else "-"
+
+    lines = ["| passed | " + " | ".join(suites) + " | µs a box and simulated second |",
+             "| --- |" + " --- |" * (len(suites) + 1)]
+    lines += [f"| {label} | " + " | ".join(passed(label, suite) for suite in suites) +
+              f" | {cost[label]:.0f} |" if label in cost.index else f"| {label} |" for label in labels]
+    for title, case, metric in CURVES:
+        table = rows[(rows["case"] == case) & rows["metric"].str.contains(metric, regex=False)]
+        if not table.empty:
+            errors = table.pivot_table(index="label", columns="metric", values="error", sort=False)
+            lines += ["", title, "", "| error | " + " | ".join(errors.columns) + " |",
+                      "| --- |" + " --- |" * len(errors.columns)]
+            lines += [f"| {label} | " + " | ".join(number(error) for error in row) + " |"
+                      for label, row in zip(errors.index, errors.values)]
+    return "\n".join(lines) + "\n"
+
+
 def suite_table(rows, cases, suite):
     mine = rows[rows["suite"] == suite]
     labels = list(dict.fromkeys(mine["label"]))
@@ -191,8 +216,10 @@ def page(rows, costs, cases):
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("folder", type=Path, help="folder with measurements.csv, costs.csv and cases.csv")
 folder = parser.parse_args().folder
-text, drawn = page(*read(folder))
+measured_rows, measured_costs, known_cases = read(folder)
+text, drawn = page(measured_rows, measured_costs, known_cases)
 (folder / "index.html").write_text(text)
+(folder / "tables.md").write_text(markdown(measured_rows, cost_of(measured_costs)))
 for name, picture in zip(("speed_against_error", "slide_thresholds", "tip_thresholds"), drawn):
     if picture:
         (folder / f"{name}.svg").write_text(re.sub(r"^<svg", "<svg xmlns='http://www.w3.org/2000/svg'", picture)
