@@ -33,7 +33,7 @@ RULES = {
     "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
     "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "POSIX"}),
-    "validate": ({"core", "validate"}, {"fmt"}),
+    "validate": ({"core", "parallel", "validate"}, {"fmt"}),
     "app": ({"core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
 }
 

@@ -3,24 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 
 #include "core/simulate.hpp"
 #include "io/layout_reader.hpp"
 #include "io/text_file.hpp"
+#include "parallel/processor_time.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// CPU time that the calling thread has used, s.
-double thread_cpu_seconds() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// A layout of the unit, or why there is none.
 struct UnitLayout {
@@ -59,7 +52,7 @@ std::string describe(Status status) {
 
 std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
   if (abort_) return std::nullopt;
-  const double cpu_begin = thread_cpu_seconds();
+  const double cpu_begin = processor_seconds();
   UnitRecord record;
   std::vector<UnitLayout> layouts;
   std::vector<Layout> usable_layouts;
@@ -104,7 +97,7 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
       record.worlds.push_back(std::move(world));
     }
   }
-  const double cpu_share = (thread_cpu_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, next));
+  const double cpu_share = (processor_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, next));
   for (WorldRecord& world : record.worlds)
     if (world.outcome.stop_reason != StopReason::not_run) world.cpu_seconds = cpu_share;
   return record;

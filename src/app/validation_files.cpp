@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/csv_field.hpp"
 #include "io/text_file.hpp"
 #include "validate/case.hpp"
 
@@ -26,14 +27,6 @@ auto key_of(const ValidationRow& row) {
 double bound_of(const Measurement& measurement) {
   if (measurement.tolerance == ToleranceClass::verdict) return measurement.error;
   return kBoundFactor * measurement.error + kBoundSlack;
-}
-
-/// A field of a CSV file (RFC 4180): quoted where it has to be.
-std::string csv(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::optional<Error> write_text(const std::filesystem::path& path, const std::string& text) {
@@ -127,17 +120,17 @@ std::optional<Error> write_validation(const std::string& folder, std::span<const
   for (const ValidationRow& row : rows) {
     const Measurement& m = row.measurement;
     measurements += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.suite, row.case_name, row.engine,
-                                csv(row.setting), csv(m.metric), m.value, m.expected, m.error,
+                                csv_field(row.setting), csv_field(m.metric), m.value, m.expected, m.error,
                                 tolerance_of(m.tolerance), m.passes() ? 1 : 0, row.cpu_seconds);
   }
   std::string cost_table = "suite,engine,setting,cpu_seconds,box_seconds\n";
   for (const SuiteCost& cost : costs) {
-    cost_table += fmt::format("{},{},{},{},{}\n", cost.suite, cost.engine, csv(cost.setting), cost.cost.cpu_seconds,
-                              cost.cost.box_seconds);
+    cost_table += fmt::format("{},{},{},{},{}\n", cost.suite, cost.engine, csv_field(cost.setting),
+                              cost.cost.cpu_seconds, cost.cost.box_seconds);
   }
   std::string cases = "suite,case,question,trap\n";
   for (const Case& entry : all_cases())
-    cases += fmt::format("{},{},{},{}\n", entry.suite, entry.name, csv(entry.question), csv(entry.trap));
+    cases += fmt::format("{},{},{},{}\n", entry.suite, entry.name, csv_field(entry.question), csv_field(entry.trap));
 
   const std::filesystem::path base = folder;
   if (auto error = write_text(base / "measurements.csv", measurements)) return error;

@@ -4,20 +4,13 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/csv_field.hpp"
 #include "io/output_file.hpp"
 #include "io/summary.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// A field as RFC 4180 wants it: quoted where it has a comma, a quote or a line break.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return field + '"';
-}
 
 /// An empty field where there is no number, which readers take for a missing value.
 std::string number(float value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
@@ -34,7 +27,7 @@ constexpr const char* kBoxHeader =
 
 /// Index of the world, and the names of its inputs: the first columns of both tables.
 std::string naming(const ResultsInfo& info, std::uint64_t world, const WorldRow& row) {
-  return fmt::format("{},{},{}", world, quoted(layout_name(info, row)), quoted(acceleration_name(info, row)));
+  return fmt::format("{},{},{}", world, csv_field(layout_name(info, row)), csv_field(acceleration_name(info, row)));
 }
 
 std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
@@ -43,7 +36,7 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-                   naming(info, slice.world_begin + i, row), to_string(row.status), quoted(row.status_text),
+                   naming(info, slice.world_begin + i, row), to_string(row.status), csv_field(row.status_text),
                    to_string(row.stop_reason), row.end_time, row.box_count, w.fallen_boxes[i], w.unstable_boxes[i],
                    w.moved_boxes[i], w.tilted_boxes[i], w.total_kinetic_energy[i], w.peak_kinetic_energy[i],
                    w.max_displacement[i], w.peak_displacement[i], row.cpu_seconds);

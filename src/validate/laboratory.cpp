@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/simulate.hpp"
+#include "parallel/processor_time.hpp"
 
 namespace holdfast {
 
 namespace {
-
-double thread_cpu_seconds() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Passes what the drive loop sees of one world on to an observer, until that has seen enough.
 class ObservingRecorder final : public Recorder {
@@ -99,12 +93,12 @@ std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<co
     recorders.push_back(owned.back().get());
   }
 
-  const double begin = thread_cpu_seconds();
+  const double begin = processor_seconds();
   const Result<std::unique_ptr<Engine>> engine = factory_(setting_.engine, settings);
   if (!engine)
     return std::vector<Outcome>(scenes.size(), {.status = Status::non_finite, .stop_reason = StopReason::failed});
   simulate(**engine, batch, settings, recorders, over);
-  cost_.cpu_seconds += thread_cpu_seconds() - begin;
+  cost_.cpu_seconds += processor_seconds() - begin;
 
   std::vector<Outcome> outcomes;
   for (std::size_t world = 0; world < scenes.size(); ++world) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace holdfast {
+
+/// A field as RFC 4180 wants it: quoted where it has a comma, a quote or a line break.
+std::string csv_field(const std::string& text);
+
+}  // namespace holdfast
