@@ -63,6 +63,36 @@ std::vector<Measurement> braked_into_wall(Laboratory& laboratory, double gap) {
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
+/// A side of the container, by the axis it is across and the end of it.
+struct Wall {
+  const char* name;
+  int axis;
+  bool far;
+};
+constexpr Wall kWalls[] = {{"floor", 2, false}, {"front", 0, false}, {"rear", 0, true},
+                           {"left", 1, false},  {"right", 1, true},  {"roof", 2, true}};
+
+/// A box is pressed gently against a side of the container, 5 cm away, without friction, and comes to rest there: it
+/// has gone exactly the 5 cm. It feels 0.5 m/s² towards the side; nothing else where that is across, gravity's rest
+/// where it is floor or roof.
+std::vector<Measurement> wall_in_place(Laboratory& laboratory, const Wall& wall) {
+  constexpr double kGap = 0.05;
+  constexpr double kPush = 0.5;  // m/s²
+  Scene scene = empty_scene(kContainer, 0.0);
+  SceneBox box = standing_box(kFlatBox, {3, 3, 0});
+  const double half = 0.5 * kFlatBox[wall.axis];
+  box.position[wall.axis] = wall.far ? kContainer[wall.axis] - half - kGap : half + kGap;
+  scene.boxes.push_back(box);
+  Vec3 acceleration = Vec3::Zero();
+  // The boxes feel gravity minus a: what they are to feel along the axis, with the sign turned.
+  const double felt = wall.far ? kPush : -kPush;
+  acceleration[wall.axis] = wall.axis == 2 ? -scene.settings.gravity - felt : -felt;
+  scene.then(2.0, acceleration);
+  const Snapshot end = final_state(laboratory, scene);
+  const double gone = std::abs(end.position[0][wall.axis] - box.position[wall.axis]);
+  return {scaled("distance to the wall (m)", gone, kGap, 1.0, ToleranceClass::fine)};
+}
+
 }  // namespace
 
 std::vector<Case> wall_cases() {
@@ -82,6 +112,11 @@ std::vector<Case> wall_cases() {
                      fmt::format("braking at 0.8 g pushes a box along {} m to the front wall", gap),
                      "rebound, pitch, penetration", gap == 0.5,
                      [=](Laboratory& laboratory) { return braked_into_wall(laboratory, gap); }});
+  for (const Wall& wall : kWalls)
+    cases.push_back({"rebound", fmt::format("wall_in_place_{}", wall.name),
+                     fmt::format("where a box rests that is pressed gently against the {}", wall.name),
+                     "a wall out of its place, a contact made at a distance or only when deep", true,
+                     [wall](Laboratory& laboratory) { return wall_in_place(laboratory, wall); }});
   return cases;
 }
 
