@@ -98,14 +98,15 @@ class Collector {
 
   /// All loads of a setting are there: compare them, or keep them when they are the reference.
   void finish_loads(const EngineSetting& setting) {
-    std::vector<LoadRun> runs = std::exchange(runs_, {});
-    const bool is_first = &setting == &references_[0];
+    const std::vector<LoadRun> runs = std::exchange(runs_, {});
+    if (&setting == &references_[0]) {
+      first_ = runs;
+      return;
+    }
     const bool is_second = &setting == &references_[1];
-    if (is_first) first_ = std::move(runs);
-    if (is_first) return;
+    if (is_second) second_ = runs;
     double cpu_seconds = 0.0;
     for (const LoadRun& run : runs) cpu_seconds += run.cpu_seconds;
-    if (is_second) second_ = runs;
     for (Measurement& measurement : compare_loads(runs, first_, second_)) {
       result_.rows.push_back({"load", is_second ? "second_reference" : "real_loads", setting.engine, setting.name,
                               std::move(measurement), cpu_seconds});

@@ -148,38 +148,38 @@ std::vector<Measurement> slipping(Laboratory& laboratory, double heading) {
 }  // namespace
 
 std::vector<Case> hard_stack_cases() {
-  const char* const kCreep = "unconverged friction and soft contacts creep without end";
-  const char* const kStack = "impulses travel one box an iteration: the solver stops before the stack carries itself";
-  const char* const kRatio = "heavy on light converges slowly";
-  const char* const kShare = "weight shared unequally in order of the contacts";
+  const char* const creep = "unconverged friction and soft contacts creep without end";
+  const char* const slow = "impulses travel one box an iteration: the solver stops before the stack carries itself";
+  const char* const uneven = "heavy on light converges slowly";
+  const char* const sharing = "weight shared unequally in order of the contacts";
   std::vector<Case> cases = {
-      {"hard", "minute_slide_0.9", "does a box at 0.9 of its sliding limit lie still for a minute", kCreep, false,
+      {"hard", "minute_slide_0.9", "does a box at 0.9 of its sliding limit lie still for a minute", creep, false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(1, {1.0, 1.0, 0.25}, 0.5), 0.9);
        }},
-      {"hard", "minute_tip_0.9", "does a box at 0.9 of its tipping limit stand still for a minute", kCreep, false,
+      {"hard", "minute_tip_0.9", "does a box at 0.9 of its tipping limit stand still for a minute", creep, false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(1, {0.5, 0.5, 1.0}, 0.8), 0.9);
        }},
-      {"hard", "minute_stack_5_0.9", "do five boxes at 0.9 of their sliding limit stand still for a minute", kStack,
+      {"hard", "minute_stack_5_0.9", "do five boxes at 0.9 of their sliding limit stand still for a minute", slow,
        false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(5, {1.0, 1.0, 0.25}, 0.4), 0.9);
        }},
-      {"hard", "minute_stack_20_0.9", "do twenty boxes at 0.9 of their tipping limit stand still for a minute", kStack,
+      {"hard", "minute_stack_20_0.9", "do twenty boxes at 0.9 of their tipping limit stand still for a minute", slow,
        false, [](Laboratory& l) { return minute_of_rest(l, tall_stack(), 0.9); }},
-      {"hard", "minute_top_heavy_0.47", "do ten boxes below one 1000 times as heavy stand still for a minute", kRatio,
+      {"hard", "minute_top_heavy_0.47", "do ten boxes below one 1000 times as heavy stand still for a minute", uneven,
        false, [](Laboratory& l) { return minute_of_rest(l, top_heavy_stack(), 0.47); }},
-      {"hard", "minute_overhang_0.9", "does a box that hangs over by 0.9 of its half lie still for a minute", kCreep,
+      {"hard", "minute_overhang_0.9", "does a box that hangs over by 0.9 of its half lie still for a minute", creep,
        false, overhang_for_a_minute},
-      {"hard", "stack_20_tips", "smallest load that tips twenty boxes", kStack, false,
+      {"hard", "stack_20_tips", "smallest load that tips twenty boxes", slow, false,
        [](Laboratory& l) { return tipping_threshold(l, tall_stack()); }},
-      {"hard", "top_heavy_tips", "smallest load that tips ten boxes, the top one 1000 times heavier", kRatio, false,
+      {"hard", "top_heavy_tips", "smallest load that tips ten boxes, the top one 1000 times heavier", uneven, false,
        [](Laboratory& l) { return tipping_threshold(l, top_heavy_stack()); }},
-      {"hard", "slab_on_row", "does a slab on five boxes rest", kShare, true, slab_on_a_row},
-      {"hard", "row_on_slab", "do five boxes on a slab rest", kShare, true, row_on_a_slab},
-      {"hard", "slab_on_four", "does a slab on four corners rest", kShare, true, slab_on_four},
-      {"hard", "slab_slides_on_four", "how a slab slides over four supports", kShare, true, slab_slides_on_four},
+      {"hard", "slab_on_row", "does a slab on five boxes rest", sharing, true, slab_on_a_row},
+      {"hard", "row_on_slab", "do five boxes on a slab rest", sharing, true, row_on_a_slab},
+      {"hard", "slab_on_four", "does a slab on four corners rest", sharing, true, slab_on_four},
+      {"hard", "slab_slides_on_four", "how a slab slides over four supports", sharing, true, slab_slides_on_four},
   };
   for (const int degrees : {0, 30, 45})
     cases.push_back({"hard", fmt::format("slipping_stack_{}", degrees), "how far three boxes slip on each other",
@@ -195,7 +195,7 @@ std::vector<Case> hard_stack_cases() {
                           {"light_heavy_light", {1.0, 1000.0, 1.0}}};
   for (const Ratio& ratio : ratios)
     cases.push_back({"hard", fmt::format("rest_{}", ratio.name),
-                     "do boxes 1000 times as heavy as their neighbours rest at half their limit", kRatio, true,
+                     "do boxes 1000 times as heavy as their neighbours rest at half their limit", uneven, true,
                      [masses = ratio.from_floor_up](Laboratory& l) { return uneven_rest(l, masses); }});
   return cases;
 }

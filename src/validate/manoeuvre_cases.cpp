@@ -201,17 +201,17 @@ std::vector<Case> manoeuvre_cases() {
   const auto add = [&](std::string name, std::string question, const char* trap, bool quick, auto measure) {
     cases.push_back({"manoeuvre", std::move(name), std::move(question), trap, quick, measure});
   };
-  const char* const kEdges = "first-order time stepping, steps across the pulse's edges, stops not located in time";
+  const char* const edges = "first-order time stepping, steps across the pulse's edges, stops not located in time";
   for (const double mu : {0.2, 0.3, 0.45, 0.6})
-    add(fmt::format("full_braking_mu_{}", mu), fmt::format("full braking at 0.8 g, friction {}", mu), kEdges,
-        mu == 0.45, [=](Laboratory& l) { return along(l, 0, full_braking(), mu); });
+    add(fmt::format("full_braking_mu_{}", mu), fmt::format("full braking at 0.8 g, friction {}", mu), edges, mu == 0.45,
+        [=](Laboratory& l) { return along(l, 0, full_braking(), mu); });
   for (const double mu : {0.2, 0.3, 0.45, 0.5, 0.55})
     add(fmt::format("rearward_mu_{}", mu), fmt::format("0.5 g to the rear, friction {}", mu),
-        mu == 0.5 ? "exactly at the limit: no excess, no motion" : kEdges, mu == 0.45,
+        mu == 0.5 ? "exactly at the limit: no excess, no motion" : edges, mu == 0.45,
         [=](Laboratory& l) { return along(l, 0, rearward(), mu); });
   for (const double mu : {0.2, 0.3, 0.45, 0.5, 0.55}) {
     add(fmt::format("cornering_left_mu_{}", mu), fmt::format("cornering at 0.5 g to the left, friction {}", mu),
-        mu == 0.5 ? "exactly at the limit: no excess, no motion" : kEdges, mu == 0.3,
+        mu == 0.5 ? "exactly at the limit: no excess, no motion" : edges, mu == 0.3,
         [=](Laboratory& l) { return along(l, 1, cornering(1.0), mu); });
     if (mu < 0.5)
       add(fmt::format("cornering_mirrored_mu_{}", mu), fmt::format("left and right corners alike, friction {}", mu),
