@@ -42,7 +42,7 @@ struct Scene {
   /// Appends a stretch of constant acceleration of the container, m/s², at the motion's end.
   Scene& then(double duration, const Vec3& acceleration);
 
-  /// Box `i` and all others in the same order: columns as an engine takes them. The scene must outlive the batch.
+  /// The boxes in their order as columns that an engine takes, one world. The scene must outlive the batch.
   WorldBatch batch() const;
 
   /// Appends the scene to a batch, as its last world.
