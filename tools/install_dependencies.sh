@@ -12,6 +12,7 @@ packages=(
   libbullet-dev      # Bullet, the rigid-body engine behind the plug-ins, in single and double precision
   libtbb-dev         # oneTBB, spreads worlds over cores
   libeigen3-dev      # Eigen, vectors and rotations
+  libhwy-dev         # Highway, SIMD of the native engine, chosen for the CPU at run time
   libhdf5-dev        # HDF5, the format of the results file
   hdf5-tools         # h5dump and h5ls, to look into a results file; tests read with them
   libfmt-dev         # fmt, messages and text files (GCC 12 has no <format>)

@@ -38,7 +38,7 @@ class BulletWorld {
 
  private:
   struct BoxBody {
-    Surface surface;
+    BodySurface surface;
     std::unique_ptr<btBoxShape> shape;
     std::unique_ptr<btCompoundShape> offset_shape;  ///< only when the centre of mass is not the centroid
     std::unique_ptr<btRigidBody> body;

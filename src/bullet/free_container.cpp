@@ -91,8 +91,8 @@ class FreeContainer final : public ContainerBody {
   btDiscreteDynamicsWorld& world_;
   Vec3 gravity_;
   double driven_mass_;
-  Surface surface_;
-  Surface ground_surface_;
+  BodySurface surface_;
+  BodySurface ground_surface_;
   btBoxShape ground_shape_;
   btCompoundShape shell_shape_;
   std::vector<std::unique_ptr<btBoxShape>> panel_shapes_;

@@ -35,7 +35,7 @@ class PrescribedContainer final : public ContainerBody {
 
  private:
   struct Side {
-    Surface surface;
+    BodySurface surface;
     std::unique_ptr<btBoxShape> shape;
     std::unique_ptr<btRigidBody> body;
   };

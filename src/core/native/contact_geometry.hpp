@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "core/native/oriented_box.hpp"
+
+namespace holdfast::native {
+
+/// Where two surfaces face each other at one place.
+struct ContactPoint {
+  Vec3 on_a = Vec3::Zero();  ///< on the surface of body a, container frame, m
+  Vec3 on_b = Vec3::Zero();  ///< on the surface of body b, m
+  double gap = 0.0;          ///< normal · (on_b − on_a), m; negative where they overlap
+};
+
+/// Which separating axis decided, kept from step to step so that near ties do not flicker.
+struct ContactAxis {
+  enum class Kind { none, face_of_a, face_of_b, edges };
+  Kind kind = Kind::none;
+  int a = 0;  ///< axis of a: of the face, or of the edge
+  int b = 0;  ///< axis of b, likewise
+  friend bool operator==(const ContactAxis&, const ContactAxis&) = default;
+};
+
+/// The contact of two bodies: points with a common normal.
+struct ContactSet {
+  Vec3 normal = Vec3::Zero();  ///< unit, from a to b
+  ContactAxis axis;
+  int count = 0;  ///< of the points that are used
+  std::array<ContactPoint, 8> points;
+};
+
+/// Contact of two boxes: the points whose gap is at most `margin`.
+///
+/// Faces: the incident face clipped by the side planes of the reference face (Sutherland and Hodgman 1974), up to
+/// 8 points; edges: the closest points of the two edges, 1 point. The axis is the one of least overlap (separating
+/// axis test, Gottschalk et al. 1996); `previous` wins near ties. A contact along an edge or a corner alone, with
+/// no area of faces that overlap, is none: boxes of a packing must slide past each other's edges.
+ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin, const ContactAxis& previous);
+
+/// Contact of a side of the container, as body a, with a box as body b: the corners of the face that looks most
+/// towards the side whose gap is at most `margin`, up to 4 points.
+ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin);
+
+}  // namespace holdfast::native
