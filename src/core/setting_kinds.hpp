@@ -130,6 +130,10 @@ struct IterationRange {
   static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
   static constexpr int kMin = 1, kMax = 100000;
 };
+struct CutRange {
+  static constexpr std::string_view kAccepted = "a whole number from 0 to 1000";
+  static constexpr int kMin = 0, kMax = 1000;
+};
 struct DirectionRange {
   static constexpr std::string_view kAccepted = "1 or 2";
   static constexpr int kMin = 1, kMax = 2;
@@ -195,6 +199,11 @@ struct StoppingConditions {
 struct ReferencePoses {
   static constexpr std::string_view kAccepted = "layout or settled";
   static constexpr std::array kWords{Word{"layout", ReferencePose::layout}, Word{"settled", ReferencePose::settled}};
+};
+struct Accuracies {
+  static constexpr std::string_view kAccepted = "screening, standard or reference";
+  static constexpr std::array kWords{Word{"screening", Accuracy::screening}, Word{"standard", Accuracy::standard},
+                                     Word{"reference", Accuracy::reference}};
 };
 struct BulletSleepings {
   static constexpr std::string_view kAccepted = "off or wake_on_change";

@@ -85,6 +85,21 @@ struct BulletSettings {
   std::optional<BulletSleeping> sleeping;
 };
 
+/// How far the native engine goes for accuracy: each stands for a step, tolerances and caps.
+enum class Accuracy { screening, standard, reference };
+
+/// The native engine; `[Native]`. What is absent comes from the accuracy.
+struct NativeSettings {
+  Accuracy accuracy = Accuracy::standard;
+  std::optional<double> steps_per_second;  ///< 1/s; overrides the common key
+  std::optional<double> tolerance;         ///< of a moving step's velocities, over |g − a| h
+  std::optional<int> iterations;           ///< of a moving step's solve, at most
+  std::optional<double> rest_tolerance;    ///< imbalance that counts as rest, over |g − a| m
+  std::optional<int> impact_cuts;          ///< times that impacts may cut a step of an island
+  bool jump = true;                        ///< go to the end of a phase when all is at rest
+  bool freeze = true;                      ///< leave islands at rest alone until something touches them
+};
+
 /// Everything a run can be told; one member a key of config.ini, in SI units. `setting_table.hpp` declares the
 /// keys, with units, defaults and ranges.
 struct Settings {
@@ -116,6 +131,7 @@ struct Settings {
   ContactSettings contact;
   std::map<int, MaterialSettings> materials;  ///< by material id
   ScreeningSettings screening;
+  NativeSettings native;
   BulletSettings bullet;
 };
 

@@ -1,0 +1,461 @@
+#include "core/native/island.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/native/rotation_step.hpp"
+
+namespace holdfast::native {
+
+namespace {
+
+/// Surfaces this near are in touch, m: rounding of positions is far below, what a scene shows far above.
+constexpr double kTouch = 1e-7;
+
+/// Overlap at the end of a step that calls for a contact to be solved, m.
+constexpr double kOverlap = 5e-6;
+
+/// Overlap from which positions are corrected, m.
+constexpr double kProjected = 1e-5;
+
+/// Impacts above this share of |g − a| h are located in time; slower contacts close at the end of their step.
+constexpr double kFastShare = 0.25;
+
+/// Approach of closed contacts above this share of |g − a| h is an impact: velocities jump before the step.
+constexpr double kImpactShare = 0.02;
+
+/// Impacts below this share of |g − a| h do not rebound: rest would otherwise never come.
+constexpr double kReboundShare = 2.0;
+
+/// Rounds of activating manifolds that a step may take.
+constexpr int kRounds = 12;
+
+/// Largest rotation that a step's arms are predicted for, rad.
+constexpr double kLargestTurn = 0.25;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+Vec3 linear(const BodyVector& v) { return {v.row[0], v.row[1], v.row[2]}; }
+Vec3 angular(const BodyVector& v) { return {v.row[3], v.row[4], v.row[5]}; }
+BodyVector body_vector(const Vec3& linear, const Vec3& angular) {
+  return {{linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z(), 0.0, 0.0}};
+}
+
+/// Velocity of body `body` (negative: a side) at a point.
+Vec3 velocity_at(const Bodies& bodies, std::int32_t body, const Vec3& point) {
+  if (body < 0) return Vec3::Zero();
+  const StateColumns& state = bodies.state;
+  return state.velocity[at(body)] + state.angular_velocity[at(body)].cross(point - state.position[at(body)]);
+}
+
+/// Speed at which the surfaces part at a point, m/s.
+double parting(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) {
+  return manifold.contact.normal.dot(velocity_at(bodies, manifold.b, point.on_b) -
+                                     velocity_at(bodies, manifold.a, point.on_a));
+}
+
+bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
+
+}  // namespace
+
+double contact_reach(const StepTerms& terms, double approach) {
+  // What bodies fall in a step, what they approach, and a little for what rounding may hide.
+  return 1e-5 + 1.2 * terms.step * approach + terms.reach;
+}
+
+/// The first overlap that a step would bring.
+struct IslandStepper::Event {
+  bool activated = false;  ///< manifolds became active: the step must be solved again
+  double time = std::numeric_limits<double>::infinity();  ///< of the first fast impact, s from the step's start
+};
+
+void IslandStepper::load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose,
+                         double step) {
+  const Bodies& bodies = scene.bodies;
+  place_.resize(bodies.count());
+  // First by position in the island, for the pairs; then by place in the factor.
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) place_[island.bodies[i]] = static_cast<std::int32_t>(i);
+  pairs_.clear();
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (!manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
+    pairs_.emplace_back(place_[at(manifold.a)], place_[at(manifold.b)]);
+  }
+  solver_.factor.analyse(island.bodies.size(), pairs_);
+  fixed_ = static_cast<std::int32_t>(island.bodies.size());
+  solver_.bodies.resize(island.bodies.size());
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const std::uint32_t body = island.bodies[i];
+    const std::uint32_t place = solver_.factor.place(i);
+    place_[body] = static_cast<std::int32_t>(place);
+    solver_.bodies[place] = {bodies.mass[body], bodies.inertia(body), bodies.radius[body]};
+  }
+  solver_.free_velocity.assign(island.bodies.size(), BodyVector{});
+  solver_.velocity.assign(island.bodies.size() + 1, BodyVector{});
+  turn_mid_.assign(island.bodies.size(), Rotation::Identity());
+  turn_end_.assign(island.bodies.size(), Rotation::Identity());
+  turning_.assign(island.bodies.size() + 1, 0);
+  solver_.load_unit = terms.pull.norm() * (purpose == Purpose::smooth ? step : terms.step);
+
+  for (const std::uint32_t body : island.bodies) {
+    const auto place = at(place_[body]);
+    const StateColumns& state = bodies.state;
+    switch (purpose) {
+      case Purpose::rest:
+        solver_.free_velocity[place] = body_vector(step * terms.pull, Vec3::Zero());
+        break;
+      case Purpose::impact:
+        solver_.free_velocity[place] = body_vector(state.velocity[body], state.angular_velocity[body]);
+        solver_.velocity[place] = solver_.free_velocity[place];
+        break;
+      case Purpose::projection:
+        break;
+      case Purpose::smooth:
+        break;
+    }
+  }
+  if (purpose == Purpose::smooth) predict(scene, island, terms, step);
+
+  solver_.patches.clear();
+  solver_.mid_arms.clear();
+  solver_.patch_pair.clear();
+  sources_.clear();
+  std::uint32_t pair = 0;
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (!manifold.active) continue;
+    const bool with_fixed = is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b);
+    add_patches(scene, index, terms, purpose, step);
+    solver_.patch_pair.resize(solver_.patches.size(), with_fixed ? Splitting::kNoPair : pair);
+    if (!with_fixed) ++pair;
+  }
+  // Without rotation both sets of arms are the same.
+  if (std::none_of(turning_.begin(), turning_.end(), [](std::uint8_t t) { return t != 0; })) solver_.mid_arms.clear();
+}
+
+/// Velocities without contacts, start values, and how the bodies will turn within the step.
+void IslandStepper::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
+  const Bodies& bodies = scene.bodies;
+  for (const std::uint32_t body : island.bodies) {
+    const auto place = at(place_[body]);
+    const Vec3& v = bodies.state.velocity[body];
+    const Vec3& w = bodies.state.angular_velocity[body];
+    const Vec3 v_guess = v + step * bodies.acceleration[body];
+    const Vec3 w_guess = w + step * bodies.angular_acceleration[body];
+    solver_.velocity[place] = body_vector(v_guess, w_guess);
+    Vec3 w_free = w;
+    if (w != Vec3::Zero() || w_guess != Vec3::Zero()) {
+      turning_[place] = 1;
+      // Angular velocity taken as linear in time.
+      turn_mid_[place] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn));
+      turn_end_[place] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn));
+      const Mat3 axes = turn_end_[place].toRotationMatrix() * bodies.shape[body].axes;
+      const Mat3 inertia = inertia_in_container(axes, bodies.principal_inertia[body]);
+      // Angular momentum is what goes on without torque.
+      w_free = inertia.inverse() * (bodies.inertia(body) * w);
+      solver_.bodies[place].inertia = inertia;
+    }
+    solver_.free_velocity[place] = body_vector(v + step * terms.pull, w_free);
+  }
+}
+
+void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose,
+                                double step) {
+  const Bodies& bodies = scene.bodies;
+  const Manifold& manifold = scene.manifolds[index];
+  const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
+  const bool a_fixed = is_fixed(bodies, manifold.a);
+  const bool b_fixed = is_fixed(bodies, manifold.b);
+  const double inverse_mass =
+      (a_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.a)]) + (b_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.b)]);
+  const std::int32_t place_a = a_fixed ? fixed_ : place_[at(manifold.a)];
+  const std::int32_t place_b = b_fixed ? fixed_ : place_[at(manifold.b)];
+  // Contacts that close slower than what is located in time are part of the solve.
+  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
+  const std::size_t first = solver_.patches.size();
+  int used = 0;
+  for (int i = 0; i < manifold.contact.count; ++i) {
+    const ContactPoint& point = manifold.contact.points[at(i)];
+    const double parting_speed = parting(bodies, manifold, point);
+    const bool ahead = point.gap <= slow_gap || point.gap + step * parting_speed < slow_gap;
+    if (purpose == Purpose::rest ? point.gap > kTouch
+                                 : purpose == Purpose::projection ? point.gap > kTouch : !ahead)
+      continue;
+    const std::size_t lane = static_cast<std::size_t>(used % kLanes);
+    if (lane == 0) {
+      Patch& patch = solver_.patches.emplace_back();
+      for (std::size_t d = 0; d < 3; ++d)
+        patch.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
+      patch.friction = purpose == Purpose::projection ? 0.0 : manifold.friction;
+      patch.a = place_a;
+      patch.b = place_b;
+      solver_.mid_arms.emplace_back();
+      sources_.push_back({index, {}});
+    }
+    ++used;
+    Patch& patch = solver_.patches.back();
+    Arms& mid = solver_.mid_arms.back();
+    patch.count = static_cast<std::int32_t>(lane) + 1;
+    sources_.back().point[lane] = static_cast<std::uint8_t>(i);
+
+    const auto set_arms = [&](bool fixed, std::int32_t body, std::int32_t place, const Vec3& on, auto Arms::*side) {
+      if (fixed) return;
+      const Vec3 arm = on - bodies.state.position[at(body)];
+      const bool turns = purpose == Purpose::smooth && turning_[at(place)] != 0;
+      const Vec3 end = turns ? Vec3(turn_end_[at(place)] * arm) : arm;
+      const Vec3 middle = turns ? Vec3(turn_mid_[at(place)] * arm) : arm;
+      for (std::size_t k = 0; k < 3; ++k) {
+        (patch.arms.*side)[k][lane] = end[static_cast<Eigen::Index>(k)];
+        (mid.*side)[k][lane] = middle[static_cast<Eigen::Index>(k)];
+      }
+    };
+    set_arms(a_fixed, manifold.a, place_a, point.on_a, &Arms::a);
+    set_arms(b_fixed, manifold.b, place_b, point.on_b, &Arms::b);
+
+    const PointMemory& memory = manifold.memory[at(i)];
+    switch (purpose) {
+      case Purpose::projection:
+        patch.allowance[lane] = point.gap + kTouch;
+        break;
+      case Purpose::impact: {
+        patch.allowance[lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        if (parting_speed < -kReboundShare * terms.velocity_unit)
+          patch.allowance[lane] += manifold.restitution * parting_speed;
+        break;
+      }
+      case Purpose::rest:
+      case Purpose::smooth:
+        patch.allowance[lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        for (std::size_t d = 0; d < 3; ++d) {
+          patch.impulse[d][lane] = step * memory.force.dot(directions[d]);
+          patch.slip[d][lane] = memory.slip.dot(directions[d]);
+        }
+        patch.impulse[0][lane] = std::max(0.0, patch.impulse[0][lane]);
+        break;
+    }
+  }
+  for (std::size_t p = first; p < solver_.patches.size(); ++p)
+    solver_.patches[p].base = 1.0 / (inverse_mass * used);
+}
+
+SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTerms& terms, double step,
+                                   IslandReport& report) {
+  const double unit = terms.pull.norm() * step;
+  const SplittingResult result = solver_.solve(options, unit > 0.0 ? unit : 1e-3 * step);
+  report.iterations += static_cast<std::uint64_t>(result.iterations);
+  return result;
+}
+
+void IslandStepper::remember(Scene& scene, double step) const {
+  for (std::size_t p = 0; p < sources_.size(); ++p) {
+    const Patch& patch = solver_.patches[p];
+    Manifold& manifold = scene.manifolds[sources_[p].manifold];
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
+      PointMemory& memory = manifold.memory[sources_[p].point[lane]];
+      memory = PointMemory{};
+      for (std::size_t d = 0; d < 3; ++d) {
+        const Vec3 direction(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+        memory.force += (patch.impulse[d][lane] / step) * direction;
+        memory.slip += patch.slip[d][lane] * direction;
+      }
+    }
+  }
+}
+
+bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
+  load(scene, island, terms, Purpose::rest, terms.step);
+  if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) return true;
+  SplittingOptions tight;
+  tight.iterations = 10;
+  tight.tolerance = 0.1 * options_.rest_tolerance;
+  tight.relaxation = 1.6;
+  tight.sticking = 100.0;
+  tight.sliding = 100.0;
+  tight.reclassify_every = 1 << 30;
+  for (int done = 0; done < options_.rest_iterations; done += tight.iterations) {
+    run(tight, terms, terms.step, report);
+    std::vector<BodyVector> velocity = solver_.velocity;
+    if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {
+      remember(scene, terms.step);
+      return true;
+    }
+    solver_.velocity = std::move(velocity);
+  }
+  remember(scene, terms.step);
+  return false;
+}
+
+bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                                    bool ahead, IslandReport& report) {
+  Bodies& bodies = scene.bodies;
+  bool any = false;
+  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      const double speed = parting(bodies, manifold, point);
+      if (!ahead && point.gap > slow_gap) continue;
+      if (std::max(0.0, point.gap) + step * speed >= -kImpactShare * terms.velocity_unit * step) continue;
+      manifold.active = true;
+      manifold.idle_steps = 0;
+      any = true;
+    }
+  }
+  if (!any) return false;
+  load(scene, island, terms, Purpose::impact, step);
+  SplittingOptions options;
+  options.iterations = std::max(200, options_.iterations);
+  options.tolerance = options_.tolerance;
+  const SplittingResult result = run(options, terms, step, report);
+  report.residual = std::max(report.residual, result.residual);
+  for (const std::uint32_t body : island.bodies) {
+    bodies.state.velocity[body] = linear(solver_.velocity[at(place_[body])]);
+    bodies.state.angular_velocity[body] = angular(solver_.velocity[at(place_[body])]);
+  }
+  return true;
+}
+
+IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
+                                                 double step, bool may_cut) {
+  Event event;
+  const Bodies& bodies = scene.bodies;
+  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
+  const auto end_velocity = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (is_fixed(bodies, body)) return Vec3::Zero();
+    const BodyVector& v = solver_.velocity[at(place_[at(body)])];
+    return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
+  };
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      const double u0 = parting(bodies, manifold, point);
+      if (manifold.active && (point.gap <= slow_gap || point.gap + step * u0 < slow_gap)) continue;
+      const double u1 = manifold.contact.normal.dot(end_velocity(manifold.b, point.on_b) -
+                                                    end_velocity(manifold.a, point.on_a));
+      const double gap_end = point.gap + 0.5 * step * (u0 + u1);
+      if (gap_end >= -kOverlap) continue;
+      // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.
+      const double curvature = (u1 - u0) / step;
+      const double root = std::sqrt(std::max(0.0, u0 * u0 - 2.0 * curvature * point.gap));
+      const double time = u0 < root ? 2.0 * point.gap / (root - u0) : step;
+      const bool fast = -(u0 + curvature * time) > kFastShare * terms.velocity_unit;
+      if (!may_cut || !fast || point.gap <= slow_gap) {
+        manifold.active = true;
+        manifold.idle_steps = 0;
+        event.activated = true;
+      } else {
+        event.time = std::min(event.time, time);
+      }
+    }
+  }
+  return event;
+}
+
+void IslandStepper::move(Scene& scene, const IslandView& island, double step, double share) {
+  Bodies& bodies = scene.bodies;
+  const double time = share * step;
+  for (const std::uint32_t body : island.bodies) {
+    const auto place = at(place_[body]);
+    Vec3& v = bodies.state.velocity[body];
+    Vec3& w = bodies.state.angular_velocity[body];
+    const Vec3 v_end = linear(solver_.velocity[place]);
+    const Vec3 w_end = angular(solver_.velocity[place]);
+    bodies.acceleration[body] = (v_end - v) / step;
+    bodies.angular_acceleration[body] = (w_end - w) / step;
+    const Vec3 v_new = share == 1.0 ? v_end : Vec3(v + share * (v_end - v));
+    Vec3 w_new = share == 1.0 ? w_end : Vec3(w + share * (w_end - w));
+    // The trapezoid: exact under constant forces.
+    bodies.state.position[body] += 0.5 * time * (v + v_new);
+    const Vec3 turn = 0.5 * time * (w + w_new);
+    if (turn != Vec3::Zero()) {
+      Rotation& orientation = bodies.state.orientation[body];
+      orientation = (rotation_by(turn) * orientation).normalized();
+    }
+    bodies.update_shape(body);
+    if (share == 1.0 && turning_[place] != 0)
+      w_new = bodies.inertia(body).inverse() * (solver_.bodies[place].inertia * w_end);
+    v = v_new;
+    w = w_new;
+  }
+}
+
+void IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    scene.undo.emplace_back(index, manifold);
+    double reach = terms.reach;
+    for (int i = 0; i < manifold.contact.count; ++i)
+      reach = std::max(reach, manifold.contact.points[at(i)].gap);
+    renew_contact(manifold, contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach));
+  }
+}
+
+void IslandStepper::project(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  bool any = false;
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      if (manifold.contact.points[at(i)].gap >= -kProjected) continue;
+      any = true;
+      manifold.active = true;
+    }
+  }
+  if (!any) return;
+  load(scene, island, terms, Purpose::projection, terms.step);
+  SplittingOptions options;
+  options.iterations = 24;
+  options.tolerance = 1e-6;
+  solver_.solve(options, 1.0);
+  for (const std::uint32_t body : island.bodies) {
+    const BodyVector& shift = solver_.velocity[at(place_[body])];
+    scene.bodies.state.position[body] += linear(shift);
+    const Vec3 turn = clamped(angular(shift), kLargestTurn);
+    if (turn != Vec3::Zero()) {
+      Rotation& orientation = scene.bodies.state.orientation[body];
+      orientation = (rotation_by(turn) * orientation).normalized();
+    }
+    scene.bodies.update_shape(body);
+  }
+  renew(scene, island, terms);
+}
+
+void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
+  project(scene, island, terms);
+  SplittingOptions options;
+  options.tolerance = terms.cold ? 1e-3 * options_.tolerance : options_.tolerance;
+  options.iterations = terms.cold ? options_.cold_iterations : options_.iterations;
+
+  double remaining = terms.step;
+  int cuts = 0;
+  while (remaining > 0.0) {
+    bool may_cut = cuts < options_.impact_cuts;
+    resolve_impacts(scene, island, terms, remaining, !may_cut, report);
+    Event event;
+    for (int round = 0; round < kRounds; ++round) {
+      load(scene, island, terms, Purpose::smooth, remaining);
+      const SplittingResult result = run(options, terms, remaining, report);
+      event = find_overlap(scene, island, terms, remaining, may_cut);
+      if (!event.activated) {
+        report.residual = std::max(report.residual, result.residual);
+        break;
+      }
+      remember(scene, remaining);
+      if (!may_cut) resolve_impacts(scene, island, terms, remaining, true, report);
+    }
+    remember(scene, remaining);
+    if (event.time < remaining * (1.0 - 1e-9)) {
+      move(scene, island, remaining, event.time / remaining);
+      renew(scene, island, terms);
+      remaining -= event.time;
+      ++cuts;
+    } else {
+      move(scene, island, remaining, 1.0);
+      remaining = 0.0;
+    }
+  }
+}
+
+}  // namespace holdfast::native

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/native/manifold.hpp"
+#include "core/native/native_options.hpp"
+#include "core/native/splitting.hpp"
+
+namespace holdfast::native {
+
+/// Everything that islands of a world share.
+struct Scene {
+  Bodies bodies;
+  std::vector<Side> sides;
+  std::vector<Manifold> manifolds;
+  /// Manifolds as they were before an impact within the step renewed them, to take the step again.
+  std::vector<std::pair<std::uint32_t, Manifold>> undo;
+};
+
+/// What holds for all islands in a step.
+struct StepTerms {
+  double step = 0.0;               ///< s
+  Vec3 pull = Vec3::Zero();        ///< gravity and what the container's acceleration feels like, g − a, m/s²
+  double velocity_unit = 0.0;      ///< |g − a| · step: what tolerances are measured in, m/s
+  bool cold = false;               ///< the acceleration has just changed: the last step is no guess for this one
+  double reach = 0.0;              ///< m, see `contact_reach`
+};
+
+/// Bodies that are solved together, with the manifolds inside: those whose ends are among the bodies or fixed.
+struct IslandView {
+  std::span<const std::uint32_t> bodies;
+  std::span<const std::uint32_t> manifolds;
+};
+
+/// What an island's step has cost and reached.
+struct IslandReport {
+  std::uint64_t iterations = 0;
+  double residual = 0.0;  ///< worst of its solves, m/s
+};
+
+/// How far apart two bodies may be that could meet within a step, m.
+/// @param approach bound of the speed at which their surfaces near each other, m/s
+double contact_reach(const StepTerms& terms, double approach);
+
+/// Moves islands. Holds work buffers alone: what it does depends on its arguments only.
+class IslandStepper {
+ public:
+  explicit IslandStepper(const NativeOptions& options) : options_(options) {}
+
+  /// True when the bodies, all without velocity, stay where they are under the pull: forces within every contact's
+  /// cone are found that balance each body to the tolerance. The manifolds' memory is set to these forces; it stays
+  /// as it is where it already balances. A manifold that must carry load for that becomes active.
+  bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
+
+  /// Takes the island a step forward, cut at impacts. Activates manifolds that the bodies would overlap at.
+  void advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
+
+ private:
+  enum class Purpose { smooth, impact, rest, projection };
+  struct Event;
+
+  void load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose, double step);
+  void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
+  void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
+  void remember(Scene& scene, double step) const;
+  bool resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step, bool ahead,
+                       IslandReport& report);
+  Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step, bool may_cut);
+  void move(Scene& scene, const IslandView& island, double step, double share);
+  void renew(Scene& scene, const IslandView& island, const StepTerms& terms);
+  void project(Scene& scene, const IslandView& island, const StepTerms& terms);
+  SplittingResult run(const SplittingOptions& options, const StepTerms& terms, double step, IslandReport& report);
+  std::int32_t local(std::int32_t body) const { return body < 0 ? fixed_ : place_[static_cast<std::size_t>(body)]; }
+
+  NativeOptions options_;
+  Splitting solver_;
+  std::int32_t fixed_ = 0;             ///< local index of what is fixed
+  std::vector<std::int32_t> place_;    ///< of a body of the scene in the solver
+  std::vector<Rotation> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, by place
+  std::vector<std::uint8_t> turning_;
+  std::vector<BodyPair> pairs_;
+  /// Where a patch comes from: manifold and the points of its lanes.
+  struct Source {
+    std::uint32_t manifold;
+    std::array<std::uint8_t, kLanes> point;
+  };
+  std::vector<Source> sources_;
+};
+
+}  // namespace holdfast::native

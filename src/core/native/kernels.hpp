@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/native/patch.hpp"
+
+namespace holdfast::native {
+
+/// Rows that a body's six are padded to, so that a column of a block is a whole SIMD vector.
+inline constexpr int kPaddedRows = 8;
+inline constexpr int kBodyRows = 6;
+
+/// Velocity, impulse or residual of a body: three linear rows, three angular ones, two zeros.
+struct alignas(64) BodyVector {
+  double row[kPaddedRows] = {};
+};
+
+/// A 6×6 matrix, column by column, each padded by zeros.
+struct alignas(64) BodyBlock {
+  double column[kBodyRows][kPaddedRows] = {};
+};
+
+/// Wrench on a body, summed apart for each lane of the patches; lanes are added in a fixed order.
+struct alignas(64) LaneWrench {
+  double row[kBodyRows][kLanes] = {};
+};
+
+/// One pass of the splitting iteration over all patches: measures u, projects onto Coulomb's cone, sets impulse
+/// and slip, and adds J_midᵀ (y + R (z − u)) to `wrench`.
+/// @param mid_arms   arms of the middle of the step, where impulses act; empty: those of the patches
+/// @param velocity   a body; the last entry, of what is fixed, is zero
+/// @param wrench     a body, added to
+/// @param relaxation α: 1 plain, 1.6 over-relaxed
+/// @return largest |u − z|, m/s
+double sweep(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
+                  std::span<LaneWrench> wrench, double relaxation);
+
+/// Adds J_midᵀ y to `wrench`.
+void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
+
+/// Normal and tangential velocities u = J v + allowance of all points, written into `u`, a patch an entry.
+void measure(std::span<const Patch> patches, std::span<const BodyVector> velocity,
+             std::span<std::array<Lanes, 3>> u);
+
+/// c −= l bᵀ, the step of the factorisation.
+struct BlockUpdate {
+  std::uint32_t c, l, b;
+};
+
+/// Structure of a block factor, columns in order of elimination; made by `BlockFactor`.
+struct FactorShape {
+  std::vector<std::uint32_t> column_begin;   ///< first block of column j below the diagonal; one more than columns
+  std::vector<std::uint32_t> block_row;      ///< row, in order of elimination, of a block below the diagonal
+  std::vector<BlockUpdate> updates;          ///< of all columns; c counts blocks below the diagonal, then diagonals
+  std::vector<std::uint32_t> update_begin;   ///< first update of column j; one more than columns
+};
+
+/// A = L D Lᵀ in place. On entry `below` and `diagonal` hold A's blocks, on exit L and D⁻¹.
+/// @param scratch as many blocks as the longest column
+void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
+               std::span<BodyBlock> scratch);
+
+/// Solves L D Lᵀ x = x in place; rows in order of elimination.
+void solve(const FactorShape& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
+           std::span<BodyVector> x);
+
+/// Instruction sets that this machine can run, best first; for tests.
+std::vector<std::int64_t> instruction_sets();
+
+/// Restricts the kernels to one of `instruction_sets()`, or back to the best with 0; for tests, not while worlds run.
+void use_instruction_set(std::int64_t set);
+
+}  // namespace holdfast::native

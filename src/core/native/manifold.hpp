@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/native/bodies.hpp"
+#include "core/native/contact_geometry.hpp"
+
+namespace holdfast::native {
+
+/// A side of the container as a body that does not move.
+struct Side {
+  HalfSpace space;
+  Surface surface;
+};
+
+/// What a point's last solve left for the next to start from, container frame.
+struct PointMemory {
+  Vec3 force = Vec3::Zero();  ///< on b, N
+  Vec3 slip = Vec3::Zero();   ///< m/s
+};
+
+/// A pair of bodies that touch or soon may, with the memory of its points.
+struct Manifold {
+  std::int32_t a = 0;  ///< body, or −1 − side of the container
+  std::int32_t b = 0;  ///< body
+  double friction = 0.0;
+  double restitution = 0.0;
+  ContactSet contact;
+  std::array<PointMemory, 8> memory;
+  /// The pair is solved together. A pair that merely touches is not, as long as the solution without it keeps the
+  /// two apart: islands stay small, and no pair carries what nothing pushes into it.
+  bool active = false;
+  int idle_steps = 0;  ///< solved steps since it last carried load
+
+  bool with_side() const { return a < 0; }
+  std::size_t side() const { return static_cast<std::size_t>(-1 - a); }
+};
+
+/// The manifold's directions: the normal and two tangents that depend on it alone.
+std::array<Vec3, 3> directions_of(const Vec3& normal);
+
+/// Takes the new contact and carries each point's memory over from the nearest old one.
+void renew_contact(Manifold& manifold, const ContactSet& contact);
+
+/// Contact of the manifold's bodies where they are now.
+ContactSet contact_now(const Manifold& manifold, const Bodies& bodies, const std::vector<Side>& sides, double margin);
+
+}  // namespace holdfast::native

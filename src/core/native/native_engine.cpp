@@ -1,0 +1,39 @@
+#include "core/native/native_engine.hpp"
+
+#include "core/native/native_world.hpp"
+
+namespace holdfast {
+
+namespace {
+
+class NativeSimulation final : public Simulation {
+ public:
+  NativeSimulation(const WorldBatch& batch, const Settings& settings, const native::NativeOptions& options) {
+    for (const World& world : batch.worlds)
+      worlds_.push_back(std::make_unique<native::NativeWorld>(batch, world, settings, options));
+  }
+
+  double advance(std::span<const std::size_t> worlds, const Phase& phase, double /*watch*/) override {
+    double time = phase.end;
+    for (const std::size_t world : worlds) time = worlds_[world]->advance(phase);
+    return time;
+  }
+  void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
+  Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
+  Status status(std::size_t world) const override { return worlds_[world]->status(); }
+
+ private:
+  std::vector<std::unique_ptr<native::NativeWorld>> worlds_;
+};
+
+}  // namespace
+
+NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), options_(native::native_options(settings)) {
+  traits_.name = "native";
+}
+
+std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {
+  return std::make_unique<NativeSimulation>(batch, settings_, options_);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,41 @@
+#include "core/native/native_options.hpp"
+
+namespace holdfast::native {
+
+NativeOptions native_options(const Settings& settings) {
+  const NativeSettings& given = settings.native;
+  NativeOptions options;
+  switch (given.accuracy) {
+    case Accuracy::screening:
+      options.steps_per_second = 60.0;
+      options.tolerance = 1e-3;
+      options.iterations = 24;
+      options.cold_iterations = 120;
+      options.rest_tolerance = 1e-6;
+      options.rest_iterations = 120;
+      options.impact_cuts = 2;
+      break;
+    case Accuracy::standard:
+      break;
+    case Accuracy::reference:
+      options.steps_per_second = 960.0;
+      options.tolerance = 1e-9;
+      options.iterations = 1000;
+      options.cold_iterations = 4000;
+      options.rest_tolerance = 1e-9;
+      options.rest_iterations = 4000;
+      options.impact_cuts = 32;
+      break;
+  }
+  options.steps_per_second =
+      given.steps_per_second.value_or(settings.steps_per_second.value_or(options.steps_per_second));
+  options.tolerance = given.tolerance.value_or(options.tolerance);
+  options.iterations = given.iterations.value_or(options.iterations);
+  options.rest_tolerance = given.rest_tolerance.value_or(options.rest_tolerance);
+  options.impact_cuts = given.impact_cuts.value_or(options.impact_cuts);
+  options.jump = given.jump;
+  options.freeze = given.freeze;
+  return options;
+}
+
+}  // namespace holdfast::native

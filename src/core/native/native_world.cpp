@@ -1,0 +1,405 @@
+#include "core/native/native_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/container_sides.hpp"
+#include "core/step_plan.hpp"
+
+namespace holdfast::native {
+
+namespace {
+
+/// A contact supports, rather than merely touches, when its normal is this much along the pull's vertical.
+constexpr double kSupporting = 0.5;
+
+/// Gaps up to this are in touch when a world starts, m.
+constexpr double kStartTouch = 1e-5;
+
+/// Speeds below this share of |g − a| h may be rest: it is tried.
+constexpr double kRestShare = 0.02;
+
+/// Longest wait between two tries, steps.
+constexpr std::uint32_t kLongestWait = 16;
+
+/// Solved steps without load after which a manifold is no longer active.
+constexpr int kIdleSteps = 8;
+
+/// Overlap at the end of a step that calls for a contact between islands, m.
+constexpr double kOverlap = 5e-6;
+
+/// A residual above this, over |g − a| h, is reported with the world.
+constexpr double kBadResidual = 0.1;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+std::vector<Side> sides_of(const ContainerSettings& container) {
+  std::vector<Side> sides;
+  for (const ContainerSide& side : closed_sides(container)) {
+    Vec3 normal = Vec3::Zero();
+    normal[side.axis] = side.far ? -1.0 : 1.0;
+    sides.push_back({{normal, side.far ? -container.size[side.axis] : 0.0},
+                     {side.kind, container.friction, 0.0}});
+  }
+  return sides;
+}
+
+}  // namespace
+
+NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings,
+                         const NativeOptions& options)
+    : world_(world), options_(options), gravity_(0.0, 0.0, -settings.gravity), contact_(settings.contact),
+      stepper_(options) {
+  scene_.bodies = bodies_of(batch, world);
+  scene_.sides = sides_of(settings.container);
+  const std::size_t count = scene_.bodies.count();
+  slot_.assign(count * (count + scene_.sides.size()), -1);
+  resting_.assign(count, 0);
+  moving_.assign(count, 0);
+  wait_.assign(count, 0);
+  patience_.assign(count, 0);
+  before_ = scene_.bodies.state;
+
+  double strongest = 0.0;
+  for (const Segment& segment : world.motion->segments) strongest = std::max(strongest, segment.acceleration.norm());
+  terms_.step = 1.0 / options_.steps_per_second;
+  terms_.reach = terms_.step * terms_.step * (settings.gravity + strongest);
+  find_contacts(std::vector<std::uint8_t>(count, 1));
+  for (Manifold& manifold : scene_.manifolds) {
+    const bool supports = std::abs(manifold.contact.normal.z()) > kSupporting;
+    const auto& points = manifold.contact.points;
+    manifold.active = supports && std::any_of(points.begin(), points.begin() + manifold.contact.count,
+                                              [](const ContactPoint& p) { return p.gap <= kStartTouch; });
+  }
+}
+
+void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
+  const Bodies& bodies = scene_.bodies;
+  const std::size_t other = a < 0 ? bodies.count() + static_cast<std::size_t>(-1 - a) : at(a);
+  std::int32_t& slot = slot_[at(b) * (bodies.count() + scene_.sides.size()) + other];
+  const auto speed = [&](std::int32_t body) {
+    return body < 0 ? 0.0 : bodies.radius[at(body)] * bodies.state.angular_velocity[at(body)].norm();
+  };
+  const Vec3 relative = a < 0 ? bodies.state.velocity[at(b)]
+                              : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
+  const double reach = contact_reach(terms_, relative.norm() + speed(a) + speed(b));
+  Manifold fresh;
+  Manifold& manifold = slot < 0 ? fresh : scene_.manifolds[at(slot)];
+  if (slot < 0) {
+    fresh.a = a;
+    fresh.b = b;
+  }
+  const ContactSet contact = contact_now(manifold, bodies, scene_.sides, reach);
+  if (contact.count > 0 && slot >= 0) {
+    renew_contact(manifold, contact);
+  } else if (contact.count > 0) {
+    const Surface& on_a = a < 0 ? scene_.sides[static_cast<std::size_t>(-1 - a)].surface : bodies.surface[at(a)];
+    fresh.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
+    fresh.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
+    fresh.contact = contact;
+    slot = static_cast<std::int32_t>(scene_.manifolds.size());
+    scene_.manifolds.push_back(fresh);
+  } else if (slot >= 0) {
+    const std::size_t hole = at(slot);
+    slot = -1;
+    const Manifold& last = scene_.manifolds.back();
+    if (hole + 1 < scene_.manifolds.size()) {
+      const std::size_t last_other =
+          last.a < 0 ? bodies.count() + last.side() : at(last.a);
+      slot_[at(last.b) * (bodies.count() + scene_.sides.size()) + last_other] = static_cast<std::int32_t>(hole);
+      scene_.manifolds[hole] = last;
+    }
+    scene_.manifolds.pop_back();
+  }
+}
+
+void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
+  const Bodies& bodies = scene_.bodies;
+  const std::size_t count = bodies.count();
+  std::vector<Vec3> lower(count), upper(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const OrientedBox& box = bodies.shape[i];
+    const double speed = bodies.state.velocity[i].norm() + bodies.radius[i] * bodies.state.angular_velocity[i].norm();
+    const Vec3 extent =
+        (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
+    lower[i] = box.centre - extent;
+    upper[i] = box.centre + extent;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (moved[i] != 0 && bodies.fixed[i] == 0)
+      for (std::size_t s = 0; s < scene_.sides.size(); ++s)
+        update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (moved[i] == 0 && moved[j] == 0) continue;
+      if (bodies.fixed[i] != 0 && bodies.fixed[j] != 0) continue;
+      const std::int32_t slot = slot_[j * (count + scene_.sides.size()) + i];
+      const bool near = (lower[i].array() <= upper[j].array()).all() && (lower[j].array() <= upper[i].array()).all();
+      if (near || slot >= 0) update_pair(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+    }
+  }
+}
+
+void NativeWorld::find_islands() {
+  const Bodies& bodies = scene_.bodies;
+  const std::size_t count = bodies.count();
+  std::vector<std::uint32_t> root(count);
+  std::iota(root.begin(), root.end(), 0U);
+  const auto find = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
+  for (const Manifold& manifold : scene_.manifolds) {
+    if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
+    const auto [low, high] = std::minmax(find(static_cast<std::uint32_t>(manifold.a)),
+                                         find(static_cast<std::uint32_t>(manifold.b)));
+    root[high] = low;
+  }
+  // Islands by their first body, bodies and manifolds in their own order.
+  constexpr std::uint32_t kNone = ~0U;
+  island_of_.assign(count, kNone);
+  islands_.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (bodies.fixed[i] != 0) continue;
+    const std::uint32_t first = find(i);
+    if (first == i) {
+      island_of_[i] = static_cast<std::uint32_t>(islands_.size());
+      islands_.emplace_back();
+    } else {
+      island_of_[i] = island_of_[first];
+    }
+    ++islands_[island_of_[i]].body_end;
+  }
+  const auto island_of_manifold = [&](const Manifold& manifold) {
+    const std::uint32_t of_a = free(manifold.a) ? island_of_[at(manifold.a)] : kNone;
+    const std::uint32_t of_b = free(manifold.b) ? island_of_[at(manifold.b)] : kNone;
+    if (of_a == kNone) return of_b;
+    return of_b == kNone || of_a == of_b ? of_a : kNone;
+  };
+  for (const Manifold& manifold : scene_.manifolds) {
+    const std::uint32_t island = island_of_manifold(manifold);
+    if (island != kNone) ++islands_[island].manifold_end;
+  }
+  std::size_t bodies_before = 0, manifolds_before = 0;
+  for (Island& island : islands_) {
+    island.body_begin = bodies_before;
+    island.manifold_begin = manifolds_before;
+    bodies_before += std::exchange(island.body_end, bodies_before);
+    manifolds_before += std::exchange(island.manifold_end, manifolds_before);
+  }
+  members_.resize(bodies_before);
+  inside_.resize(manifolds_before);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (island_of_[i] != kNone) members_[islands_[island_of_[i]].body_end++] = i;
+  for (std::uint32_t m = 0; m < scene_.manifolds.size(); ++m) {
+    const std::uint32_t island = island_of_manifold(scene_.manifolds[m]);
+    if (island != kNone) inside_[islands_[island].manifold_end++] = m;
+  }
+}
+
+IslandView NativeWorld::view_of(const Island& island) const {
+  return {std::span(members_).subspan(island.body_begin, island.body_end - island.body_begin),
+          std::span(inside_).subspan(island.manifold_begin, island.manifold_end - island.manifold_begin)};
+}
+
+void NativeWorld::begin_phase(const Phase& phase) {
+  if (phase_set_ && phase.begin == phase_begin_) return;
+  phase_set_ = true;
+  phase_begin_ = phase.begin;
+  phase_step_ = 0;
+  const Vec3 pull = gravity_ - phase.acceleration;
+  terms_.cold = pull != terms_.pull;
+  terms_.pull = pull;
+  if (!terms_.cold) return;
+  std::fill(resting_.begin(), resting_.end(), 0);
+  std::fill(wait_.begin(), wait_.end(), 0);
+  std::fill(patience_.begin(), patience_.end(), 0);
+}
+
+bool NativeWorld::try_rest(const Island& island) {
+  const IslandView view = view_of(island);
+  const Bodies& bodies = scene_.bodies;
+  bool due = true;
+  for (const std::uint32_t body : view.bodies) {
+    const double speed =
+        bodies.state.velocity[body].norm() + bodies.radius[body] * bodies.state.angular_velocity[body].norm();
+    if (speed > kRestShare * terms_.velocity_unit) return false;
+    if (wait_[body] > 0) {
+      --wait_[body];
+      due = false;
+    }
+  }
+  if (!due) return false;
+  IslandReport report;
+  const bool rests = stepper_.rests(scene_, view, terms_, report);
+  counters_.solve_iterations += report.iterations;
+  if (rests) return true;
+  for (const std::uint32_t body : view.bodies) {
+    patience_[body] = std::min(kLongestWait, std::max(1U, 2 * patience_[body]));
+    wait_[body] = patience_[body];
+  }
+  return false;
+}
+
+void NativeWorld::set_at_rest(const Island& island) {
+  for (const std::uint32_t body : view_of(island).bodies) {
+    resting_[body] = 1;
+    patience_[body] = 0;
+    wait_[body] = 0;
+    scene_.bodies.state.velocity[body] = Vec3::Zero();
+    scene_.bodies.state.angular_velocity[body] = Vec3::Zero();
+    scene_.bodies.acceleration[body] = Vec3::Zero();
+    scene_.bodies.angular_acceleration[body] = Vec3::Zero();
+  }
+}
+
+void NativeWorld::save(const Island& island) {
+  const StateColumns& state = scene_.bodies.state;
+  for (const std::uint32_t body : view_of(island).bodies) {
+    for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, state, before_);
+  }
+}
+
+/// Activates the pairs of different islands that overlap after the step. Where there are any, their islands are put
+/// back to the start of the step.
+bool NativeWorld::merge_overlapping() {
+  Bodies& bodies = scene_.bodies;
+  std::vector<std::uint8_t> again(islands_.size(), 0);
+  bool any = false;
+  const auto shift = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
+    const std::size_t i = at(body);
+    // Where the body's point has gone.
+    const Rotation turn = bodies.state.orientation[i] * before_.orientation[i].conjugate();
+    return bodies.state.position[i] + turn * (point - before_.position[i]) - point;
+  };
+  for (Manifold& manifold : scene_.manifolds) {
+    if (manifold.active || manifold.a < 0 || bodies.fixed[at(manifold.a)] != 0 || bodies.fixed[at(manifold.b)] != 0)
+      continue;
+    const std::uint32_t of_a = island_of_[at(manifold.a)];
+    const std::uint32_t of_b = island_of_[at(manifold.b)];
+    if (of_a == of_b || (moving_[at(manifold.a)] == 0 && moving_[at(manifold.b)] == 0)) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      const double gap =
+          point.gap + manifold.contact.normal.dot(shift(manifold.b, point.on_b) - shift(manifold.a, point.on_a));
+      if (gap >= -kOverlap) continue;
+      manifold.active = true;
+      manifold.idle_steps = 0;
+      again[of_a] = again[of_b] = 1;
+      any = true;
+    }
+  }
+  if (!any) return false;
+  std::vector<std::uint8_t> restored(bodies.count(), 0);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (again[i] == 0) continue;
+    for (const std::uint32_t body : view_of(islands_[i]).bodies) {
+      if (moving_[body] == 0) save(islands_[i]);
+      restored[body] = 1;
+      resting_[body] = 0;
+      for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, before_,
+                            bodies.state);
+      bodies.update_shape(body);
+    }
+  }
+  // Backwards: of several copies the first one counts. What is active stays active.
+  for (auto copy = scene_.undo.rbegin(); copy != scene_.undo.rend(); ++copy) {
+    Manifold& manifold = scene_.manifolds[copy->first];
+    if (restored[at(manifold.b)] == 0) continue;
+    const bool active = manifold.active;
+    manifold = copy->second;
+    manifold.active = active;
+  }
+  std::erase_if(scene_.undo,
+                [&](const auto& copy) { return restored[at(scene_.manifolds[copy.first].b)] != 0; });
+  // Who was merged moves now.
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (restored[i] != 0) moving_[i] = 2;
+  return true;
+}
+
+void NativeWorld::step_moving() {
+  scene_.undo.clear();
+  for (const Island& island : islands_) {
+    if (moving_[members_[island.body_begin]] != 0) save(island);
+  }
+  const auto advance = [&](const Island& island) {
+    IslandReport report;
+    stepper_.advance(scene_, view_of(island), terms_, report);
+    counters_.solve_iterations += report.iterations;
+    const double residual = report.residual / terms_.velocity_unit;
+    counters_.max_residual = std::max(counters_.max_residual, residual);
+    if (residual > kBadResidual) status_ = status_ | Status::not_converged;
+  };
+  for (const Island& island : islands_)
+    if (moving_[members_[island.body_begin]] != 0) advance(island);
+  while (merge_overlapping()) {
+    find_islands();
+    for (const Island& island : islands_) {
+      const IslandView view = view_of(island);
+      if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] == 2; })) continue;
+      for (const std::uint32_t body : view.bodies) moving_[body] = 1;
+      advance(island);
+    }
+  }
+}
+
+void NativeWorld::finish_step() {
+  find_contacts(moving_);
+  for (Manifold& manifold : scene_.manifolds) {
+    if (!manifold.active || moving_[at(manifold.b)] == 0) continue;
+    bool loaded = false;
+    double nearest = manifold.contact.points[0].gap;
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      loaded = loaded || manifold.memory[at(i)].force.dot(manifold.contact.normal) > 0.0;
+      nearest = std::min(nearest, manifold.contact.points[at(i)].gap);
+    }
+    manifold.idle_steps = loaded ? 0 : manifold.idle_steps + 1;
+    if (manifold.idle_steps > kIdleSteps || (!loaded && nearest > kStartTouch)) manifold.active = false;
+  }
+}
+
+double NativeWorld::advance(const Phase& phase) {
+  begin_phase(phase);
+  const StepPlan plan(phase, options_.steps_per_second);
+  terms_.step = plan.step();
+  terms_.velocity_unit = terms_.pull.norm() * terms_.step;
+  find_islands();
+  bool any_moving = false;
+  for (const Island& island : islands_) {
+    const IslandView view = view_of(island);
+    const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(),
+                                                      [&](std::uint32_t body) { return resting_[body] != 0; });
+    const bool rests = known || try_rest(island);
+    if (rests) set_at_rest(island);
+    for (const std::uint32_t body : view.bodies) moving_[body] = rests ? 0 : 1;
+    any_moving = any_moving || !rests;
+  }
+  if (!any_moving && options_.jump) {
+    const std::uint64_t left = plan.step_count() - phase_step_;
+    counters_.steps += left;
+    counters_.steps_skipped += left;
+    phase_step_ = plan.step_count();
+    terms_.cold = false;
+    return phase.end;
+  }
+  if (any_moving) {
+    step_moving();
+    finish_step();
+  }
+  terms_.cold = false;
+  ++counters_.steps;
+  if (!any_moving) ++counters_.steps_skipped;
+  return plan.end_of(phase_step_++);
+}
+
+void NativeWorld::read_back(StateColumns& state) const {
+  const auto offset = static_cast<std::ptrdiff_t>(world_.box_begin);
+  for_each_state_column(
+      [&](const char*, const auto& from, auto& to) { std::copy(from.begin(), from.end(), to.begin() + offset); },
+      scene_.bodies.state, state);
+}
+
+}  // namespace holdfast::native

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/engine.hpp"
+#include "core/native/island.hpp"
+
+namespace holdfast::native {
+
+/// One container world: islands of boxes, of which only those that move are stepped.
+class NativeWorld {
+ public:
+  NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings, const NativeOptions& options);
+
+  /// Takes the next step inside the phase, or all of them when nothing moves. Returns the time reached, s.
+  double advance(const Phase& phase);
+
+  /// Writes the world's range of the columns.
+  void read_back(StateColumns& state) const;
+
+  const Counters& counters() const { return counters_; }
+  Status status() const { return status_; }
+
+ private:
+  /// Bodies of one island as a range of `members_`, manifolds inside as a range of `inside_`.
+  struct Island {
+    std::size_t body_begin = 0, body_end = 0;
+    std::size_t manifold_begin = 0, manifold_end = 0;
+  };
+
+  void begin_phase(const Phase& phase);
+  void find_contacts(const std::vector<std::uint8_t>& moved);
+  void update_pair(std::int32_t a, std::int32_t b);
+  void find_islands();
+  IslandView view_of(const Island& island) const;
+  bool try_rest(const Island& island);
+  void set_at_rest(const Island& island);
+  void save(const Island& island);
+  bool merge_overlapping();
+  void step_moving();
+  void finish_step();
+
+  const World& world_;
+  NativeOptions options_;
+  Vec3 gravity_;
+  ContactSettings contact_;
+  Scene scene_;
+  StepTerms terms_;
+  IslandStepper stepper_;
+
+  std::vector<std::int32_t> slot_;         ///< manifold of a pair of body and body or side; −1: none
+  std::vector<std::uint8_t> resting_;      ///< a body: proved to rest under this phase's acceleration
+  std::vector<std::uint8_t> moving_;       ///< a body: stepped in this step
+  std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
+  std::vector<Island> islands_;
+  std::vector<std::uint32_t> members_, inside_;
+  std::vector<std::uint32_t> island_of_;   ///< a body
+  StateColumns before_;                    ///< at the start of the step, entries of moving bodies
+
+  double phase_begin_ = 0.0;
+  bool phase_set_ = false;
+  std::uint64_t phase_step_ = 0;
+  Counters counters_;
+  Status status_ = Status::ok;
+};
+
+}  // namespace holdfast::native

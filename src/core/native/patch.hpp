@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace holdfast::native {
+
+/// Contact points that are solved side by side, one a SIMD lane.
+inline constexpr int kLanes = 4;
+
+/// One number of each of a patch's points.
+using Lanes = std::array<double, kLanes>;
+
+/// Arms of a patch's points: from each body's centre of mass to the point, container frame, m.
+struct alignas(32) Arms {
+  std::array<Lanes, 3> a = {};
+  std::array<Lanes, 3> b = {};
+};
+
+/// Up to four contact points of two bodies with one normal and one friction coefficient: what the contact solver
+/// reads and writes in an iteration. Directions: 0 along the normal, 1 and 2 along the tangents. A lane without a
+/// point has resistance 0 and stays at impulse 0.
+struct alignas(64) Patch {
+  Arms arms;                               ///< at the end of the step: where velocities are measured
+  std::array<Lanes, 3> impulse = {};       ///< y, on b, opposite on a, kg m/s
+  std::array<Lanes, 3> slip = {};          ///< z, the velocity that goes with the impulse by Coulomb's law, m/s
+  Lanes allowance = {};                    ///< added to the normal velocity: what must stay ≥ 0 is the sum, m/s
+  std::array<Lanes, 2> resistance = {};    ///< R of the splitting, normal and tangential, kg
+  std::array<Lanes, 2> compliance = {};    ///< 1 / R; 0 for an unused lane, 1/kg
+  std::array<std::array<double, 3>, 3> directions = {};  ///< normal (from a to b) and tangents, unit, container frame
+  double friction = 0.0;
+  std::int32_t a = 0;  ///< body, local index; the island's count stands for what is fixed
+  std::int32_t b = 0;
+  std::int32_t count = 0;  ///< points in use, the first lanes
+  double base = 0.0;       ///< effective mass of the two bodies over the contact's points, kg
+};
+
+}  // namespace holdfast::native

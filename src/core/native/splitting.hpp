@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/native/block_factor.hpp"
+#include "core/native/oriented_box.hpp"
+#include "core/native/patch.hpp"
+
+namespace holdfast::native {
+
+/// What a body's mass does in a solve.
+struct SolverBody {
+  double mass = 0.0;              ///< kg
+  Mat3 inertia = Mat3::Zero();    ///< container frame, at the end of the step, kg m²
+  double radius = 0.0;            ///< of the sphere around the box, m
+};
+
+/// How hard a solve tries.
+struct SplittingOptions {
+  double tolerance = 1e-3;      ///< of velocities, in units of `velocity_unit`
+  int iterations = 24;          ///< at most
+  double relaxation = 1.0;      ///< α
+  double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
+  double sliding = 3.0;         ///< the same along the tangents where it slides
+  int reclassify_every = 12;    ///< iterations between two choices of R
+};
+
+/// How far a solve came.
+struct SplittingResult {
+  int iterations = 0;
+  double residual = 0.0;  ///< larger of |u − z| and the last change of a body's velocity, m/s
+  bool converged = false;
+};
+
+/// Velocities of an island's bodies at the end of a step, and the impulses of its contacts: hard contacts with the
+/// exact Coulomb cone at the velocity level (Moreau 1988), by operator splitting with one sparse factorisation
+///
+///   A = M + J_midᵀ R J_mid,    x = y − R (z + α (J_end v − z)),    y = Π(x),    z = (y − x) / R,
+///   v ← v + A⁻¹ (M (v* − v) + J_midᵀ (y + R (z − J_end v))).
+///
+/// Π cuts the normal part at zero and the tangential part at the disc of radius μ y_n: at the fixed point Coulomb's
+/// law holds exactly, without the dilation of convex cones. The residual form keeps the fixed point exact whatever
+/// A is made of, so that arms of mid step and end of step may differ.
+class Splitting {
+ public:
+  std::vector<SolverBody> bodies;         ///< by place in the factor
+  std::vector<BodyVector> free_velocity;  ///< v*: without contacts, by place
+  std::vector<BodyVector> velocity;       ///< by place; one more than bodies, the last is zero
+  std::vector<Patch> patches;
+  std::vector<Arms> mid_arms;             ///< a patch; empty when nothing turns
+  std::vector<std::uint32_t> patch_pair;  ///< pair of the factor that a patch belongs to; `kNoPair` with what is fixed
+  BlockFactor factor;
+  double load_unit = 1.0;                 ///< impulse that a kilogram brings to bear in the step, m/s
+
+  static constexpr std::uint32_t kNoPair = ~0U;
+
+  /// Iterates from the velocities, impulses and slips that are there.
+  /// @param velocity_unit what tolerances are measured in, m/s
+  SplittingResult solve(const SplittingOptions& options, double velocity_unit);
+
+  /// Largest force that is left on a body at rest under the impulses that are there, over its weight m · velocity
+  /// unit; torques over the radius.
+  double imbalance_at_rest(double velocity_unit);
+
+ private:
+  void choose_resistance(const SplittingOptions& options);
+  void assemble();
+  void add_patch(std::size_t patch);
+  void residual_force();
+
+  std::vector<LaneWrench> wrench_;
+  std::vector<BodyVector> change_;
+};
+
+}  // namespace holdfast::native
