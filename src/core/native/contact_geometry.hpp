@@ -30,16 +30,22 @@ struct ContactSet {
   std::array<ContactPoint, 8> points;
 };
 
-/// Contact of two boxes: the points whose gap is at most `margin`.
+/// Contact of two boxes: the points whose gap is at most `margin`, m.
 ///
 /// Faces: the incident face clipped by the side planes of the reference face (Sutherland and Hodgman 1974), up to
-/// 8 points; edges: the closest points of the two edges, 1 point. The axis is the one of least overlap (separating
-/// axis test, Gottschalk et al. 1996); `previous` wins near ties. A contact along an edge or a corner alone, with
-/// no area of faces that overlap, is none: boxes of a packing must slide past each other's edges.
+/// 8 points, in order around the overlap; edges: the closest points of the two edges, 1 point. The axis is the one of
+/// least overlap (separating axis test, Gottschalk et al. 1996); `previous` wins near ties. A contact along an edge or
+/// a corner alone, where the boxes as seen along the normal overlap by less than 10 µm, is none: boxes of a packing
+/// must slide past each other's edges. A box that stands on its edge or corner on a face has 2 points or 1.
+///
+/// Aligned boxes take a path of their own, whose numbers are the boxes' own coordinates: boxes that share a face's
+/// coordinate have a gap of rounding only, and mirroring the scene or exchanging the boxes changes signs, not bits.
+/// A pose that is not a number has no contact.
 ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin, const ContactAxis& previous);
 
 /// Contact of a side of the container, as body a, with a box as body b: the corners of the face that looks most
-/// towards the side whose gap is at most `margin`, up to 4 points.
+/// towards the side whose gap is at most `margin`, m; up to 4 points. Its axis is a face of a; `axis.b` is the normal's
+/// axis of the box' face.
 ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin);
 
 }  // namespace holdfast::native
