@@ -10,6 +10,7 @@
 #include "app/program_folder.hpp"
 #include "core/closest_word.hpp"
 #include "core/engine_plugin.hpp"
+#include "core/plain/plain_engine.hpp"
 
 namespace holdfast {
 
@@ -25,6 +26,20 @@ Result<MakeEngine*> load_plugin(const std::string& file) {
   return entry;
 }
 
+Result<std::unique_ptr<Engine>> make_from_plugin(const EngineEntry& entry, const Settings& settings) {
+  const Result<MakeEngine*> plugin = load_plugin(entry.plugin);
+  if (!plugin) return plugin.errors();
+  Result<std::unique_ptr<Engine>> engine = Error{.what = "the plug-in made no engine", .value = entry.plugin};
+  (*plugin)(entry.name, settings, engine);
+  return engine;
+}
+
+Result<std::unique_ptr<Engine>> make_plain(const Settings& settings) {
+  std::vector<Error> errors = unsupported_by_plain(settings);
+  if (!errors.empty()) return errors;
+  return std::unique_ptr<Engine>(std::make_unique<PlainEngine>(settings));
+}
+
 }  // namespace
 
 const std::vector<EngineEntry>& engine_catalog() {
@@ -34,6 +49,9 @@ const std::vector<EngineEntry>& engine_catalog() {
       {"bullet-f64", "the same in double precision", "libholdfast-bullet-f64.so"},
       {"bullet-stock", "Bullet in float as shipped, for comparison: 240 1/s, 10 iterations, 1 friction direction",
        "libholdfast-bullet.so"},
+      {"native-plain",
+       "rigid boxes with hard contacts, solved to the end by plain means: slow, what other engines are compared with",
+       "", make_plain},
   };
   return kEngines;
 }
@@ -50,11 +68,7 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
                  .accepted = meant ? fmt::format("did you mean '{}'?", *meant)
                                    : fmt::format("accepted are {}", fmt::join(names, ", "))};
   }
-  const Result<MakeEngine*> plugin = load_plugin(entry->plugin);
-  if (!plugin) return plugin.errors();
-  Result<std::unique_ptr<Engine>> engine = Error{.what = "the plug-in made no engine", .value = entry->plugin};
-  (*plugin)(name, settings, engine);
-  return engine;
+  return entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
 }
 
 }  // namespace holdfast

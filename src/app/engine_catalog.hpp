@@ -14,14 +14,16 @@ namespace holdfast {
 struct EngineEntry {
   std::string name;
   std::string sentence;  ///< what it is
-  std::string plugin;    ///< file name of its plug-in
+  std::string plugin;    ///< file name of its plug-in; empty: the engine is part of the program
+  /// Makes an engine that is part of the program, or says what it cannot model of the settings.
+  Result<std::unique_ptr<Engine>> (*make)(const Settings& settings) = nullptr;
 };
 
 /// All engines, the default first.
 const std::vector<EngineEntry>& engine_catalog();
 
-/// Makes an engine; loads its plug-in, which stays loaded. An error says what the settings ask that the engine
-/// cannot model, that the plug-in is missing and why, or that there is no such engine.
+/// Makes an engine; loads its plug-in if it has one, which stays loaded. An error says what the settings ask that the
+/// engine cannot model, that the plug-in is missing and why, or that there is no such engine.
 Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings);
 
 }  // namespace holdfast
