@@ -10,6 +10,7 @@
 #include "app/program_folder.hpp"
 #include "core/closest_word.hpp"
 #include "core/engine_plugin.hpp"
+#include "core/native/native_engine.hpp"
 #include "core/plain/plain_engine.hpp"
 
 namespace holdfast {
@@ -34,6 +35,12 @@ Result<std::unique_ptr<Engine>> make_from_plugin(const EngineEntry& entry, const
   return engine;
 }
 
+Result<std::unique_ptr<Engine>> make_native(const Settings& settings) {
+  std::vector<Error> errors = unsupported_by_plain(settings);
+  if (!errors.empty()) return errors;
+  return std::unique_ptr<Engine>(std::make_unique<NativeEngine>(settings));
+}
+
 Result<std::unique_ptr<Engine>> make_plain(const Settings& settings) {
   std::vector<Error> errors = unsupported_by_plain(settings);
   if (!errors.empty()) return errors;
@@ -44,6 +51,8 @@ Result<std::unique_ptr<Engine>> make_plain(const Settings& settings) {
 
 const std::vector<EngineEntry>& engine_catalog() {
   static const std::vector<EngineEntry> kEngines = {
+      {"native", "hard contacts solved to a tolerance, and no work where nothing changes: screening, standard, reference",
+       "", make_native},
       {"bullet", "Bullet in float, best practical setting: 240 1/s, 50 iterations, 2 friction directions, random order",
        "libholdfast-bullet.so"},
       {"bullet-f64", "the same in double precision", "libholdfast-bullet-f64.so"},

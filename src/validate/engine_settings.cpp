@@ -16,10 +16,17 @@ EngineSetting bullet(const char* engine, const char* name, double steps_per_seco
           quick};
 }
 
+/// The native engine at one of its accuracies, quick where the name says so.
+EngineSetting native(const char* name, Accuracy accuracy, bool quick = false) {
+  return {"native", name, [=](Settings& settings) { settings.native.accuracy = accuracy; }, quick};
+}
+
 }  // namespace
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
+      native("screening", Accuracy::screening, true),   native("standard", Accuracy::standard, true),
+      native("reference", Accuracy::reference),
       bullet("bullet", "240 Hz, 50 it", 240, 50, true), bullet("bullet", "60 Hz, 10 it", 60, 10),
       bullet("bullet", "120 Hz, 20 it", 120, 20),       bullet("bullet", "240 Hz, 10 it", 240, 10),
       bullet("bullet", "480 Hz, 50 it", 480, 50),       bullet("bullet-f64", "240 Hz, 50 it", 240, 50),

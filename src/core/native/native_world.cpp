@@ -152,9 +152,9 @@ void NativeWorld::find_islands() {
   const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
   for (const Manifold& manifold : scene_.manifolds) {
     if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
-    const auto [low, high] = std::minmax(find(static_cast<std::uint32_t>(manifold.a)),
-                                         find(static_cast<std::uint32_t>(manifold.b)));
-    root[high] = low;
+    const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
+    const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
+    root[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
   // Islands by their first body, bodies and manifolds in their own order.
   constexpr std::uint32_t kNone = ~0U;
