@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -47,9 +48,10 @@ class BroadPhase {
   void sort_pairs();
 
   int axis_ = 0;
-  bool sorted_before_ = false;        ///< the entries are nearly in order, from the call before
-  std::vector<Entry> entries_;        ///< in order of `low`
-  std::vector<IndexPair> found_;      ///< in the order of the sweep
+  bool sorted_before_ = false;    ///< the entries are nearly in order, from the call before
+  std::vector<Entry> entries_;    ///< in order of `low`
+  std::vector<IndexPair> found_;  ///< in the order of the sweep, as many as found_count_ says
+  std::size_t found_count_ = 0;
   std::vector<IndexPair> pairs_;      ///< in the order that is promised
   std::vector<std::uint32_t> first_;  ///< where the pairs of each i begin
 };
