@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace holdfast::native {
 
@@ -74,7 +75,9 @@ bool projections_overlap(const Reference& ref) {
     const double radius = h[ref.u] * std::abs(along_v) + h[ref.v] * std::abs(along_u);
     const double other_radius = g[j1] * std::abs(r(ref.k, j2)) + g[j2] * std::abs(r(ref.k, j1));
     const double distance = std::abs(ref.centre[ref.v] * along_u - ref.centre[ref.u] * along_v);
-    if (radius + other_radius - distance < kLeastOverlap * std::sqrt(square)) return false;
+    const double overlap = radius + other_radius - distance;
+    // No projected axis is longer than 1: where there is much overlap, its length need not be known.
+    if (overlap < kLeastOverlap && overlap < kLeastOverlap * std::sqrt(square)) return false;
   }
   return true;
 }
@@ -152,25 +155,24 @@ bool is_between(const Corner& corner, const Corner& before, const Corner& after)
 
 /// Drops the corners beyond the margin.
 void keep_near(Polygon& polygon, double margin) {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    if (polygon.corners[i].gap <= margin) kept.add(polygon.corners[i]);
+  const std::size_t count = std::exchange(polygon.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (polygon.corners[i].gap <= margin) polygon.add(polygon.corners[i]);
   }
-  polygon = kept;
 }
 
 /// Drops corners that say nothing new: where a box is hardly turned on a like one, the sides cross half way along them.
 void keep_distinct(Polygon& polygon) {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    const bool last = i + 1 == polygon.count;
-    const Corner& corner = polygon.corners[i];
-    const bool alone = last && kept.count == 0;
-    const Corner& before = kept.count > 0 ? kept.corners[kept.count - 1] : polygon.corners[polygon.count - 1];
-    const Corner& after = last ? kept.corners[0] : polygon.corners[i + 1];
-    if (alone || !is_between(corner, before, after)) kept.add(corner);
+  const std::size_t count = std::exchange(polygon.count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    // Those kept so far are at the front, each at its old place or before it.
+    const bool first = polygon.count == 0;
+    const bool last = i + 1 == count;
+    const Corner& before = polygon.corners[first ? count - 1 : polygon.count - 1];
+    const Corner& after = polygon.corners[last ? 0 : i + 1];
+    const bool alone = first && last;
+    if (alone || !is_between(polygon.corners[i], before, after)) polygon.add(polygon.corners[i]);
   }
-  polygon = kept;
 }
 
 void write_points(const Reference& ref, const Polygon& polygon, bool of_a, ContactSet& contact) {

@@ -1,6 +1,7 @@
 #include "core/native/separating_axis.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace holdfast::native {
 
@@ -20,9 +21,9 @@ constexpr double kNearlyAligned = 0.99995;
 /// Square of the sine between two edges, below which the direction of their product is rounding.
 constexpr double kParallelEdges = 1e-10;
 
-/// The best axis of a group so far.
+/// The best axis of a group so far, and the score to beat.
 struct Candidate {
-  double score = -1e300;
+  double score = std::numeric_limits<double>::lowest();
   ContactAxis axis;
 
   void offer(double separation, const ContactAxis& offered, const ContactAxis& previous) {
@@ -87,7 +88,10 @@ bool offer_edges(const OrientedBox& a, const OrientedBox& b, const RelativePose&
       const double distance = std::abs(pose.in_a[i2] * r(i1, j) - pose.in_a[i1] * r(i2, j));
       const double radius_a = ha[i1] * reach(i2, j) + ha[i2] * reach(i1, j);
       const double radius_b = hb[j1] * reach(i, j2) + hb[j2] * reach(i, j1);
-      const double separation = (distance - (radius_a + radius_b)) / std::sqrt(square);
+      const double apart = distance - (radius_a + radius_b);
+      // An overlap grows when divided by the product's length: most pairs of edges need no square root.
+      if (apart < 0.0 && apart + kHysteresis <= of_edges.score) continue;
+      const double separation = apart / std::sqrt(square);
       if (separation > margin) return false;
       of_edges.offer(separation, {ContactAxis::Kind::edges, i, j}, previous);
     }
@@ -123,11 +127,12 @@ RelativePose relative_pose(const OrientedBox& a, const OrientedBox& b) {
 
 std::optional<AxisChoice> choose_axis(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose,
                                       double margin, const ContactAxis& previous) {
-  Candidate of_a, of_b, of_edges;
+  Candidate of_a, of_b;
   if (!offer_faces(a, b, pose, margin, previous, of_a, of_b)) return std::nullopt;
-  if (!nearly_aligned(pose.reach) && !offer_edges(a, b, pose, margin, previous, of_edges)) return std::nullopt;
   const Candidate& of_faces = better_face(a, b, of_a, of_b);
-  const bool edges = of_edges.score > of_faces.score + kEdgeHandicap;
+  Candidate of_edges{.score = of_faces.score + kEdgeHandicap};
+  if (!nearly_aligned(pose.reach) && !offer_edges(a, b, pose, margin, previous, of_edges)) return std::nullopt;
+  const bool edges = of_edges.axis.kind == ContactAxis::Kind::edges;
   return AxisChoice{edges ? of_edges.axis : of_faces.axis, of_faces.axis};
 }
 

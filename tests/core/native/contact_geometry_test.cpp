@@ -161,6 +161,24 @@ TEST_CASE("contact_geometry: a box hardly turned on a like one keeps four distin
   }
 }
 
+TEST_CASE("contact_geometry: the points span the whole overlap, however little a box is turned",
+          "[core][contact_geometry]") {
+  const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
+  for (double angle = 1e-12; angle < 0.7; angle *= 1.7) {
+    const OrientedBox b = turned(box_at({0.0, 0.0, 1.5}, {1.0, 1.0, 1.0}), {0.0, 0.0, 1.0}, angle);
+    const ContactSet contact = contact_of(a, b, kMargin, kNoAxis);
+    double area = 0.0;
+    for (int i = 0; i < contact.count; ++i) {
+      const Vec3& here = contact.points[static_cast<std::size_t>(i)].on_a;
+      const Vec3& next = contact.points[static_cast<std::size_t>((i + 1) % contact.count)].on_a;
+      area += 0.5 * (here.x() * next.y() - here.y() * next.x());
+    }
+    CAPTURE(angle, contact.count, area);
+    CHECK(contact.count >= 4);
+    CHECK(area == Approx(2.0 / (1.0 + std::sin(angle) + std::cos(angle))).epsilon(4e-7));
+  }
+}
+
 TEST_CASE("contact_geometry: edge-edge normal points from a to b", "[core][contact_geometry]") {
   // Two roofs across each other: their ridges cross at right angles, over the middle of both.
   const double ridge = std::sqrt(0.5);
