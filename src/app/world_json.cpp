@@ -29,6 +29,7 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   json["steps"] = outcome.counters.steps;
   json["steps_skipped"] = outcome.counters.steps_skipped;
   json["max_residual"] = outcome.counters.max_residual;
+  json["max_penetration_m"] = outcome.counters.max_penetration;
   json["cpu_seconds"] = world.cpu_seconds;
   json["state_hash"] = fmt::format("{:016x}", world.state_hash);
   // Names of files need not be UTF-8; what is not becomes a replacement character, not an exception.

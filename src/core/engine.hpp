@@ -22,6 +22,9 @@ struct Counters {
   /// Largest change of a contact's velocity in the last iteration of a step, over g times the step: 1 is what
   /// gravity adds in that step. Worst of all steps; 0 without gravity.
   double max_residual = 0.0;
+  /// Deepest that a box was inside another or inside a side, m. Worst of all steps; 0 where the engine does not
+  /// measure it.
+  double max_penetration = 0.0;
 };
 
 /// What the scheduler and the checks need to know of an engine.

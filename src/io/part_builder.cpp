@@ -62,6 +62,7 @@ void PartBuilder::append_world(const WorldRecord& world, std::uint64_t sample_co
   row.steps_skipped = world.outcome.counters.steps_skipped;
   row.solve_iterations = world.outcome.counters.solve_iterations;
   row.max_residual = world.outcome.counters.max_residual;
+  row.max_penetration = world.outcome.counters.max_penetration;
   row.peak_total_kinetic_energy = world.peak_total_kinetic_energy;
   row.cpu_seconds = world.cpu_seconds;
   row.state_hash = world.state_hash;

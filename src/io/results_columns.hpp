@@ -65,6 +65,7 @@ void visit_world(Visit&& visit, WorldRowLike& w) {
   visit("/worlds/steps_skipped", w.steps_skipped);
   visit("/worlds/solve_iterations", w.solve_iterations);
   visit("/worlds/max_residual", w.max_residual);
+  visit("/worlds/max_penetration", w.max_penetration);
   visit("/worlds/peak_total_kinetic_energy", w.peak_total_kinetic_energy);
   visit("/worlds/cpu_seconds", w.cpu_seconds);
   visit("/worlds/state_hash", w.state_hash);

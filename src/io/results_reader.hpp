@@ -47,6 +47,7 @@ struct WorldRow {
   std::uint64_t steps_skipped = 0;
   std::uint64_t solve_iterations = 0;
   double max_residual = 0.0;
+  double max_penetration = 0.0;
   double peak_total_kinetic_energy = 0.0;
   double cpu_seconds = 0.0;
   std::uint64_t state_hash = 0;

@@ -60,6 +60,8 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      "iterations of the contact solver over all steps"},
     {"/worlds/max_residual", ElementType::f64, 1, Axis::worlds, "1",
      "largest change of a contact's velocity in the last iteration of a step, over gravity times the step; worst step"},
+    {"/worlds/max_penetration", ElementType::f64, 1, Axis::worlds, "m",
+     "deepest that a box was inside another or a side, over all steps; 0 where the engine does not measure it"},
     {"/worlds/peak_total_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",
      "largest kinetic energy of all boxes together, over all steps"},
     {"/worlds/cpu_seconds", ElementType::f64, 1, Axis::worlds, "s", "processor time to build and simulate the world"},

@@ -19,7 +19,8 @@ std::string vector(const Float3& v) { return number(v.x) + ',' + number(v.y) + '
 
 constexpr const char* kWorldHeader =
     "world,layout,acceleration,status,status_text,stop_reason,end_time_s,boxes,fallen_boxes,unstable_boxes,moved_boxes,"
-    "tilted_boxes,total_kinetic_energy_J,peak_kinetic_energy_J,max_displacement_m,peak_displacement_m,cpu_seconds\r\n";
+    "tilted_boxes,total_kinetic_energy_J,peak_kinetic_energy_J,max_displacement_m,peak_displacement_m,max_residual,"
+    "max_penetration_m,cpu_seconds\r\n";
 constexpr const char* kBoxHeader =
     "world,layout,acceleration,id,material,mass_kg,displacement_x_m,displacement_y_m,displacement_z_m,"
     "max_displacement_m,drop_m,tilt_degree,kinetic_energy_J,peak_kinetic_energy_J,fallen,moved,tilted,unstable,"
@@ -35,11 +36,12 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   const WorldSummary& w = slice.worlds;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
                    naming(info, slice.world_begin + i, row), to_string(row.status), csv_field(row.status_text),
                    to_string(row.stop_reason), row.end_time, row.box_count, w.fallen_boxes[i], w.unstable_boxes[i],
                    w.moved_boxes[i], w.tilted_boxes[i], w.total_kinetic_energy[i], w.peak_kinetic_energy[i],
-                   w.max_displacement[i], w.peak_displacement[i], row.cpu_seconds);
+                   w.max_displacement[i], w.peak_displacement[i], row.max_residual, row.max_penetration,
+                   row.cpu_seconds);
   }
   return text;
 }

@@ -58,7 +58,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
   world.acceleration = acceleration;
   world.outcome.stop_reason = StopReason::timeout;
   world.outcome.end_time = 0.1 * static_cast<double>(shape.samples);
-  world.outcome.counters = {1000 + layout, 10, 10000, 0.001};
+  world.outcome.counters = {1000 + layout, 10, 10000, 0.001, 1e-6 * static_cast<double>(layout)};
   world.cpu_seconds = 0.25;
   world.peak_total_kinetic_energy = 5.0 + static_cast<double>(number());
   world.state_hash = random() * 0x100000001ULL;

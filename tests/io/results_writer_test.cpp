@@ -39,6 +39,8 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   CHECK(row.stop_reason == put.outcome.stop_reason);
   CHECK(row.end_time == put.outcome.end_time);
   CHECK(row.steps == put.outcome.counters.steps);
+  CHECK(row.max_residual == put.outcome.counters.max_residual);
+  CHECK(row.max_penetration == put.outcome.counters.max_penetration);
   CHECK(row.state_hash == put.state_hash);
   CHECK(row.peak_total_kinetic_energy == put.peak_total_kinetic_energy);
   CHECK(row.engine == "bullet");
