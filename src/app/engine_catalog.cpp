@@ -36,7 +36,7 @@ Result<std::unique_ptr<Engine>> make_from_plugin(const EngineEntry& entry, const
 }
 
 Result<std::unique_ptr<Engine>> make_native(const Settings& settings) {
-  std::vector<Error> errors = unsupported_by_plain(settings);
+  std::vector<Error> errors = unsupported_by_native(settings);
   if (!errors.empty()) return errors;
   return std::unique_ptr<Engine>(std::make_unique<NativeEngine>(settings));
 }
@@ -51,8 +51,9 @@ Result<std::unique_ptr<Engine>> make_plain(const Settings& settings) {
 
 const std::vector<EngineEntry>& engine_catalog() {
   static const std::vector<EngineEntry> kEngines = {
-      {"native", "hard contacts solved to a tolerance, and no work where nothing changes: screening, standard, reference",
-       "", make_native},
+      {"native",
+       "hard contacts solved to a tolerance, and no work where nothing changes: screening, standard, reference", "",
+       make_native},
       {"bullet", "Bullet in float, best practical setting: 240 1/s, 50 iterations, 2 friction directions, random order",
        "libholdfast-bullet.so"},
       {"bullet-f64", "the same in double precision", "libholdfast-bullet-f64.so"},

@@ -49,4 +49,10 @@ TEST_CASE("engine_catalog: an engine refuses what it cannot model", "[app][engin
   }
   settings.contact.box_wall = 0.5;
   CHECK(make_engine("bullet", settings));
+
+  const Result<std::unique_ptr<Engine>> native = make_engine("native", settings);
+  REQUIRE_FALSE(native);
+  CHECK(native.error().message() ==
+        "native moves boxes in a container that goes as the acceleration file says, and has no free one; "
+        "Engine = bullet or bullet-f64, or Motion = prescribed");
 }

@@ -36,4 +36,10 @@ std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {
   return std::make_unique<NativeSimulation>(batch, settings_, options_);
 }
 
+std::vector<Error> unsupported_by_native(const Settings& settings) {
+  if (settings.container.motion == ContainerMotion::prescribed) return {};
+  return {{.what = "native moves boxes in a container that goes as the acceleration file says, and has no free one",
+           .accepted = "Engine = bullet or bullet-f64, or Motion = prescribed"}};
+}
+
 }  // namespace holdfast

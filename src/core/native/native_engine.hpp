@@ -1,7 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "core/engine.hpp"
 #include "core/native/native_options.hpp"
+#include "core/result.hpp"
+#include "core/settings.hpp"
 
 namespace holdfast {
 
@@ -9,6 +14,7 @@ namespace holdfast {
 /// docs/physics.md derives it.
 class NativeEngine final : public Engine {
  public:
+  /// @param settings those that `unsupported_by_native` has nothing against
   explicit NativeEngine(const Settings& settings);
 
   const EngineTraits& traits() const override { return traits_; }
@@ -19,5 +25,8 @@ class NativeEngine final : public Engine {
   native::NativeOptions options_;
   EngineTraits traits_;
 };
+
+/// What the engine cannot model of the settings, or nothing.
+std::vector<Error> unsupported_by_native(const Settings& settings);
 
 }  // namespace holdfast
