@@ -62,12 +62,14 @@ class Tally {
                           line.moved, line.fell, line.failed, line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.failed;
     }
-    return {text + worst_lines() + unstable_lines() + failed_lines(), failed};
+    return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line(), failed};
   }
 
  private:
   void add(const WorldRow& row, const WorldSummary& summary, std::size_t i) {
     AccelerationLine& line = accelerations_[row.acceleration];
+    steps_ += row.steps;
+    steps_skipped_ += row.steps_skipped;
     if (row.status != Status::ok) {
       ++line.failed;
       failures_.emplace(row.status_text, 0).first->second += 1;
@@ -141,11 +143,20 @@ class Tally {
     return text;
   }
 
+  /// Nothing where the engine computes every step.
+  std::string skipped_line() const {
+    if (steps_skipped_ == 0) return "";
+    return fmt::format("\nsteps skipped, since nothing moved in them: {:.1f} % of {}\n",
+                       100.0 * static_cast<double>(steps_skipped_) / static_cast<double>(steps_), steps_);
+  }
+
   const ResultsInfo& info_;
   std::vector<AccelerationLine> accelerations_;
   std::vector<WorldLine> worst_;
   std::map<std::uint64_t, UnstableLine> unstable_;  ///< by layout
   std::map<std::string, std::uint64_t> failures_;   ///< worlds by reason
+  std::uint64_t steps_ = 0;
+  std::uint64_t steps_skipped_ = 0;
 };
 
 }  // namespace

@@ -15,7 +15,8 @@ struct OutcomeTable {
 };
 
 /// Per acceleration how many layouts stayed, moved and fell; the worst worlds by name; the layouts that were
-/// unstable before any acceleration; what failed. From a complete results file, under the given thresholds.
+/// unstable before any acceleration; what failed; the share of steps skipped. From a complete results file, under the
+/// given thresholds.
 Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds);
 
 }  // namespace holdfast
