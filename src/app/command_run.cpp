@@ -59,7 +59,7 @@ ExitCode run(const ConfigRunOptions& options, const std::string& command_line) {
   job.results_path = (folder / "results.h5").string();
   job.command_line = command_line;
   if (config->settings.batch_simulation) job.batch_name = config->settings.batch_path;
-  options.run.apply_to(job);
+  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   if (!job.text_folder && job.record_series) job.text_folder = folder.string();
   return run_screening(job);
 }

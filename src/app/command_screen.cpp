@@ -46,7 +46,7 @@ ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
   job.acceleration_paths = *accelerations;
   job.results_path = options.results_path;
   job.command_line = command_line;
-  options.run.apply_to(job);
+  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   return run_screening(job);
 }
 

@@ -1,9 +1,15 @@
 #include "app/run_options.hpp"
 
+#include "core/setting_table.hpp"
+
 namespace holdfast {
 
 void RunOptions::add_to(CLI::App& command) {
   command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`")->type_name("NAME");
+  command
+      .add_option("--accuracy", accuracy,
+                  "How far the native engine goes: screening, standard or reference; stands in for [Native] Accuracy")
+      ->type_name("NAME");
   command.add_option("--threads", threads, "Threads; 0: one a core")->check(CLI::Range(0, 1024))->type_name("N");
   command.add_option("--scheduler", scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
@@ -16,7 +22,7 @@ void RunOptions::add_to(CLI::App& command) {
   command.add_flag("--quiet", quiet, "No progress, no table; errors only");
 }
 
-void RunOptions::apply_to(ScreeningJob& job) const {
+std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   ScreeningSettings& screening = job.settings.screening;
   screening.engine = engine.value_or(screening.engine);
   screening.threads = threads.value_or(screening.threads);
@@ -27,6 +33,21 @@ void RunOptions::apply_to(ScreeningJob& job) const {
   job.overwrite = overwrite;
   job.json = json;
   job.quiet = quiet;
+  return apply_accuracy(job.settings);
+}
+
+std::optional<Error> RunOptions::apply_accuracy(Settings& settings) const {
+  if (!accuracy) return std::nullopt;
+  if (settings.screening.engine != "native") {
+    return Error{.what = "--accuracy is for the engine native, and the engine is",
+                 .value = settings.screening.engine,
+                 .accepted = "leave out --accuracy, or take --engine native"};
+  }
+  const SettingKey& key = *find_setting("Native", "Accuracy");
+  if (!key.set(settings, 0, *accuracy))
+    return Error{
+        .what = "unknown accuracy", .value = *accuracy, .accepted = "accepted are " + std::string(key.accepted)};
+  return std::nullopt;
 }
 
 }  // namespace holdfast

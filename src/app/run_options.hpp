@@ -5,12 +5,14 @@
 #include <string>
 
 #include "app/screening.hpp"
+#include "core/result.hpp"
 
 namespace holdfast {
 
 /// Options that `screen` and `run` share; what is given stands in for the key of the same name.
 struct RunOptions {
   std::optional<std::string> engine;
+  std::optional<std::string> accuracy;
   std::optional<int> threads;
   std::optional<std::string> scheduler;
   std::optional<std::string> text_folder;
@@ -22,8 +24,11 @@ struct RunOptions {
 
   void add_to(CLI::App& command);
 
-  /// Puts what was given into the job.
-  void apply_to(ScreeningJob& job) const;
+  /// Puts what was given into the job, or says what is wrong with it.
+  std::optional<Error> apply_to(ScreeningJob& job) const;
+
+ private:
+  std::optional<Error> apply_accuracy(Settings& settings) const;
 };
 
 }  // namespace holdfast

@@ -65,6 +65,12 @@ std::string host_name() {
   return name.data();
 }
 
+/// The engine's name, and its accuracy where it has one.
+std::string engine_text(const Settings& settings) {
+  const std::string& engine = settings.screening.engine;
+  return engine == "native" ? engine + ", accuracy " + find_setting("Native", "Accuracy")->get(settings, 0) : engine;
+}
+
 RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions) {
   RunDescription run;
   run.software = fmt::format("holdfast {}", kVersion);
@@ -297,7 +303,7 @@ ExitCode run_screening(const ScreeningJob& job) {
     const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
     fmt::print(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
                counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
-               description.engine, job.settings.screening.scheduler, counted(threads, "thread"),
+               engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
                finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
   Run run(job, **engine, motions, **writer, finished);

@@ -39,6 +39,7 @@ std::string section_note(std::string_view section) {
   if (section == kMaterialSection)
     return "One section a material id of the layout files: `[Material 3]`. Either Density or Mass.\n\n";
   if (section == "Renderer Engine") return "Accepted for the sake of existing files, without effect.\n\n";
+  if (section == "Native") return "What is absent comes from Accuracy, which `--accuracy` stands in for.\n\n";
   if (section == "Bullet") return "What is absent comes from the preset of the engine, `bullet` or `bullet-stock`.\n\n";
   return "";
 }

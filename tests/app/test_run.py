@@ -116,6 +116,11 @@ class Run(CliTest):
         self.run_config(pair, 0, "--overwrite", "--engine", "bullet", "--quiet")
         with h5py.File(self.folder / "results.h5") as file:
             self.assertEqual(file.attrs["engine"], "bullet")
+        self.write("tower.txt", layout_text(TOWER[:1]))
+        self.run_config(pair, 0, "--overwrite", "--engine", "native", "--accuracy", "screening", "--quiet")
+        with h5py.File(self.folder / "results.h5") as file:
+            self.assertEqual(file.attrs["engine"], "native")
+            self.assertEqual(file["inputs/settings"].attrs["Native/Accuracy"], "screening")
 
     def test_what_is_missing_is_told(self):
         self.write("empty/notes.txt", "Nothing to load.\n")
