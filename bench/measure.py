@@ -157,7 +157,7 @@ def measure(options):
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("--program", default=ROOT / "build/release/bin/holdfast", help="default: %(default)s")
-parser.add_argument("--engine", default="bullet-stock", help="default: %(default)s, the quickest: recording weighs most")
+parser.add_argument("--engine", default="bullet-stock", help="default: %(default)s, which computes every step of every world")
 parser.add_argument("--threads", type=int, nargs="+", default=[1, os.cpu_count()], help="thread counts to compare")
 parser.add_argument("--repeats", type=int, default=3, help="runs of each kind; the median counts (default: %(default)s)")
 parser.add_argument("--quick", action="store_true", help="leave out the runs over all real layouts")

@@ -231,7 +231,7 @@ void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--layouts", options->layouts, "Layouts of the load suite")
       ->capture_default_str()
       ->type_name("PATH");
-  command->add_flag("--quick", options->quick, "Default and shipped setting, quick cases, no loads: a minute");
+  command->add_flag("--quick", options->quick, "Quick settings and cases, no loads: a minute");
   command->add_flag("--json", options->json, "Print the measurements as JSON, and nothing else");
   command->add_option("--threads", options->threads, "Threads; 0: one a core")
       ->check(CLI::Range(0, 1024))

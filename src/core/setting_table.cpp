@@ -72,7 +72,7 @@ std::vector<SettingKey> make_table() {
   add(Truth{}, "ConstantDensity", "", "true", MEMBER(constant_density),
       "Whether DensityValue is a density, so that the mass of a box follows from its volume.");
   add(Rate{}, "SimulationStepsPerSecond", "1/s", "", MEMBER(steps_per_second),
-      "Least number of steps a simulated second; when absent the engine decides (Bullet: 240).");
+      "Least number of steps a simulated second; when absent the engine decides (native by its Accuracy, Bullet 240).");
 
   section = "Renderer Engine";
   add(Truth{}, "DrawAxis", "", "false", MEMBER(draw_axis), "Of the renderer of StableCargo.").without_effect = true;
@@ -148,7 +148,7 @@ std::vector<SettingKey> make_table() {
   add(Path{}, "Layout", "", "", MEMBER(screening.layout), "Layout file of `holdfast run` for a single pair.");
   add(Path{}, "Acceleration", "", "", MEMBER(screening.acceleration),
       "Acceleration file of `holdfast run` for a single pair.");
-  add(Name<Engines>{}, "Engine", "", "bullet", MEMBER(screening.engine),
+  add(Name<Engines>{}, "Engine", "", "native", MEMBER(screening.engine),
       "What moves the boxes; `holdfast engines` lists what is there.");
   add(Whole<ThreadRange>{}, "Threads", "", "0", MEMBER(screening.threads),
       "Worlds simulated at the same time; 0 stands for one a core.");

@@ -59,7 +59,7 @@ struct MaterialSettings {
 struct ScreeningSettings {
   std::string layout;        ///< path for `holdfast run` on a single pair
   std::string acceleration;  ///< path for `holdfast run` on a single pair
-  std::string engine = "bullet";
+  std::string engine = "native";
   int threads = 0;  ///< 0: one a core
   std::string scheduler = "tbb";
   double settle_seconds = 0.0;  ///< gravity alone before t = 0, s

@@ -25,7 +25,7 @@ EngineSetting native(const char* name, Accuracy accuracy, bool quick = false) {
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
-      native("screening", Accuracy::screening, true),   native("standard", Accuracy::standard, true),
+      native("standard", Accuracy::standard, true),     native("screening", Accuracy::screening, true),
       native("reference", Accuracy::reference),
       bullet("bullet", "240 Hz, 50 it", 240, 50, true), bullet("bullet", "60 Hz, 10 it", 60, 10),
       bullet("bullet", "120 Hz, 20 it", 120, 20),       bullet("bullet", "240 Hz, 10 it", 240, 10),

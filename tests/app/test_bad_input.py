@@ -158,12 +158,20 @@ class Screen(CliTest):
         for arguments, words in (
                 (("--engine", "bulet"), ("unknown engine: bulet", "did you mean 'bullet'?")),
                 (("--engine", "warp"), ("unknown engine: warp", "accepted are", "bullet-f64")),
+                (("--engine", "native", "--accuracy", "quick"),
+                 ("unknown accuracy: quick; accepted are screening, standard or reference",)),
+                (("--accuracy", "standard"), ("--accuracy is for the engine native", "bullet-stock", "--engine native")),
                 (("--scheduler", "opnmp"), ("unknown scheduler: opnmp", "accepted are tbb")),
                 (("--no-series", "--text", "text"), ("text files need the series",))):
             with self.subTest(arguments=arguments):
                 done = self.screen(*arguments, expect=2)[1]
                 self.assert_refused(done, *words)
         self.assertFalse(list(self.folder.glob("results*")))
+
+    def test_an_engine_says_what_it_cannot_model(self):
+        self.write_inputs()
+        self.config = self.write("free.ini", "[Container]\nMotion = free\n")
+        self.assert_refused(self.screen(expect=2)[1], "native", "Engine = bullet", "Motion = prescribed")
 
     def test_missing_files(self):
         self.write_inputs()
@@ -227,6 +235,7 @@ class Usage(CliTest):
         self.assertIn("BoxFriction", self.run_here("--help-config").stdout)
         engines = self.run_here("engines")
         self.assert_exit(engines, 0)
+        self.assertTrue(engines.stdout.startswith("native "), "the default comes first")
         for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
             self.assertRegex(engines.stdout, f"(?m)^{name}")
 

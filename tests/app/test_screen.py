@@ -209,6 +209,52 @@ class SameResults(CliTest):
                 self.assertIn("floating.txt: 1 of 2 boxes", done.stdout)
 
 
+class NativeEngine(CliTest):
+    """The default engine, which takes at once what does not change anything."""
+
+    def setUp(self):
+        super().setUp()
+        self.write_inputs()
+        self.config.write_text("[Export Settings]\nResultsIntervallInSeconds = 0.05\n")
+        self.layouts[1:] = [self.write("box.txt", layout_text([(200, 50, 0, 280, 110, 40)]))]
+
+    def test_is_the_default_and_skips_what_rests(self):
+        path, done = self.screen()
+        self.assertIn("engine native, accuracy standard, scheduler", done.stderr)
+        self.assertRegex(done.stdout, r"\nsteps skipped, since nothing moved in them: \d+\.\d % of \d+\n")
+        with h5py.File(path) as file:
+            self.assertEqual(file.attrs["engine"], "native")
+            self.assertEqual(file["inputs/settings"].attrs["Native/Accuracy"], "standard")
+            steps, skipped = file["worlds/steps"][:], file["worlds/steps_skipped"][:]
+            self.assertTrue((skipped[1::2] == steps[1::2]).all(), "nothing happens under rest.txt")
+            self.assertTrue((skipped[::2] < steps[::2]).all(), "and something does under shove.txt")
+            self.assertEqual(list(file["summary/worlds/max_displacement"][1::2]), [0, 0])
+
+    def test_accuracy_is_an_option(self):
+        reference = self.write("reference.ini", "[Native]\nAccuracy = reference\n")
+        by_option, done = self.screen("--accuracy", "reference", output="option.h5")
+        self.assertIn("engine native, accuracy reference, ", done.stderr)
+        self.config = reference
+        by_key, _ = self.screen(output="key.h5")
+        overridden, done = self.screen("--accuracy", "screening", output="overridden.h5")
+        self.assertIn("engine native, accuracy screening, ", done.stderr)
+        hashes = [list(datasets(path)["/worlds/state_hash"]) for path in (by_option, by_key, overridden)]
+        self.assertEqual(hashes[0], hashes[1])
+        self.assertNotEqual(hashes[0], hashes[2])
+
+    def test_another_accuracy_is_another_run(self):
+        self.screen("--accuracy", "screening")
+        self.assert_refused(self.screen("--resume", expect=2)[1], "results.h5", "settings differ")
+        self.screen("--accuracy", "screening", "--resume")
+
+    def test_schedulers_and_threads_do_not_matter(self):
+        first, _ = self.screen("--scheduler", "serial", output="first.h5")
+        for scheduler in schedulers():
+            with self.subTest(scheduler=scheduler):
+                other, _ = self.screen("--scheduler", scheduler, "--threads", 3, "--overwrite")
+                self.assert_same_results(first, other)
+
+
 class Output(CliTest):
     def setUp(self):
         super().setUp()
@@ -226,6 +272,8 @@ class Output(CliTest):
                                  ("total_kinetic_energy_J", "total_kinetic_energy"),
                                  ("peak_kinetic_energy_J", "peak_kinetic_energy")):
                 self.assertAlmostEqual(world[name], float(data[f"/summary/worlds/{column}"][w]), 6, name)
+            for name, column in (("max_residual", "max_residual"), ("max_penetration_m", "max_penetration")):
+                self.assertEqual(world[name], data[f"/worlds/{column}"][w], name)
             self.assertEqual(world["layout"], self.layouts[w // 2].name)
             self.assertEqual(world["acceleration"], self.accelerations[w % 2].name)
             self.assertEqual(int(world["state_hash"], 16), data["/worlds/state_hash"][w])
