@@ -28,6 +28,12 @@ constexpr double kImpactShare = 0.02;
 /// Impacts below this share of |g − a| h do not rebound: rest would otherwise never come.
 constexpr double kReboundShare = 2.0;
 
+/// Slip above this many times |g − a| h does not end within the step: friction opposes its mean over the step.
+constexpr double kLastingSlip = 3.0;
+
+/// Slip below this share of |g − a| h is none.
+constexpr double kSlipShare = 1e-3;
+
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
 
@@ -49,10 +55,14 @@ Vec3 velocity_at(const Bodies& bodies, std::int32_t body, const Vec3& point) {
   return state.velocity[at(body)] + state.angular_velocity[at(body)].cross(point - state.position[at(body)]);
 }
 
+/// Velocity of b's surface relative to a's, m/s.
+Vec3 relative_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) {
+  return velocity_at(bodies, manifold.b, point.on_b) - velocity_at(bodies, manifold.a, point.on_a);
+}
+
 /// Speed at which the surfaces part at a point, m/s.
 double parting(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) {
-  return manifold.contact.normal.dot(velocity_at(bodies, manifold.b, point.on_b) -
-                                     velocity_at(bodies, manifold.a, point.on_a));
+  return manifold.contact.normal.dot(relative_velocity(bodies, manifold, point));
 }
 
 bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
@@ -69,6 +79,13 @@ struct IslandStepper::Event {
   bool activated = false;  ///< manifolds became active: the step must be solved again
   double time = std::numeric_limits<double>::infinity();  ///< of the first fast impact, s from the step's start
 };
+
+/// Contacts that are part of the solve: closed, or closing slower than what is located in time, or closing at all
+/// once nothing more is located.
+bool IslandStepper::is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const {
+  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
+  return point.gap <= slow_gap || (!may_cut_ && point.gap + step * parting < slow_gap);
+}
 
 void IslandStepper::load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose,
                          double step) {
@@ -171,17 +188,13 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       (a_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.a)]) + (b_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.b)]);
   const std::int32_t place_a = a_fixed ? fixed_ : place_[at(manifold.a)];
   const std::int32_t place_b = b_fixed ? fixed_ : place_[at(manifold.b)];
-  // Contacts that close slower than what is located in time are part of the solve.
-  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
   const std::size_t first = solver_.patches.size();
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
     const double parting_speed = parting(bodies, manifold, point);
-    const bool ahead = point.gap <= slow_gap || point.gap + step * parting_speed < slow_gap;
-    if (purpose == Purpose::rest ? point.gap > kTouch
-                                 : purpose == Purpose::projection ? point.gap > kTouch : !ahead)
-      continue;
+    const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
+    if (moving ? !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
     const std::size_t lane = static_cast<std::size_t>(used % kLanes);
     if (lane == 0) {
       Patch& patch = solver_.patches.emplace_back();
@@ -216,20 +229,27 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
     const PointMemory& memory = manifold.memory[at(i)];
     switch (purpose) {
       case Purpose::projection:
-        patch.allowance[lane] = point.gap + kTouch;
+        patch.allowance[0][lane] = point.gap + kTouch;
         break;
       case Purpose::impact: {
-        patch.allowance[lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        patch.allowance[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
         if (parting_speed < -kReboundShare * terms.velocity_unit)
-          patch.allowance[lane] += manifold.restitution * parting_speed;
+          patch.allowance[0][lane] += manifold.restitution * parting_speed;
         break;
       }
       case Purpose::rest:
       case Purpose::smooth:
-        patch.allowance[lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        patch.allowance[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        if (purpose == Purpose::smooth) {
+          // Friction along the mean slip makes curved paths second order in the step.
+          const Vec3 slip = relative_velocity(bodies, manifold, point);
+          const Vec3 slide = slip - manifold.contact.normal * manifold.contact.normal.dot(slip);
+          if (slide.norm() > kLastingSlip * terms.velocity_unit)
+            for (std::size_t d = 1; d < 3; ++d) patch.allowance[d][lane] = slide.dot(directions[d]);
+        }
         for (std::size_t d = 0; d < 3; ++d) {
           patch.impulse[d][lane] = step * memory.force.dot(directions[d]);
-          patch.slip[d][lane] = memory.slip.dot(directions[d]);
+          patch.slip[d][lane] = memory.slip.dot(directions[d]) + (d > 0 ? patch.allowance[d][lane] : 0.0);
         }
         patch.impulse[0][lane] = std::max(0.0, patch.impulse[0][lane]);
         break;
@@ -257,7 +277,7 @@ void IslandStepper::remember(Scene& scene, double step) const {
       for (std::size_t d = 0; d < 3; ++d) {
         const Vec3 direction(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
         memory.force += (patch.impulse[d][lane] / step) * direction;
-        memory.slip += patch.slip[d][lane] * direction;
+        memory.slip += (patch.slip[d][lane] - (d > 0 ? patch.allowance[d][lane] : 0.0)) * direction;
       }
     }
   }
@@ -287,16 +307,15 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
 }
 
 bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
-                                    bool ahead, IslandReport& report) {
+                                    IslandReport& report) {
   Bodies& bodies = scene.bodies;
   bool any = false;
-  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double speed = parting(bodies, manifold, point);
-      if (!ahead && point.gap > slow_gap) continue;
+      if (!is_solved(point, speed, terms, step)) continue;
       if (std::max(0.0, point.gap) + step * speed >= -kImpactShare * terms.velocity_unit * step) continue;
       manifold.active = true;
       manifold.idle_steps = 0;
@@ -318,10 +337,9 @@ bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
 }
 
 IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
-                                                 double step, bool may_cut) {
+                                                 double step) const {
   Event event;
   const Bodies& bodies = scene.bodies;
-  const double slow_gap = std::max(kTouch, kFastShare * terms.velocity_unit * step);
   const auto end_velocity = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (is_fixed(bodies, body)) return Vec3::Zero();
     const BodyVector& v = solver_.velocity[at(place_[at(body)])];
@@ -332,7 +350,8 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u0 = parting(bodies, manifold, point);
-      if (manifold.active && (point.gap <= slow_gap || point.gap + step * u0 < slow_gap)) continue;
+      const bool solved = is_solved(point, u0, terms, step);
+      if (manifold.active && solved) continue;
       const double u1 = manifold.contact.normal.dot(end_velocity(manifold.b, point.on_b) -
                                                     end_velocity(manifold.a, point.on_a));
       const double gap_end = point.gap + 0.5 * step * (u0 + u1);
@@ -342,7 +361,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const double root = std::sqrt(std::max(0.0, u0 * u0 - 2.0 * curvature * point.gap));
       const double time = u0 < root ? 2.0 * point.gap / (root - u0) : step;
       const bool fast = -(u0 + curvature * time) > kFastShare * terms.velocity_unit;
-      if (!may_cut || !fast || point.gap <= slow_gap) {
+      if (!may_cut_ || !fast || solved) {
         manifold.active = true;
         manifold.idle_steps = 0;
         event.activated = true;
@@ -431,31 +450,71 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   double remaining = terms.step;
   int cuts = 0;
   while (remaining > 0.0) {
-    bool may_cut = cuts < options_.impact_cuts;
-    resolve_impacts(scene, island, terms, remaining, !may_cut, report);
+    may_cut_ = cuts < options_.impact_cuts;
+    double step = remaining;
+    resolve_impacts(scene, island, terms, step, report);
     Event event;
     for (int round = 0; round < kRounds; ++round) {
-      load(scene, island, terms, Purpose::smooth, remaining);
-      const SplittingResult result = run(options, terms, remaining, report);
-      event = find_overlap(scene, island, terms, remaining, may_cut);
+      load(scene, island, terms, Purpose::smooth, step);
+      const SplittingResult result = run(options, terms, step, report);
+      event = find_overlap(scene, island, terms, step);
       if (!event.activated) {
-        report.residual = std::max(report.residual, result.residual);
-        break;
+        const double stop = may_cut_ && step == remaining ? first_stop(scene, terms, step) : step;
+        if (stop >= step || stop >= event.time) {
+          report.residual = std::max(report.residual, result.residual);
+          break;
+        }
+        // Forces change where a slip ends: what comes before is a step of its own.
+        step = stop;
+        continue;
       }
-      remember(scene, remaining);
-      if (!may_cut) resolve_impacts(scene, island, terms, remaining, true, report);
+      remember(scene, step);
+      if (!may_cut_) resolve_impacts(scene, island, terms, step, report);
     }
-    remember(scene, remaining);
-    if (event.time < remaining * (1.0 - 1e-9)) {
-      move(scene, island, remaining, event.time / remaining);
-      renew(scene, island, terms);
-      remaining -= event.time;
-      ++cuts;
-    } else {
-      move(scene, island, remaining, 1.0);
-      remaining = 0.0;
+    remember(scene, step);
+    const double share = event.time < step * (1.0 - 1e-9) ? event.time / step : 1.0;
+    move(scene, island, step, share);
+    if (share == 1.0 && step == remaining) return;
+    renew(scene, island, terms);
+    remaining -= share * step;
+    ++cuts;
+  }
+}
+
+/// Time until the first slip ends or turns back within the step, by the acceleration of the last step; `step` when
+/// none does.
+double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, double step) const {
+  const Bodies& bodies = scene.bodies;
+  const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (is_fixed(bodies, body)) return Vec3::Zero();
+    return bodies.acceleration[at(body)] +
+           bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
+  };
+  const auto end_velocity = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (is_fixed(bodies, body)) return Vec3::Zero();
+    const BodyVector& v = solver_.velocity[at(place_[at(body)])];
+    return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
+  };
+  double first = step;
+  for (std::size_t p = 0; p < sources_.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[sources_[p].manifold];
+    const Vec3& normal = manifold.contact.normal;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(solver_.patches[p].count); ++lane) {
+      if (!(solver_.patches[p].impulse[0][lane] > 0.0)) continue;
+      const ContactPoint& point = manifold.contact.points[sources_[p].point[lane]];
+      const auto tangential = [&](const Vec3& v) -> Vec3 { return v - normal * normal.dot(v); };
+      const Vec3 slip = tangential(relative_velocity(bodies, manifold, point));
+      const double speed = slip.norm();
+      if (speed <= kSlipShare * terms.velocity_unit) continue;
+      const Vec3 end = tangential(end_velocity(manifold.b, point.on_b) - end_velocity(manifold.a, point.on_a));
+      // It goes on when it keeps some speed in its direction.
+      if (end.dot(slip) > kSlipShare * speed * speed) continue;
+      const double slowing = -slip.dot(tangential(rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
+      if (slowing > 0.0) first = std::min(first, speed / slowing);
     }
   }
+  // A cut right at the start or the end of the step would change nothing.
+  return first > 1e-6 * step && first < (1.0 - 1e-6) * step ? first : step;
 }
 
 }  // namespace holdfast::native

@@ -23,28 +23,28 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <int kSize>
 struct Pack {
   using D = hn::CappedTag<double, kSize>;
-  static constexpr int kWidth = static_cast<int>(hn::MaxLanes(D()));
-  static constexpr int kVectors = kSize / kWidth;
+  static constexpr std::size_t kWidth = hn::MaxLanes(D());
+  static constexpr std::size_t kVectors = kSize / kWidth;
   hn::Vec<D> part[kVectors];
 
   static HWY_INLINE Pack load(const double* from) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
     return p;
   }
   static HWY_INLINE Pack all(double value) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
     return p;
   }
   HWY_INLINE void store(double* to) const {
-    for (int i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
+    for (std::size_t i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
   }
 
   template <class Operation>
   static HWY_INLINE Pack map(const Pack& a, const Pack& b, Operation operation) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = operation(a.part[i], b.part[i]);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = operation(a.part[i], b.part[i]);
     return p;
   }
   friend HWY_INLINE Pack operator+(const Pack& a, const Pack& b) {
@@ -61,7 +61,7 @@ struct Pack {
   }
   HWY_INLINE Pack abs() const {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
     return p;
   }
 };
@@ -73,7 +73,7 @@ using Eight = Pack<kPaddedRows>;
 HWY_INLINE Four shrink(const Four& limit, const Four& square) {
   Four p;
   const Four::D d;
-  for (int i = 0; i < Four::kVectors; ++i) {
+  for (std::size_t i = 0; i < Four::kVectors; ++i) {
     const auto beyond = hn::Gt(square.part[i], hn::Mul(limit.part[i], limit.part[i]));
     // The square is positive wherever it is beyond the limit; elsewhere 1 keeps 0/0 out.
     const auto safe = hn::IfThenElse(beyond, square.part[i], hn::Set(d, 1.0));
@@ -133,8 +133,9 @@ HWY_ATTR double sweep_kernel(Patch* patches, const Arms* mid_arms, std::size_t c
     const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
     const Four r[2] = {Four::load(patch.resistance[0].data()), Four::load(patch.resistance[1].data())};
     const Four c[2] = {Four::load(patch.compliance[0].data()), Four::load(patch.compliance[1].data())};
-    const Four u[3] = {along(v, patch.directions[0]) + Four::load(patch.allowance.data()),
-                       along(v, patch.directions[1]), along(v, patch.directions[2])};
+    const Four u[3] = {along(v, patch.directions[0]) + Four::load(patch.allowance[0].data()),
+                       along(v, patch.directions[1]) + Four::load(patch.allowance[1].data()),
+                       along(v, patch.directions[2]) + Four::load(patch.allowance[2].data())};
     Four x[3];
     for (std::size_t i = 0; i < 3; ++i) {
       const Four z = Four::load(patch.slip[i].data());
@@ -168,20 +169,6 @@ HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, st
     const Four y[3] = {Four::load(patch.impulse[0].data()), Four::load(patch.impulse[1].data()),
                        Four::load(patch.impulse[2].data())};
     add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], y, wrench);
-  }
-}
-
-HWY_ATTR void measure_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity,
-                             std::array<Lanes, 3>* out) {
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = patches[p];
-    const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Four u = along(v, patch.directions[i]);
-      alignas(64) Lanes lanes;
-      (i == 0 ? u + Four::load(patch.allowance.data()) : u).store(lanes.data());
-      out[p][i] = lanes;
-    }
   }
 }
 
@@ -288,7 +275,6 @@ namespace holdfast::native {
 
 HWY_EXPORT(sweep_kernel);
 HWY_EXPORT(add_impulses_kernel);
-HWY_EXPORT(measure_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
 
@@ -306,11 +292,6 @@ double sweep(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span
 
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
-}
-
-void measure(std::span<const Patch> patches, std::span<const BodyVector> velocity,
-             std::span<std::array<Lanes, 3>> u) {
-  HWY_DYNAMIC_DISPATCH(measure_kernel)(patches.data(), patches.size(), velocity.data(), u.data());
 }
 
 void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,

@@ -40,10 +40,6 @@ double sweep(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span
 /// Adds J_midᵀ y to `wrench`.
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
 
-/// Normal and tangential velocities u = J v + allowance of all points, written into `u`, a patch an entry.
-void measure(std::span<const Patch> patches, std::span<const BodyVector> velocity,
-             std::span<std::array<Lanes, 3>> u);
-
 /// c −= l bᵀ, the step of the factorisation.
 struct BlockUpdate {
   std::uint32_t c, l, b;

@@ -24,7 +24,9 @@ struct alignas(64) Patch {
   Arms arms;                               ///< at the end of the step: where velocities are measured
   std::array<Lanes, 3> impulse = {};       ///< y, on b, opposite on a, kg m/s
   std::array<Lanes, 3> slip = {};          ///< z, the velocity that goes with the impulse by Coulomb's law, m/s
-  Lanes allowance = {};                    ///< added to the normal velocity: what must stay ≥ 0 is the sum, m/s
+  /// Added to the velocity, m/s: along the normal, what must stay ≥ 0 is the sum; along the tangents, the sum is what
+  /// friction opposes.
+  std::array<Lanes, 3> allowance = {};
   std::array<Lanes, 2> resistance = {};    ///< R of the splitting, normal and tangential, kg
   std::array<Lanes, 2> compliance = {};    ///< 1 / R; 0 for an unused lane, 1/kg
   std::array<std::array<double, 3>, 3> directions = {};  ///< normal (from a to b) and tangents, unit, container frame
