@@ -70,7 +70,8 @@ class IslandStepper {
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
   double first_stop(const Scene& scene, const StepTerms& terms, double step) const;
   bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
-  void move(Scene& scene, const IslandView& island, double step, double share);
+  double fast_approach(const StepTerms& terms) const;
+  void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   void renew(Scene& scene, const IslandView& island, const StepTerms& terms);
   void project(Scene& scene, const IslandView& island, const StepTerms& terms);
   SplittingResult run(const SplittingOptions& options, const StepTerms& terms, double step, IslandReport& report);
