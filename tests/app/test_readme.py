@@ -44,9 +44,8 @@ class Readme(CliTest):
         self.environment = {**os.environ, "PATH": f"{programs}:/usr/bin:/bin"}
         # The README speaks of a container of this name.
         self.write("few/BR15_077_ep.txt", layout_text(TOWER))
-        done = self.run_here("screen", "-c", "configs/demo.ini", "--engine", "bullet-stock", "--layouts", "few",
-                             "configs/layouts/seed_example.txt", "--accelerations", "configs/accelerations", "-o",
-                             "demo/results.h5", "--quiet")
+        done = self.run_here("screen", "-c", "configs/demo.ini", "--layouts", "few", "configs/layouts/seed_example.txt",
+                             "--accelerations", "configs/accelerations", "-o", "demo/results.h5", "--quiet")
         self.assert_exit(done, 0)
 
     def run_command(self, command):
