@@ -19,7 +19,7 @@ constexpr double kOverlap = 5e-6;
 /// Impacts below this share of |g − a| h are never located in time: they close at the end of their step.
 constexpr double kFastShare = 0.25;
 
-/// A change of velocity beyond that of the step before by this share of |g − a| h is a jump.
+/// Approach, and change of velocity beyond that of the step before, above this share of |g − a| h are an impact.
 constexpr double kJumpShare = 0.1;
 
 /// Impacts below this share of |g − a| h do not rebound: rest would otherwise never come.
@@ -145,6 +145,7 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
   }
   if (purpose == Purpose::smooth) predict(scene, island, terms, step);
 
+  captures_ = false;
   solver_.patches.clear();
   solver_.mid_arms.clear();
   solver_.patch_pair.clear();
@@ -206,6 +207,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
     const double parting_speed = parting(bodies, manifold, point);
     const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
     if (moving ? !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
+    if (purpose == Purpose::impact && (struck_[index] >> i & 1) == 0) continue;
     const std::size_t lane = static_cast<std::size_t>(used % kLanes);
     if (lane == 0) {
       Patch& patch = solver_.patches.emplace_back();
@@ -253,6 +255,8 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       case Purpose::smooth:
         patch.allowance.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
         if (purpose == Purpose::smooth) {
+          captures_ = captures_ || std::max(0.0, point.gap) + step * parting_speed <
+                                       -kJumpShare * terms.velocity_unit * step;
           // Friction along the mean slip makes curved paths second order in the step.
           const Vec3 slip = relative_velocity(bodies, manifold, point);
           const Vec3 slide = slip - manifold.contact.normal * manifold.contact.normal.dot(slip);
@@ -337,35 +341,53 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   return false;
 }
 
+/// Velocity of a body of the island at a point after the solve, m/s.
+Vec3 IslandStepper::end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const {
+  if (is_fixed(bodies, body)) return Vec3::Zero();
+  const BodyVector& v = solver_.velocity[at(place_[at(body)])];
+  return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
+}
+
 bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                                     IslandReport& report) {
   Bodies& bodies = scene.bodies;
   double fastest = 0.0;
   const double fast = fast_approach(terms);
+  struck_.assign(scene.manifolds.size(), 0);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
+    // Without rebound, and not located in time, an impact needs no solve of its own.
+    if (options_.impact_cuts == 0 && manifold.restitution == 0.0) continue;
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double speed = parting(bodies, manifold, point);
-      // Without rebound, and not located in time, an impact needs no solve of its own.
-      if (options_.impact_cuts == 0 && manifold.restitution == 0.0) continue;
       if (!is_solved(point, speed, terms, step) || std::max(0.0, point.gap) + step * speed >= -fast * step) continue;
-      manifold.active = true;
-      manifold.idle_steps = 0;
+      struck_[index] |= static_cast<std::uint8_t>(1U << i);
       fastest = std::max(fastest, -speed);
     }
   }
   if (fastest == 0.0) return false;
-  load(scene, island, terms, Purpose::impact, step);
   SplittingOptions options;
   options.iterations = 2 * options_.iterations;
   options.tolerance = options_.tolerance;
-  solver_.load_unit = terms.pull.norm() * step;
-  const SplittingResult result = solver_.solve(options, std::max(fastest, terms.velocity_unit));
-  report.iterations += static_cast<std::uint64_t>(result.iterations);
-  // In units of its own velocities, as that of other solves.
-  const double scale = terms.velocity_unit / std::max(fastest, terms.velocity_unit);
-  report.residual = std::max(report.residual, scale * result.residual);
+  options.accelerate = true;
+  const double unit = std::max(fastest, terms.velocity_unit);
+  // An impact acts where surfaces meet, and from there where it would push others into each other: a contact that
+  // need not answer it has no impulse, and no friction.
+  for (int round = 0; round < kRounds; ++round) {
+    for (const std::uint32_t index : island.manifolds) {
+      if (struck_[index] == 0) continue;
+      scene.manifolds[index].active = true;
+      scene.manifolds[index].idle_steps = 0;
+    }
+    load(scene, island, terms, Purpose::impact, step);
+    const SplittingResult result = solver_.solve(options, unit);
+    report.iterations += static_cast<std::uint64_t>(result.iterations);
+    if (strike_more(scene, island, terms, step)) continue;
+    // In units of its own velocities, as that of other solves.
+    report.residual = std::max(report.residual, terms.velocity_unit / unit * result.residual);
+    break;
+  }
   for (const std::uint32_t body : island.bodies) {
     bodies.state.velocity[body] = linear(solver_.velocity[at(place_[body])]);
     bodies.state.angular_velocity[body] = angular(solver_.velocity[at(place_[body])]);
@@ -373,15 +395,29 @@ bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   return true;
 }
 
+/// Adds the points that the solved impact pushes into each other. False when there are none.
+bool IslandStepper::strike_more(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
+  const Bodies& bodies = scene.bodies;
+  bool more = false;
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      if ((struck_[index] >> i & 1) != 0 || !is_solved(point, parting(bodies, manifold, point), terms, step)) continue;
+      const double after = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
+                                                       end_velocity(bodies, manifold.a, point.on_a));
+      if (std::max(0.0, point.gap) + step * after >= -kSlipShare * terms.velocity_unit * step) continue;
+      struck_[index] |= static_cast<std::uint8_t>(1U << i);
+      more = true;
+    }
+  }
+  return more;
+}
+
 IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
                                                  double step) const {
   Event event;
   const Bodies& bodies = scene.bodies;
-  const auto end_velocity = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (is_fixed(bodies, body)) return Vec3::Zero();
-    const BodyVector& v = solver_.velocity[at(place_[at(body)])];
-    return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
-  };
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
@@ -389,8 +425,8 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const double u0 = parting(bodies, manifold, point);
       const bool solved = is_solved(point, u0, terms, step);
       if (manifold.active && solved) continue;
-      const double u1 = manifold.contact.normal.dot(end_velocity(manifold.b, point.on_b) -
-                                                    end_velocity(manifold.a, point.on_a));
+      const double u1 = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
+                                                    end_velocity(bodies, manifold.a, point.on_a));
       const double gap_end = point.gap + 0.5 * step * (u0 + u1);
       if (gap_end >= -kOverlap) continue;
       // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.
@@ -425,7 +461,7 @@ void IslandStepper::move(Scene& scene, const IslandView& island, const StepTerms
     // its new value from the start of the step: with the old one bodies would overlap.
     const double jump = (v_end - v - step * bodies.acceleration[body]).norm() +
                         bodies.radius[body] * (w_end - w - step * bodies.angular_acceleration[body]).norm();
-    const bool jumps = !terms.cold && share == 1.0 && jump > kJumpShare * terms.velocity_unit;
+    const bool jumps = captures_ && !terms.cold && share == 1.0 && jump > kJumpShare * terms.velocity_unit;
     const Vec3 v_mean = jumps ? v_new : Vec3(0.5 * (v + v_new));
     const Vec3 w_mean = jumps ? w_new : Vec3(0.5 * (w + w_new));
     bodies.acceleration[body] = jumps ? Vec3::Zero() : Vec3((v_end - v) / step);
@@ -538,11 +574,6 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
     return bodies.acceleration[at(body)] +
            bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
   };
-  const auto end_velocity = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (is_fixed(bodies, body)) return Vec3::Zero();
-    const BodyVector& v = solver_.velocity[at(place_[at(body)])];
-    return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
-  };
   double first = step;
   for (std::size_t p = 0; p < sources_.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources_[p].manifold];
@@ -554,7 +585,7 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
       const Vec3 slip = tangential(relative_velocity(bodies, manifold, point));
       const double speed = slip.norm();
       if (speed <= kSlipShare * terms.velocity_unit) continue;
-      const Vec3 end = tangential(end_velocity(manifold.b, point.on_b) - end_velocity(manifold.a, point.on_a));
+      const Vec3 end = tangential(end_velocity(bodies, manifold.b, point.on_b) - end_velocity(bodies, manifold.a, point.on_a));
       // It goes on when it keeps some speed in its direction.
       if (end.dot(slip) > kSlipShare * speed * speed) continue;
       const double slowing = -slip.dot(tangential(rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;

@@ -167,7 +167,8 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
   const int most = options.iterations + options.more_iterations;
   while (!result.converged &&
          (result.iterations < options.iterations || (result.iterations < most && result.residual > bad))) {
-    if (result.iterations % options.reclassify_every == 0 && choose_resistance(options, result.iterations == 0)) {
+    const bool first = result.iterations == 0;
+    if (result.iterations % options.reclassify_every == 0 && (choose_resistance(options, first) || first)) {
       assemble();
       anderson_.restart();
     }
