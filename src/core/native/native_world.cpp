@@ -29,8 +29,9 @@ constexpr int kIdleSteps = 8;
 /// Overlap at the end of a step that calls for a contact between islands, m.
 constexpr double kOverlap = 5e-6;
 
-/// A residual above this, over |g − a| h, is reported with the world.
-constexpr double kBadResidual = 0.1;
+/// A residual above this, over |g − a| h, is reported with the world: it moves a box by half of what it falls freely
+/// in a step.
+constexpr double kBadResidual = 0.5;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -101,43 +102,54 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     slot = static_cast<std::int32_t>(scene_.manifolds.size());
     scene_.manifolds.push_back(fresh);
   } else if (slot >= 0) {
-    const std::size_t hole = at(slot);
-    slot = -1;
-    const Manifold& last = scene_.manifolds.back();
-    if (hole + 1 < scene_.manifolds.size()) {
-      const std::size_t last_other =
-          last.a < 0 ? bodies.count() + last.side() : at(last.a);
-      slot_[at(last.b) * (bodies.count() + scene_.sides.size()) + last_other] = static_cast<std::int32_t>(hole);
-      scene_.manifolds[hole] = last;
-    }
-    scene_.manifolds.pop_back();
+    end_manifold(at(slot));
   }
+}
+
+void NativeWorld::end_manifold(std::size_t index) {
+  const auto slot_of = [&](const Manifold& manifold) -> std::int32_t& {
+    const std::size_t count = scene_.bodies.count();
+    const std::size_t other = manifold.with_side() ? count + manifold.side() : at(manifold.a);
+    return slot_[at(manifold.b) * (count + scene_.sides.size()) + other];
+  };
+  slot_of(scene_.manifolds[index]) = -1;
+  if (index + 1 < scene_.manifolds.size()) {
+    slot_of(scene_.manifolds.back()) = static_cast<std::int32_t>(index);
+    scene_.manifolds[index] = scene_.manifolds.back();
+  }
+  scene_.manifolds.pop_back();
 }
 
 void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t count = bodies.count();
-  std::vector<Vec3> lower(count), upper(count);
+  lower_.resize(count);
+  upper_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
     const double speed = bodies.state.velocity[i].norm() + bodies.radius[i] * bodies.state.angular_velocity[i].norm();
     const Vec3 extent =
         (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
-    lower[i] = box.centre - extent;
-    upper[i] = box.centre + extent;
+    lower_[i] = box.centre - extent;
+    upper_[i] = box.centre + extent;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (moved[i] != 0 && bodies.fixed[i] == 0)
-      for (std::size_t s = 0; s < scene_.sides.size(); ++s)
-        update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
-    for (std::size_t j = i + 1; j < count; ++j) {
-      if (moved[i] == 0 && moved[j] == 0) continue;
-      if (bodies.fixed[i] != 0 && bodies.fixed[j] != 0) continue;
-      const std::int32_t slot = slot_[j * (count + scene_.sides.size()) + i];
-      const bool near = (lower[i].array() <= upper[j].array()).all() && (lower[j].array() <= upper[i].array()).all();
-      if (near || slot >= 0) update_pair(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
-    }
+    if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
+    for (std::size_t s = 0; s < scene_.sides.size(); ++s)
+      update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
   }
+  // Pairs that are no longer near end; backwards, because the last manifold takes the place of one that ends.
+  for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
+    const Manifold& manifold = scene_.manifolds[m];
+    if (manifold.with_side()) continue;
+    const std::size_t a = at(manifold.a);
+    const std::size_t b = at(manifold.b);
+    const bool near = (lower_[a].array() <= upper_[b].array()).all() && (lower_[b].array() <= upper_[a].array()).all();
+    if ((moved[a] != 0 || moved[b] != 0) && !near) end_manifold(m);
+  }
+  for (const IndexPair& pair : broad_phase_.find_pairs(lower_, upper_, moved))
+    if (bodies.fixed[pair.i] == 0 || bodies.fixed[pair.j] == 0)
+      update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
 }
 
 void NativeWorld::find_islands() {
@@ -375,13 +387,14 @@ void NativeWorld::step_moving() {
 void NativeWorld::finish_step() {
   find_contacts(moving_);
   for (Manifold& manifold : scene_.manifolds) {
-    if (!manifold.active || moving_[at(manifold.b)] == 0) continue;
+    if (!manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0))) continue;
     bool loaded = false;
     double nearest = manifold.contact.points[0].gap;
     for (int i = 0; i < manifold.contact.count; ++i) {
       loaded = loaded || manifold.memory[at(i)].force.dot(manifold.contact.normal) > 0.0;
       nearest = std::min(nearest, manifold.contact.points[at(i)].gap);
     }
+    counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     manifold.idle_steps = loaded ? 0 : manifold.idle_steps + 1;
     if (manifold.idle_steps > kIdleSteps || (!loaded && nearest > kStartTouch)) manifold.active = false;
   }

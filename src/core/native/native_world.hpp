@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/engine.hpp"
+#include "core/native/broad_phase.hpp"
 #include "core/native/island.hpp"
 
 namespace holdfast::native {
@@ -32,6 +33,7 @@ class NativeWorld {
   void begin_phase(const Phase& phase);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
+  void end_manifold(std::size_t index);
   void find_islands();
   IslandView view_of(const Island& island) const;
   bool try_rest(const Island& island);
@@ -57,6 +59,8 @@ class NativeWorld {
   std::vector<Island> islands_;
   std::vector<std::uint32_t> members_, inside_;
   std::vector<std::uint32_t> island_of_;   ///< a body
+  BroadPhase broad_phase_;
+  std::vector<Vec3> lower_, upper_;        ///< bounds of the bodies, grown by their reach, m
   StateColumns before_;                    ///< at the start of the step, entries of moving bodies
 
   double phase_begin_ = 0.0;
