@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,6 +19,9 @@
 
 /// What tests of an engine's physics measure, from outside the engine, and the scenes that they measure it on.
 namespace holdfast::physics {
+
+/// A number as messages of tests show it: also where it is small.
+inline std::string text(double number) { return fmt::format("{:.4g}", number); }
 
 /// Box `i` as a solid.
 inline plain::Block block_of(const WorldBatch& batch, std::size_t i) {
@@ -121,10 +126,14 @@ inline bool same_bits(const StateColumns& a, const StateColumns& b) {
 }
 
 /// Names of the layouts that come with the program.
-inline constexpr const char* kLayouts[] = {
-    "BR0_012_block",   "BR15_077_ep",      "BR15_077_wall",  "BR1_001_ep",      "BR2_015_brick",
-    "BR5_020_layer_h60", "BR5_020_wall_h60", "BR8_009_ep",     "BR8_009_layer",   "BR8_009_layer_h60",
-    "BR8_009_wall",    "BR8_009_wall_h60", "seed_example",   "unstable_BR15_077_bpjs", "unstable_BR2_007_bpjs"};
+inline constexpr const char* kLayouts[] = {"BR0_012_block",        "BR15_077_ep",
+                                           "BR15_077_wall",        "BR1_001_ep",
+                                           "BR2_015_brick",        "BR5_020_layer_h60",
+                                           "BR5_020_wall_h60",     "BR8_009_ep",
+                                           "BR8_009_layer",        "BR8_009_layer_h60",
+                                           "BR8_009_wall",         "BR8_009_wall_h60",
+                                           "seed_example",         "unstable_BR15_077_bpjs",
+                                           "unstable_BR2_007_bpjs"};
 
 inline Layout bundled_layout(const std::string& name, const Settings& settings) {
   const Result<TextFile> file = read_text_file(HOLDFAST_SOURCE_DIR "/configs/layouts/" + name + ".txt");
@@ -166,7 +175,7 @@ inline Layout random_layout(Random& random) {
   return layout;
 }
 
-/// Turns every box a little, where `random_layout` leaves no room for more.
+/// Three phases of random accelerations.
 inline Motion random_motion(Random& random, double phase) {
   std::vector<std::pair<double, Vec3>> segments;
   for (int i = 0; i < 3; ++i) {

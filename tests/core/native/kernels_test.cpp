@@ -27,7 +27,9 @@ struct Contacts {
   std::vector<BodyVector> velocity = std::vector<BodyVector>(kBodies + 1);
 };
 
-Vec3 arm_of(const std::array<Lanes, 3>& arms, std::size_t lane) { return {arms[0][lane], arms[1][lane], arms[2][lane]}; }
+Vec3 arm_of(const std::array<Lanes, 3>& arms, std::size_t lane) {
+  return {arms[0][lane], arms[1][lane], arms[2][lane]};
+}
 
 Contacts random_contacts(std::uint32_t seed) {
   Random random(seed);
@@ -293,8 +295,7 @@ TEST_CASE("kernels: what is factorised is solved", "[core][kernels]") {
     double worst = 0.0;
     for (std::size_t j = 0; j < chain.right.size(); ++j)
       for (std::size_t k = 0; k < kBodyRows; ++k)
-        worst = std::max(worst,
-                         std::abs(chain.right[j].row[k] - exact[static_cast<Eigen::Index>(j * kBodyRows + k)]));
+        worst = std::max(worst, std::abs(chain.right[j].row[k] - exact[static_cast<Eigen::Index>(j * kBodyRows + k)]));
     CAPTURE(seed, worst);
     CHECK(worst < 1e-13);
     // Rows that only pad stay zero, or they would end up in the next sweep's vectors.

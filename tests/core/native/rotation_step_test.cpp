@@ -63,8 +63,7 @@ TEST_CASE("rotation_step: moments of inertia turn with the body", "[core][rotati
   }
 }
 
-TEST_CASE("rotation_step: a vector is shortened to the limit, and a short one is left alone",
-          "[core][rotation_step]") {
+TEST_CASE("rotation_step: a vector is shortened to the limit, and a short one is left alone", "[core][rotation_step]") {
   const Vec3 vector(3, 4, 12);
   CHECK(clamped(vector, 13.5) == vector);
   CHECK((clamped(vector, 6.5) - 0.5 * vector).norm() < 1e-15);
