@@ -152,11 +152,11 @@ inline Settings small_container(Accuracy accuracy) {
   return settings;
 }
 
-/// 6 to 15 boxes of 0.2 to 0.8 m for `small_container`: columns of boxes with gaps between and above them, so that all
-/// of them fall a little.
-inline Layout random_layout(Random& random) {
+/// Boxes of 0.2 to 0.8 m for `small_container`: columns of boxes with gaps between and above some of them, so that they
+/// fall a little.
+inline Layout random_layout(Random& random, std::uint32_t least = 6, std::uint32_t most = 15) {
   Layout layout = scenes::layout_of({});
-  const std::uint32_t count = 6 + random.below(10);
+  const std::uint32_t count = least + random.below(most - least + 1);
   constexpr double kColumn = 0.8;
   double height[3][2] = {};
   for (std::uint32_t i = 0; i < count; ++i) {
