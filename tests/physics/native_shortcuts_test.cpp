@@ -36,11 +36,10 @@ TEST_CASE("native_shortcuts: Jump and Freeze never change a bit", "[physics][nat
   for (std::size_t i = 0; i < std::size(kLayouts); ++i) {
     const Motion& motion = all[i % all.size()];
     std::vector<Run> runs;
-    for (const bool jump : {true, false}) {
-      for (const bool freeze : {true, false}) {
-        const Settings settings = screening_settings(jump, freeze);
-        runs.push_back(run(NativeEngine(settings), bundled_layout(kLayouts[i], settings), motion, settings));
-      }
+    // Both, then each taken away; without Freeze the proof of rest is repeated, and Jump still counts.
+    for (const auto& [jump, freeze] : {std::pair(true, true), std::pair(false, true), std::pair(true, false)}) {
+      const Settings settings = screening_settings(jump, freeze);
+      runs.push_back(run(NativeEngine(settings), bundled_layout(kLayouts[i], settings), motion, settings));
     }
     for (std::size_t k = 1; k < runs.size(); ++k) {
       CAPTURE(kLayouts[i], &motion - all.data(), k);
