@@ -65,10 +65,13 @@ class IslandStepper {
   void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void remember(Scene& scene, double step) const;
-  bool resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step, bool ahead,
+  bool resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
-  Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step, bool may_cut);
-  void move(Scene& scene, const IslandView& island, double step, double share);
+  Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
+  double first_stop(const Scene& scene, const StepTerms& terms, double step) const;
+  bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
+  double fast_approach(const StepTerms& terms) const;
+  void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   void renew(Scene& scene, const IslandView& island, const StepTerms& terms);
   void project(Scene& scene, const IslandView& island, const StepTerms& terms);
   SplittingResult run(const SplittingOptions& options, const StepTerms& terms, double step, IslandReport& report);
@@ -87,6 +90,7 @@ class IslandStepper {
     std::array<std::uint8_t, kLanes> point;
   };
   std::vector<Source> sources_;
+  bool may_cut_ = true;  ///< impacts that lie ahead may cut the step; else they are solved at its end
 };
 
 }  // namespace holdfast::native

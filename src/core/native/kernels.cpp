@@ -23,28 +23,28 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <int kSize>
 struct Pack {
   using D = hn::CappedTag<double, kSize>;
-  static constexpr int kWidth = static_cast<int>(hn::MaxLanes(D()));
-  static constexpr int kVectors = kSize / kWidth;
+  static constexpr std::size_t kWidth = hn::MaxLanes(D());
+  static constexpr std::size_t kVectors = kSize / kWidth;
   hn::Vec<D> part[kVectors];
 
   static HWY_INLINE Pack load(const double* from) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
     return p;
   }
   static HWY_INLINE Pack all(double value) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
     return p;
   }
   HWY_INLINE void store(double* to) const {
-    for (int i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
+    for (std::size_t i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
   }
 
   template <class Operation>
   static HWY_INLINE Pack map(const Pack& a, const Pack& b, Operation operation) {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = operation(a.part[i], b.part[i]);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = operation(a.part[i], b.part[i]);
     return p;
   }
   friend HWY_INLINE Pack operator+(const Pack& a, const Pack& b) {
@@ -61,7 +61,7 @@ struct Pack {
   }
   HWY_INLINE Pack abs() const {
     Pack p;
-    for (int i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
     return p;
   }
 };
@@ -73,7 +73,7 @@ using Eight = Pack<kPaddedRows>;
 HWY_INLINE Four shrink(const Four& limit, const Four& square) {
   Four p;
   const Four::D d;
-  for (int i = 0; i < Four::kVectors; ++i) {
+  for (std::size_t i = 0; i < Four::kVectors; ++i) {
     const auto beyond = hn::Gt(square.part[i], hn::Mul(limit.part[i], limit.part[i]));
     // The square is positive wherever it is beyond the limit; elsewhere 1 keeps 0/0 out.
     const auto safe = hn::IfThenElse(beyond, square.part[i], hn::Set(d, 1.0));
@@ -124,64 +124,82 @@ HWY_INLINE void add_wrench(const Patch& patch, const Arms& arms, const Four (&f)
   }
 }
 
-HWY_ATTR double sweep_kernel(Patch* patches, const Arms* mid_arms, std::size_t count, const BodyVector* velocity,
-                             LaneWrench* wrench, double relaxation) {
+HWY_INLINE Four load(const PatchVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
+
+/// The largest of the lanes.
+HWY_INLINE double largest(const Four& four) {
+  alignas(64) double lane[kLanes];
+  four.store(lane);
+  return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3]));
+}
+
+HWY_ATTR double aim_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity, double relaxation,
+                           PatchVector* out_u, PatchVector* out_g, PatchVector* out_r) {
   const Four alpha = Four::all(relaxation);
   Four worst = Four::all(0.0);
   for (std::size_t p = 0; p < count; ++p) {
-    Patch& patch = patches[p];
+    const Patch& patch = patches[p];
     const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
-    const Four r[2] = {Four::load(patch.resistance[0].data()), Four::load(patch.resistance[1].data())};
-    const Four c[2] = {Four::load(patch.compliance[0].data()), Four::load(patch.compliance[1].data())};
-    const Four u[3] = {along(v, patch.directions[0]) + Four::load(patch.allowance.data()),
-                       along(v, patch.directions[1]), along(v, patch.directions[2])};
-    Four x[3];
+    const Four resistance[2] = {Four::load(patch.resistance[0].data()), Four::load(patch.resistance[1].data())};
+    const Four compliance[2] = {Four::load(patch.compliance[0].data()), Four::load(patch.compliance[1].data())};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Four z = Four::load(patch.slip[i].data());
-      x[i] = Four::load(patch.impulse[i].data()) - r[i > 0] * (z + alpha * (u[i] - z));
+      const Four u = along(v, patch.directions[i]) + load(patch.allowance, i);
+      const Four z = load(patch.slip, i);
+      const Four mismatch = u - z;
+      const Four r = Four::all(0.0) - alpha * (resistance[i > 0] * mismatch);
+      u.store(out_u[p].row[i].data());
+      r.store(out_r[p].row[i].data());
+      (load(patch.impulse, i) - resistance[i > 0] * z + r).store(out_g[p].row[i].data());
+      // A lane without a point has no slip to compare with.
+      worst = max(worst, (mismatch * (compliance[i > 0] * resistance[i > 0])).abs());
     }
+  }
+  return largest(worst);
+}
+
+HWY_ATTR void project_kernel(Patch* patches, const Arms* mid_arms, std::size_t count, const PatchVector* in_x,
+                             const PatchVector* in_u, LaneWrench* wrench) {
+  for (std::size_t p = 0; p < count; ++p) {
+    Patch& patch = patches[p];
+    const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
     // The exact law: the normal part is cut at zero, the tangential part at the disc it allows (no dilation).
     const Four normal = max(x[0], Four::all(0.0));
     const Four share = shrink(Four::all(patch.friction) * normal, x[1] * x[1] + x[2] * x[2]);
     const Four y[3] = {normal, x[1] * share, x[2] * share};
     Four f[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Four z = (y[i] - x[i]) * c[i > 0];
-      y[i].store(patch.impulse[i].data());
-      z.store(patch.slip[i].data());
-      // A lane without a point has no slip to compare with.
-      const Four mismatch = (z - u[i]) * (c[i > 0] * r[i > 0]);
-      worst = max(worst, mismatch.abs());
-      f[i] = y[i] + r[i > 0] * (z - u[i]);
+      const Four z = (y[i] - x[i]) * Four::load(patch.compliance[i > 0].data());
+      y[i].store(patch.impulse.row[i].data());
+      z.store(patch.slip.row[i].data());
+      f[i] = y[i] + Four::load(patch.resistance[i > 0].data()) * (z - load(in_u[p], i));
     }
     add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], f, wrench);
   }
-  alignas(64) Lanes lanes;
-  worst.store(lanes.data());
-  return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3]));
+}
+
+HWY_ATTR double dot_kernel(const Patch* patches, std::size_t count, const PatchVector* a, const PatchVector* b) {
+  Four sum[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(patches[p].compliance[i > 0].data());
+  alignas(64) double lane[kLanes];
+  (sum[0] + (sum[1] + sum[2])).store(lane);
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
+HWY_ATTR void subtract_kernel(std::size_t count, const PatchVector* a, double factor, const PatchVector* b,
+                              PatchVector* out) {
+  const Four f = Four::all(factor);
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t i = 0; i < 3; ++i) (load(a[p], i) - f * load(b[p], i)).store(out[p].row[i].data());
 }
 
 HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count,
                                   LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
     const Patch& patch = patches[p];
-    const Four y[3] = {Four::load(patch.impulse[0].data()), Four::load(patch.impulse[1].data()),
-                       Four::load(patch.impulse[2].data())};
+    const Four y[3] = {load(patch.impulse, 0), load(patch.impulse, 1), load(patch.impulse, 2)};
     add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], y, wrench);
-  }
-}
-
-HWY_ATTR void measure_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity,
-                             std::array<Lanes, 3>* out) {
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = patches[p];
-    const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Four u = along(v, patch.directions[i]);
-      alignas(64) Lanes lanes;
-      (i == 0 ? u + Four::load(patch.allowance.data()) : u).store(lanes.data());
-      out[p][i] = lanes;
-    }
   }
 }
 
@@ -286,9 +304,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace holdfast::native {
 
-HWY_EXPORT(sweep_kernel);
+HWY_EXPORT(aim_kernel);
+HWY_EXPORT(project_kernel);
+HWY_EXPORT(dot_kernel);
+HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
-HWY_EXPORT(measure_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
 
@@ -298,19 +318,29 @@ const Arms* arms_or_null(std::span<const Arms> arms) { return arms.empty() ? nul
 
 }  // namespace
 
-double sweep(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
-             std::span<LaneWrench> wrench, double relaxation) {
-  return HWY_DYNAMIC_DISPATCH(sweep_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), velocity.data(),
-                                            wrench.data(), relaxation);
+double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+           std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {
+  return HWY_DYNAMIC_DISPATCH(aim_kernel)(patches.data(), patches.size(), velocity.data(), relaxation, u.data(),
+                                          g.data(), r.data());
+}
+
+void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
+             std::span<const PatchVector> u, std::span<LaneWrench> wrench) {
+  HWY_DYNAMIC_DISPATCH(project_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),
+                                       wrench.data());
+}
+
+double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b) {
+  return HWY_DYNAMIC_DISPATCH(dot_kernel)(patches.data(), patches.size(), a.data(), b.data());
+}
+
+void subtract(std::span<const PatchVector> a, double factor, std::span<const PatchVector> b,
+              std::span<PatchVector> out) {
+  HWY_DYNAMIC_DISPATCH(subtract_kernel)(a.size(), a.data(), factor, b.data(), out.data());
 }
 
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
-}
-
-void measure(std::span<const Patch> patches, std::span<const BodyVector> velocity,
-             std::span<std::array<Lanes, 3>> u) {
-  HWY_DYNAMIC_DISPATCH(measure_kernel)(patches.data(), patches.size(), velocity.data(), u.data());
 }
 
 void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,

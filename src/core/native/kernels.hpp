@@ -27,22 +27,31 @@ struct alignas(64) LaneWrench {
   double row[kBodyRows][kLanes] = {};
 };
 
-/// One pass of the splitting iteration over all patches: measures u, projects onto Coulomb's cone, sets impulse
-/// and slip, and adds J_midᵀ (y + R (z − u)) to `wrench`.
-/// @param mid_arms   arms of the middle of the step, where impulses act; empty: those of the patches
+/// First half of an iteration of the splitting: measures u = J v + allowance and finds where the iteration leads
+/// from x = y − R z, to g = x − α R (u − z).
 /// @param velocity   a body; the last entry, of what is fixed, is zero
-/// @param wrench     a body, added to
 /// @param relaxation α: 1 plain, 1.6 over-relaxed
+/// @param u, g, r    a patch; r = g − x
 /// @return largest |u − z|, m/s
-double sweep(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
-                  std::span<LaneWrench> wrench, double relaxation);
+double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+           std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
+
+/// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
+/// J_midᵀ (y + R (z − u)) to `wrench`.
+/// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the patches
+/// @param wrench   a body, added to
+void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
+             std::span<const PatchVector> u, std::span<LaneWrench> wrench);
+
+/// Σ a b / R over all points: an inner product of impulses.
+double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);
+
+/// out = a − factor b.
+void subtract(std::span<const PatchVector> a, double factor, std::span<const PatchVector> b,
+              std::span<PatchVector> out);
 
 /// Adds J_midᵀ y to `wrench`.
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
-
-/// Normal and tangential velocities u = J v + allowance of all points, written into `u`, a patch an entry.
-void measure(std::span<const Patch> patches, std::span<const BodyVector> velocity,
-             std::span<std::array<Lanes, 3>> u);
 
 /// c −= l bᵀ, the step of the factorisation.
 struct BlockUpdate {

@@ -14,6 +14,8 @@ NativeOptions native_options(const Settings& settings) {
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
       options.impact_cuts = 2;
+      options.impact_length = 2e-3;
+      options.stop_cuts = 0;
       break;
     case Accuracy::standard:
       break;
@@ -25,6 +27,8 @@ NativeOptions native_options(const Settings& settings) {
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;
       options.impact_cuts = 32;
+      options.impact_length = 0.0;
+      options.stop_cuts = 32;
       break;
   }
   options.steps_per_second =

@@ -13,6 +13,8 @@ struct NativeOptions {
   double rest_tolerance = 1e-8;      ///< imbalance of a body that counts as none, over its weight |g − a| m
   int rest_iterations = 400;         ///< of a proof of rest, at most
   int impact_cuts = 8;               ///< times that impacts may cut a step of an island
+  double impact_length = 2e-4;       ///< impacts that move a body less than this within a step are not located, m
+  int stop_cuts = 2;                 ///< times that the end of a slip may cut a step of an island
   bool jump = true;                  ///< go to the end of the phase when all is at rest
   bool freeze = true;                ///< leave islands at rest alone until something touches them
 };

@@ -261,6 +261,32 @@ void NativeWorld::save(const Island& island) {
   }
 }
 
+/// Activates the pairs that would overlap after the step if velocities changed as in the last one: solving without
+/// them first would be in vain.
+bool NativeWorld::activate_predicted() {
+  const Bodies& bodies = scene_.bodies;
+  const auto speed = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
+    const std::size_t i = at(body);
+    const Vec3 v = bodies.state.velocity[i] + 0.5 * terms_.step * bodies.acceleration[i];
+    const Vec3 w = bodies.state.angular_velocity[i] + 0.5 * terms_.step * bodies.angular_acceleration[i];
+    return v + w.cross(point - bodies.state.position[i]);
+  };
+  bool any = false;
+  for (Manifold& manifold : scene_.manifolds) {
+    if (manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0))) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
+      if (point.gap + terms_.step * u >= -kOverlap) continue;
+      manifold.active = true;
+      manifold.idle_steps = 0;
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Activates the pairs of different islands that overlap after the step. Where there are any, their islands are put
 /// back to the start of the step.
 bool NativeWorld::merge_overlapping() {
@@ -376,6 +402,17 @@ double NativeWorld::advance(const Phase& phase) {
     if (rests) set_at_rest(island);
     for (const std::uint32_t body : view.bodies) moving_[body] = rests ? 0 : 1;
     any_moving = any_moving || !rests;
+  }
+  if (any_moving && activate_predicted()) {
+    find_islands();
+    for (const Island& island : islands_) {
+      const IslandView view = view_of(island);
+      if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] != 0; })) continue;
+      for (const std::uint32_t body : view.bodies) {
+        moving_[body] = 1;
+        resting_[body] = 0;
+      }
+    }
   }
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;

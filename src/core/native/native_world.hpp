@@ -37,6 +37,7 @@ class NativeWorld {
   bool try_rest(const Island& island);
   void set_at_rest(const Island& island);
   void save(const Island& island);
+  bool activate_predicted();
   bool merge_overlapping();
   void step_moving();
   void finish_step();

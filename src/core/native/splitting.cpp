@@ -78,26 +78,29 @@ PatchBlocks blocks_of(const Patch& patch, const Arms& arms) {
 
 }  // namespace
 
-void Splitting::choose_resistance(const SplittingOptions& options) {
+bool Splitting::choose_resistance(const SplittingOptions& options, bool first) {
+  bool changed = false;
   for (Patch& patch : patches) {
     const double unit = patch.base * load_unit;
     for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
-      const double normal = patch.impulse[0][i];
-      const double carried = patch.base * step_up(normal / unit);
+      const double normal = patch.impulse.row[0][i];
+      const double carried = patch.base * step_up(std::max(normal, patch.load[i]) / unit);
       double rn = patch.base;
       double rt = patch.base;
-      if (normal > 0.0) {
+      if (normal > 0.0 || (first && patch.load[i] > 0.0)) {
         const double limit = kSlidingShare * patch.friction * normal;
-        const double tangential = patch.impulse[1][i] * patch.impulse[1][i] + patch.impulse[2][i] * patch.impulse[2][i];
+        const double tangential = patch.impulse.row[1][i] * patch.impulse.row[1][i] + patch.impulse.row[2][i] * patch.impulse.row[2][i];
         rn = options.sticking * carried;
-        rt = (tangential >= limit * limit ? options.sliding : options.sticking) * carried;
+        rt = (normal > 0.0 && tangential >= limit * limit ? options.sliding : options.sticking) * carried;
       }
+      changed = changed || patch.resistance[0][i] != rn || patch.resistance[1][i] != rt;
       patch.resistance[0][i] = rn;
       patch.resistance[1][i] = rt;
       patch.compliance[0][i] = 1.0 / rn;
       patch.compliance[1][i] = 1.0 / rt;
     }
   }
+  return changed;
 }
 
 void Splitting::assemble() {
@@ -156,13 +159,22 @@ void Splitting::residual_force() {
 SplittingResult Splitting::solve(const SplittingOptions& options, double velocity_unit) {
   const double tolerance = options.tolerance * velocity_unit;
   SplittingResult result;
-  while (result.iterations < options.iterations && !result.converged) {
-    if (result.iterations % options.reclassify_every == 0) {
-      choose_resistance(options);
+  u_.resize(patches.size());
+  g_.resize(patches.size());
+  r_.resize(patches.size());
+  anderson_.restart();
+  const double bad = options.bad_residual * velocity_unit;
+  const int most = options.iterations + options.more_iterations;
+  while (!result.converged &&
+         (result.iterations < options.iterations || (result.iterations < most && result.residual > bad))) {
+    if (result.iterations % options.reclassify_every == 0 && choose_resistance(options, result.iterations == 0)) {
       assemble();
+      anderson_.restart();
     }
     wrench_.assign(bodies.size() + 1, LaneWrench{});
-    const double mismatch = sweep(patches, mid_arms, velocity, wrench_, options.relaxation);
+    const double mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
+    if (options.accelerate || result.iterations >= options.iterations) anderson_.accelerate(patches, g_, r_);
+    project(patches, mid_arms, g_, u_, wrench_);
     residual_force();
     factor.solve(change_);
     double largest_change = 0.0;
@@ -181,6 +193,16 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
     result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;
   }
   return result;
+}
+
+void Splitting::restart(std::span<const BodyVector> start) {
+  std::copy(start.begin(), start.end(), velocity.begin());
+  mid_arms.clear();
+  for (Patch& patch : patches) {
+    patch.impulse = PatchVector{};
+    patch.slip = PatchVector{};
+    patch.load = Lanes{};
+  }
 }
 
 double Splitting::imbalance_at_rest(double velocity_unit) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/native/anderson.hpp"
 #include "core/native/block_factor.hpp"
 #include "core/native/oriented_box.hpp"
 #include "core/native/patch.hpp"
@@ -19,11 +21,14 @@ struct SolverBody {
 /// How hard a solve tries.
 struct SplittingOptions {
   double tolerance = 1e-3;      ///< of velocities, in units of `velocity_unit`
-  int iterations = 24;          ///< at most
+  int iterations = 24;          ///< at most, as long as the residual is not above `bad_residual`
+  int more_iterations = 0;      ///< at most, on top of these, accelerated, where it is
+  double bad_residual = 0.05;   ///< in units of `velocity_unit`
   double relaxation = 1.0;      ///< α
   double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
   double sliding = 3.0;         ///< the same along the tangents where it slides
   int reclassify_every = 12;    ///< iterations between two choices of R
+  bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end
 };
 
 /// How far a solve came.
@@ -59,16 +64,22 @@ class Splitting {
   /// @param velocity_unit what tolerances are measured in, m/s
   SplittingResult solve(const SplittingOptions& options, double velocity_unit);
 
+  /// Starts again from no impulses at `start`, with arms of one time alone: what helps where the iteration has
+  /// diverged, because bodies turn far within the step.
+  void restart(std::span<const BodyVector> start);
+
   /// Largest force that is left on a body at rest under the impulses that are there, over its weight m · velocity
   /// unit; torques over the radius.
   double imbalance_at_rest(double velocity_unit);
 
  private:
-  void choose_resistance(const SplittingOptions& options);
+  bool choose_resistance(const SplittingOptions& options, bool first);
   void assemble();
   void add_patch(std::size_t patch);
   void residual_force();
 
+  Anderson anderson_;
+  std::vector<PatchVector> u_, g_, r_;
   std::vector<LaneWrench> wrench_;
   std::vector<BodyVector> change_;
 };

@@ -1,0 +1,71 @@
+#include "core/native/anderson.hpp"
+
+#include <algorithm>
+
+#include "core/native/kernels.hpp"
+
+namespace holdfast::native {
+
+namespace {
+
+/// The residual may grow by this factor (squared norm) before what was learned is dropped.
+constexpr double kGrowth = 4.0;
+
+/// Share of its own square that a direction must have beside the others to be used.
+constexpr double kIndependent = 1e-8;
+
+}  // namespace
+
+void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, std::vector<PatchVector>& r) {
+  const double square = dot(patches, r, r);
+  const bool known = has_last_ && last_g_.size() == g.size();
+  if (!known || square > kGrowth * last_square_) {
+    stored_ = next_ = 0;
+  } else {
+    const std::size_t place = next_;
+    g_step_[place].resize(g.size());
+    r_step_[place].resize(g.size());
+    subtract(g, 1.0, last_g_, g_step_[place]);
+    subtract(r, 1.0, last_r_, r_step_[place]);
+    stored_ = std::min(stored_ + 1, kDepth);
+    next_ = (next_ + 1) % kDepth;
+    for (std::size_t i = 0; i < stored_; ++i)
+      gram_[i][place] = gram_[place][i] = dot(patches, r_step_[i], r_step_[place]);
+  }
+  has_last_ = true;
+  last_square_ = square;
+  last_g_ = g;
+  last_r_ = r;
+  for (std::size_t i = 0; i < stored_; ++i) along_[i] = dot(patches, r, r_step_[i]);
+  double weight[kDepth];
+  if (!weigh(weight)) return;
+  for (std::size_t i = 0; i < stored_; ++i)
+    if (weight[i] != 0.0) subtract(g, weight[i], g_step_[i], g);
+}
+
+/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight.
+bool Anderson::weigh(double (&weight)[kDepth]) const {
+  if (stored_ == 0) return false;
+  double l[kDepth][kDepth] = {};
+  double d[kDepth] = {};
+  for (std::size_t j = 0; j < stored_; ++j) {
+    d[j] = gram_[j][j];
+    for (std::size_t k = 0; k < j; ++k) d[j] -= l[j][k] * l[j][k] * d[k];
+    if (!(d[j] > kIndependent * gram_[j][j])) d[j] = 0.0;
+    for (std::size_t i = j + 1; i < stored_; ++i) {
+      double sum = gram_[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k] * d[k];
+      l[i][j] = d[j] > 0.0 ? sum / d[j] : 0.0;
+    }
+  }
+  for (std::size_t i = 0; i < stored_; ++i) {
+    weight[i] = along_[i];
+    for (std::size_t k = 0; k < i; ++k) weight[i] -= l[i][k] * weight[k];
+  }
+  for (std::size_t i = 0; i < stored_; ++i) weight[i] = d[i] > 0.0 ? weight[i] / d[i] : 0.0;
+  for (std::size_t i = stored_; i-- > 0;)
+    for (std::size_t k = i + 1; k < stored_; ++k) weight[i] -= d[i] > 0.0 ? l[k][i] * weight[k] : 0.0;
+  return true;
+}
+
+}  // namespace holdfast::native
