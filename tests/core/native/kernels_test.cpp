@@ -49,15 +49,15 @@ Contacts random_contacts(std::uint32_t seed) {
         patch.directions[d][i] = axes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
       for (std::size_t i = 0; i < 3; ++i) {
-        patch.impulse[i][lane] = random.between(i == 0 ? 0 : -2, 2);
-        patch.slip[i][lane] = random.between(-1, 1);
+        patch.impulse.row[i][lane] = random.between(i == 0 ? 0 : -2, 2);
+        patch.slip.row[i][lane] = random.between(-1, 1);
+        patch.allowance.row[i][lane] = random.between(-0.5, 0.5);
         patch.arms.b[i][lane] = random.between(-1, 1);
         contacts.mid_arms[p].b[i][lane] = patch.arms.b[i][lane] + random.between(-0.1, 0.1);
         if (patch.a == static_cast<std::int32_t>(kBodies)) continue;
         patch.arms.a[i][lane] = random.between(-1, 1);
         contacts.mid_arms[p].a[i][lane] = patch.arms.a[i][lane] + random.between(-0.1, 0.1);
       }
-      patch.allowance[lane] = random.between(-0.5, 0.5);
       for (std::size_t k = 0; k < 2; ++k) {
         patch.resistance[k][lane] = random.between(0.5, 3);
         patch.compliance[k][lane] = 1.0 / patch.resistance[k][lane];
@@ -67,9 +67,21 @@ Contacts random_contacts(std::uint32_t seed) {
   return contacts;
 }
 
+/// One iteration by the kernels: `aim`, then `project` of where it leads.
+struct Sweep {
+  double mismatch = 0.0;
+  std::vector<PatchVector> u = std::vector<PatchVector>(kPatches), g = u, r = u;
+  std::vector<LaneWrench> wrench = std::vector<LaneWrench>(kBodies + 1);
+
+  Sweep(Contacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
+    mismatch = aim(contacts.patches, contacts.velocity, relaxation, u, g, r);
+    project(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, wrench);
+  }
+};
+
 using Wrench = Eigen::Matrix<double, kBodyRows, 1>;
 
-/// What `sweep` is said to do, point by point.
+/// What `aim` and `project` are said to do, point by point.
 struct PlainSweep {
   double mismatch = 0.0;
   std::vector<Wrench> wrench = std::vector<Wrench>(kBodies + 1, Wrench::Zero());
@@ -92,23 +104,24 @@ struct PlainSweep {
       return Vec3(Vec3(v[0], v[1], v[2]) + Vec3(v[3], v[4], v[5]).cross(arm_of(arms, lane)));
     };
     Vec3 u = directions * (speed(patch.b, patch.arms.b) - speed(patch.a, patch.arms.a));
-    u.x() += patch.allowance[lane];
+    u += Vec3(patch.allowance.row[0][lane], patch.allowance.row[1][lane], patch.allowance.row[2][lane]);
     const double tangential = patch.resistance[1][lane];
     const Vec3 resistance(patch.resistance[0][lane], tangential, tangential);
-    const Vec3 z(patch.slip[0][lane], patch.slip[1][lane], patch.slip[2][lane]);
-    const Vec3 impulse(patch.impulse[0][lane], patch.impulse[1][lane], patch.impulse[2][lane]);
+    const Vec3 z(patch.slip.row[0][lane], patch.slip.row[1][lane], patch.slip.row[2][lane]);
+    const Vec3 impulse(patch.impulse.row[0][lane], patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
     const Vec3 x = impulse - resistance.cwiseProduct(z + kRelaxation * (u - z));
     Vec3 y = x;
     y.x() = std::max(0.0, x.x());
     const double radius = patch.friction * y.x();
     const double length = std::hypot(x.y(), x.z());
     if (length > radius) y.tail<2>() = x.tail<2>() * (radius / length);
+    // Of the iterate before, which the iteration starts from.
+    mismatch = std::max(mismatch, (u - z).cwiseAbs().maxCoeff());
     const Vec3 slip = (y - x).cwiseQuotient(resistance);
     for (std::size_t i = 0; i < 3; ++i) {
-      patch.impulse[i][lane] = y[static_cast<Eigen::Index>(i)];
-      patch.slip[i][lane] = slip[static_cast<Eigen::Index>(i)];
+      patch.impulse.row[i][lane] = y[static_cast<Eigen::Index>(i)];
+      patch.slip.row[i][lane] = slip[static_cast<Eigen::Index>(i)];
     }
-    mismatch = std::max(mismatch, (u - slip).cwiseAbs().maxCoeff());
     const Vec3 force = directions.transpose() * (y + resistance.cwiseProduct(slip - u));
     add(patch.b, arm_of(mid.b, lane), force);
     add(patch.a, arm_of(mid.a, lane), -force);
@@ -203,54 +216,53 @@ TEST_CASE("kernels: a sweep does what its formulas say", "[core][kernels]") {
   for (const bool with_mid_arms : {false, true}) {
     Contacts contacts = random_contacts(11);
     Contacts copy = contacts;
-    std::vector<LaneWrench> wrench(kBodies + 1);
-    const double mismatch = sweep(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(),
-                                  contacts.velocity, wrench, kRelaxation);
+    const Sweep swept(contacts, with_mid_arms);
     const PlainSweep plain(copy, with_mid_arms);
     double worst = 0.0;
     for (std::size_t p = 0; p < kPatches; ++p) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          worst = std::max({worst, std::abs(contacts.patches[p].impulse[i][lane] - copy.patches[p].impulse[i][lane]),
-                            std::abs(contacts.patches[p].slip[i][lane] - copy.patches[p].slip[i][lane])});
+          worst = std::max({worst,
+                            std::abs(contacts.patches[p].impulse.row[i][lane] - copy.patches[p].impulse.row[i][lane]),
+                            std::abs(contacts.patches[p].slip.row[i][lane] - copy.patches[p].slip.row[i][lane])});
         }
       }
     }
     double worst_wrench = 0.0;
     for (std::size_t body = 0; body < kBodies; ++body)
-      worst_wrench = std::max(worst_wrench, (total(wrench[body]) - plain.wrench[body]).cwiseAbs().maxCoeff());
-    CAPTURE(with_mid_arms, worst, worst_wrench, mismatch, plain.mismatch);
+      worst_wrench = std::max(worst_wrench, (total(swept.wrench[body]) - plain.wrench[body]).cwiseAbs().maxCoeff());
+    CAPTURE(with_mid_arms, worst, worst_wrench, swept.mismatch, plain.mismatch);
     CHECK(worst < 1e-13);
     CHECK(worst_wrench < 1e-12);
-    CHECK(mismatch == Approx(plain.mismatch).epsilon(1e-13));
+    CHECK(swept.mismatch == Approx(plain.mismatch).epsilon(1e-13));
   }
 }
 
 TEST_CASE("kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing", "[core][kernels]") {
   Contacts contacts = random_contacts(12);
-  std::vector<LaneWrench> wrench(kBodies + 1);
-  sweep(contacts.patches, {}, contacts.velocity, wrench, kRelaxation);
+  const Sweep swept(contacts, false);
   int sticking = 0, sliding = 0, open = 0;
   for (const Patch& patch : contacts.patches) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double normal = patch.impulse[0][lane];
-      const double tangential = std::hypot(patch.impulse[1][lane], patch.impulse[2][lane]);
+      const double normal = patch.impulse.row[0][lane];
+      const double tangential = std::hypot(patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
       CAPTURE(lane, patch.count, patch.friction, normal, tangential);
       if (lane >= static_cast<std::size_t>(patch.count)) {
         for (std::size_t i = 0; i < 3; ++i) {
-          CHECK(patch.impulse[i][lane] == 0.0);
-          CHECK(patch.slip[i][lane] == 0.0);
+          CHECK(patch.impulse.row[i][lane] == 0.0);
+          CHECK(patch.slip.row[i][lane] == 0.0);
         }
         continue;
       }
       CHECK(normal >= 0.0);
       CHECK(tangential <= patch.friction * normal * (1 + 4e-16));
-      const double slip = std::hypot(patch.slip[1][lane], patch.slip[2][lane]);
+      const double slip = std::hypot(patch.slip.row[1][lane], patch.slip.row[2][lane]);
       (normal == 0.0 ? open : slip < 1e-12 ? sticking : sliding) += 1;
       // Friction acts against the slip, the normal impulse only where nothing parts.
-      CHECK(patch.impulse[1][lane] * patch.slip[1][lane] + patch.impulse[2][lane] * patch.slip[2][lane] ==
+      CHECK(patch.impulse.row[1][lane] * patch.slip.row[1][lane] +
+                patch.impulse.row[2][lane] * patch.slip.row[2][lane] ==
             Approx(-slip * tangential).margin(1e-12));
-      CHECK(std::abs(normal * patch.slip[0][lane]) < 1e-12);
+      CHECK(std::abs(normal * patch.slip.row[0][lane]) < 1e-12);
     }
   }
   CAPTURE(sticking, sliding, open);
@@ -267,7 +279,8 @@ TEST_CASE("kernels: impulses add up to what they do to the bodies", "[core][kern
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       Vec3 force = Vec3::Zero();
       for (std::size_t d = 0; d < 3; ++d)
-        force += patch.impulse[d][lane] * Vec3(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+        force +=
+            patch.impulse.row[d][lane] * Vec3(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
       const auto on = [&](std::int32_t body) -> Wrench& { return expected[static_cast<std::size_t>(body)]; };
       on(patch.b).head<3>() += force;
       on(patch.b).tail<3>() += arm_of(contacts.mid_arms[p].b, lane).cross(force);
@@ -308,19 +321,27 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
   const Chain chain = random_chain(32);
   struct Output {
     std::vector<Patch> patches;
-    std::vector<LaneWrench> swept = std::vector<LaneWrench>(kBodies + 1), added = swept;
-    std::vector<std::array<Lanes, 3>> measured = std::vector<std::array<Lanes, 3>>(kPatches);
-    double mismatch = 0.0;
+    std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
+    std::vector<PatchVector> u, g, r, difference = std::vector<PatchVector>(kPatches);
+    double mismatch = 0.0, product = 0.0;
     std::vector<BodyBlock> below, diagonal;
     std::vector<BodyVector> solution;
   };
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
     Output& out = outputs.emplace_back();
-    measure(contacts.patches, contacts.velocity, out.measured);
-    out.patches = contacts.patches;
-    for (int i = 0; i < 3; ++i)
-      out.mismatch = sweep(out.patches, contacts.mid_arms, contacts.velocity, out.swept, kRelaxation);
+    Contacts own = contacts;
+    for (int i = 0; i < 3; ++i) {
+      const Sweep sweep(own, true);
+      out.mismatch = sweep.mismatch;
+      out.swept = sweep.wrench;
+      out.u = sweep.u;
+      out.g = sweep.g;
+      out.r = sweep.r;
+    }
+    out.patches = own.patches;
+    out.product = dot(out.patches, out.g, out.r);
+    subtract(out.g, 0.3, out.r, out.difference);
     add_impulses(out.patches, {}, out.added);
     Chain factor = chain;
     factorise(factor.shape, factor.below, factor.diagonal, factor.scratch);
@@ -338,24 +359,54 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
     CHECK(same_bits(out.patches, first.patches));
     CHECK(same_bits(out.swept, first.swept));
     CHECK(same_bits(out.added, first.added));
-    CHECK(same_bits(out.measured, first.measured));
+    CHECK(out.product == first.product);
+    CHECK(same_bits(out.u, first.u));
+    CHECK(same_bits(out.g, first.g));
+    CHECK(same_bits(out.r, first.r));
+    CHECK(same_bits(out.difference, first.difference));
     CHECK(same_bits(out.below, first.below));
     CHECK(same_bits(out.diagonal, first.diagonal));
     CHECK(same_bits(out.solution, first.solution));
   }
 }
 
-TEST_CASE("kernels: what is measured is what a sweep compares with", "[core][kernels]") {
+TEST_CASE("kernels: an iteration leads from x = y - R z to g = x + r", "[core][kernels]") {
   Contacts contacts = random_contacts(41);
-  std::vector<std::array<Lanes, 3>> u(kPatches);
-  measure(contacts.patches, contacts.velocity, u);
-  std::vector<LaneWrench> wrench(kBodies + 1);
-  const double mismatch = sweep(contacts.patches, {}, contacts.velocity, wrench, 1.0);
-  double expected = 0.0;
-  for (std::size_t p = 0; p < kPatches; ++p)
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t lane = 0; lane < static_cast<std::size_t>(contacts.patches[p].count); ++lane)
-        expected = std::max(expected, std::abs(u[p][i][lane] - contacts.patches[p].slip[i][lane]));
-  CAPTURE(mismatch, expected);
-  CHECK(mismatch == Approx(expected).epsilon(1e-14));
+  const std::vector<Patch> before = contacts.patches;
+  const Sweep swept(contacts, false);
+  double worst = 0.0;
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double resistance = before[p].resistance[i > 0][lane];
+        const double z = before[p].slip.row[i][lane];
+        const double x = before[p].impulse.row[i][lane] - resistance * z;
+        const double r = -kRelaxation * resistance * (swept.u[p].row[i][lane] - z);
+        worst = std::max({worst, std::abs(swept.r[p].row[i][lane] - r), std::abs(swept.g[p].row[i][lane] - x - r)});
+      }
+    }
+  }
+  CAPTURE(worst);
+  CHECK(worst < 1e-14);
+}
+
+TEST_CASE("kernels: products and differences of impulses are what they are point by point", "[core][kernels]") {
+  Contacts contacts = random_contacts(51);
+  const Sweep swept(contacts, false);
+  std::vector<PatchVector> difference(kPatches);
+  subtract(swept.g, 0.3, swept.r, difference);
+  double product = 0.0, worst = 0.0;
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double g = swept.g[p].row[i][lane];
+        const double r = swept.r[p].row[i][lane];
+        product += g * r * contacts.patches[p].compliance[i > 0][lane];
+        worst = std::max(worst, std::abs(difference[p].row[i][lane] - (g - 0.3 * r)));
+      }
+    }
+  }
+  CAPTURE(product, worst);
+  CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
+  CHECK(worst < 1e-15);
 }
