@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x1cbd94e80247828e},
-    {"lean", lean, 0xeedc130b40621931},
-    {"tumble", tumble, 0x9e74c6e186d2b25a},
-    {"drop", drop, 0xb0e53685016ddc75},
+    {"brake", brake, 0xcd1f51dda517fb70},
+    {"lean", lean, 0xd750d15731df57bc},
+    {"tumble", tumble, 0xb14b0770d4dfa8b8},
+    {"drop", drop, 0xd38a25758a14494c},
 };
 
 }  // namespace
