@@ -1,6 +1,7 @@
 #include "core/native/anderson.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/native/kernels.hpp"
 
@@ -13,6 +14,9 @@ constexpr double kGrowth = 4.0;
 
 /// Share of its own square that a direction must have beside the others to be used.
 constexpr double kIndependent = 1e-8;
+
+/// Larger weights lead far away from all iterates so far: they come from directions that nearly depend on each other.
+constexpr double kLargestWeight = 100.0;
 
 }  // namespace
 
@@ -43,7 +47,8 @@ void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVecto
     if (weight[i] != 0.0) subtract(g, weight[i], g_step_[i], g);
 }
 
-/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight.
+/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False when the
+/// weights are not to be used.
 bool Anderson::weigh(double (&weight)[kDepth]) const {
   if (stored_ == 0) return false;
   double l[kDepth][kDepth] = {};
@@ -65,7 +70,7 @@ bool Anderson::weigh(double (&weight)[kDepth]) const {
   for (std::size_t i = 0; i < stored_; ++i) weight[i] = d[i] > 0.0 ? weight[i] / d[i] : 0.0;
   for (std::size_t i = stored_; i-- > 0;)
     for (std::size_t k = i + 1; k < stored_; ++k) weight[i] -= d[i] > 0.0 ? l[k][i] * weight[k] : 0.0;
-  return true;
+  return std::all_of(weight, weight + stored_, [](double w) { return std::abs(w) <= kLargestWeight; });
 }
 
 }  // namespace holdfast::native

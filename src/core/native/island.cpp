@@ -16,9 +16,6 @@ constexpr double kTouch = 1e-7;
 /// Overlap at the end of a step that calls for a contact to be solved, m.
 constexpr double kOverlap = 5e-6;
 
-/// Overlap from which positions are corrected, m.
-constexpr double kProjected = 1e-5;
-
 /// Impacts below this share of |g − a| h are never located in time: they close at the end of their step.
 constexpr double kFastShare = 0.25;
 
@@ -36,6 +33,12 @@ constexpr double kSlipShare = 1e-3;
 
 /// A residual above this many |g − a| h, or none at all, is that of an iteration that diverges.
 constexpr double kDiverged = 10.0;
+
+/// No part of a step that is cut is shorter than this share of it.
+constexpr double kLeastStep = 1e-4;
+
+/// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
+constexpr int kWarmRestIterations = 30;
 
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
@@ -275,8 +278,13 @@ SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTe
   SplittingResult result = solver_.solve(options, scale);
   report.iterations += static_cast<std::uint64_t>(result.iterations);
   if (!(result.residual < kDiverged * scale)) {
+    // Once more, with care.
+    SplittingOptions careful = options;
+    careful.accelerate = false;
+    careful.iterations += careful.more_iterations;
+    careful.more_iterations = 0;
     solver_.restart(solver_.free_velocity);
-    result = solver_.solve(options, scale);
+    result = solver_.solve(careful, scale);
     report.iterations += static_cast<std::uint64_t>(result.iterations);
   }
   return result;
@@ -309,7 +317,9 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   tight.sliding = 100.0;
   tight.reclassify_every = 1 << 30;
   tight.accelerate = true;
-  for (int done = 0; done < options_.rest_iterations; done += tight.iterations) {
+  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
+  const int most = terms.cold ? options_.rest_iterations : kWarmRestIterations;
+  for (int done = 0; done < most; done += tight.iterations) {
     run(tight, terms, terms.step, report);
     std::vector<BodyVector> velocity = solver_.velocity;
     if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {
@@ -337,6 +347,8 @@ bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double speed = parting(bodies, manifold, point);
+      // Without rebound, and not located in time, an impact needs no solve of its own.
+      if (options_.impact_cuts == 0 && manifold.restitution == 0.0) continue;
       if (!is_solved(point, speed, terms, step) || std::max(0.0, point.gap) + step * speed >= -fast * step) continue;
       manifold.active = true;
       manifold.idle_steps = 0;
@@ -391,7 +403,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
         manifold.idle_steps = 0;
         event.activated = true;
       } else {
-        event.time = std::min(event.time, time);
+        event.time = std::min(event.time, std::max(time, kLeastStep * terms.step));
       }
     }
   }
@@ -448,7 +460,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
-      if (manifold.contact.points[at(i)].gap >= -kProjected) continue;
+      if (manifold.contact.points[at(i)].gap >= -options_.overlap) continue;
       any = true;
       manifold.active = true;
     }
@@ -506,11 +518,13 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
       remember(scene, step);
     }
     remember(scene, step);
-    const double share = event.time < step * (1.0 - 1e-9) ? event.time / step : 1.0;
+    const double share = event.time < step ? event.time / step : 1.0;
     move(scene, island, terms, step, share);
     if (share == 1.0 && step == remaining) return;
     renew(scene, island, terms);
     remaining -= share * step;
+    // What is left is rounding: divided by it, velocities would be anything.
+    if (remaining <= kLeastStep * terms.step) return;
     ++(share < 1.0 ? cuts : stops);
   }
 }
@@ -548,7 +562,7 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
     }
   }
   // A cut right at the start or the end of the step would change nothing.
-  return first > 1e-6 * step && first < (1.0 - 1e-6) * step ? first : step;
+  return first > kLeastStep * terms.step && first < step - kLeastStep * terms.step ? first : step;
 }
 
 }  // namespace holdfast::native

@@ -7,22 +7,23 @@ NativeOptions native_options(const Settings& settings) {
   NativeOptions options;
   switch (given.accuracy) {
     case Accuracy::screening:
-      options.steps_per_second = 60.0;
+      options.steps_per_second = 120.0;
       options.tolerance = 1e-3;
-      options.iterations = 24;
+      options.iterations = 16;
       options.cold_iterations = 120;
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
-      options.impact_cuts = 2;
+      options.impact_cuts = 0;
       options.impact_length = 2e-3;
+      options.overlap = 2e-4;
       options.stop_cuts = 0;
       break;
     case Accuracy::standard:
       break;
     case Accuracy::reference:
       options.steps_per_second = 960.0;
-      options.tolerance = 1e-9;
-      options.iterations = 1000;
+      options.tolerance = 1e-8;
+      options.iterations = 400;
       options.cold_iterations = 4000;
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;

@@ -186,10 +186,12 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
         linear += change_[i].row[k] * change_[i].row[k];
         angular += change_[i].row[3 + k] * change_[i].row[3 + k];
       }
-      largest_change = std::max(largest_change, std::sqrt(linear) + bodies[i].radius * std::sqrt(angular));
+      const double change = std::sqrt(linear) + bodies[i].radius * std::sqrt(angular);
+      // Not std::max, which would lose what is not a number.
+      if (!(change <= largest_change)) largest_change = change;
     }
     ++result.iterations;
-    result.residual = std::max(mismatch, largest_change);
+    result.residual = mismatch > largest_change ? mismatch : largest_change;
     result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;
   }
   return result;
