@@ -1,0 +1,412 @@
+#include "core/native/kernels.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "core/native/each_instruction_set.hpp"
+#include "core/native/oriented_box.hpp"
+#include "random.hpp"
+
+using namespace holdfast;
+using namespace holdfast::native;
+
+namespace {
+
+constexpr std::size_t kBodies = 7;
+constexpr std::size_t kPatches = 40;
+constexpr double kRelaxation = 1.6;
+
+/// Patches between random bodies and what is fixed, some with unused lanes, some frictionless, with random impulses.
+struct Contacts {
+  std::vector<Patch> patches = std::vector<Patch>(kPatches);
+  std::vector<Arms> mid_arms = std::vector<Arms>(kPatches);
+  std::vector<BodyVector> velocity = std::vector<BodyVector>(kBodies + 1);
+};
+
+Vec3 arm_of(const std::array<Lanes, 3>& arms, std::size_t lane) {
+  return {arms[0][lane], arms[1][lane], arms[2][lane]};
+}
+
+Contacts random_contacts(std::uint32_t seed) {
+  Random random(seed);
+  Contacts contacts;
+  for (std::size_t i = 0; i < kBodies; ++i)
+    for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[k] = random.between(-1, 1);
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    Patch& patch = contacts.patches[p];
+    patch.b = static_cast<std::int32_t>(random.below(kBodies));
+    patch.a = static_cast<std::int32_t>(random.below(3) == 0 ? kBodies : random.below(kBodies));
+    if (patch.a == patch.b) patch.a = static_cast<std::int32_t>(kBodies);
+    patch.count = static_cast<std::int32_t>(1 + random.below(kLanes));
+    patch.friction = p % 5 == 0 ? 0.0 : random.between(0.1, 1.0);
+    const Mat3 axes = random.rotation().toRotationMatrix();
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t i = 0; i < 3; ++i)
+        patch.directions[d][i] = axes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        patch.impulse.row[i][lane] = random.between(i == 0 ? 0 : -2, 2);
+        patch.slip.row[i][lane] = random.between(-1, 1);
+        patch.allowance.row[i][lane] = random.between(-0.5, 0.5);
+        patch.arms.b[i][lane] = random.between(-1, 1);
+        contacts.mid_arms[p].b[i][lane] = patch.arms.b[i][lane] + random.between(-0.1, 0.1);
+        if (patch.a == static_cast<std::int32_t>(kBodies)) continue;
+        patch.arms.a[i][lane] = random.between(-1, 1);
+        contacts.mid_arms[p].a[i][lane] = patch.arms.a[i][lane] + random.between(-0.1, 0.1);
+      }
+      for (std::size_t k = 0; k < 2; ++k) {
+        patch.resistance[k][lane] = random.between(0.5, 3);
+        patch.compliance[k][lane] = 1.0 / patch.resistance[k][lane];
+      }
+    }
+  }
+  return contacts;
+}
+
+/// One iteration by the kernels: `aim`, then `project` of where it leads.
+struct Sweep {
+  double mismatch = 0.0;
+  std::vector<PatchVector> u = std::vector<PatchVector>(kPatches), g = u, r = u;
+  std::vector<LaneWrench> wrench = std::vector<LaneWrench>(kBodies + 1);
+
+  Sweep(Contacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
+    mismatch = aim(contacts.patches, contacts.velocity, relaxation, u, g, r);
+    project(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, wrench);
+  }
+};
+
+using Wrench = Eigen::Matrix<double, kBodyRows, 1>;
+
+/// What `aim` and `project` are said to do, point by point.
+struct PlainSweep {
+  double mismatch = 0.0;
+  std::vector<Wrench> wrench = std::vector<Wrench>(kBodies + 1, Wrench::Zero());
+
+  explicit PlainSweep(Contacts& contacts, bool with_mid_arms) {
+    for (std::size_t p = 0; p < kPatches; ++p) {
+      const Patch& patch = contacts.patches[p];
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane)
+        take(contacts.patches[p], with_mid_arms ? contacts.mid_arms[p] : patch.arms, lane, contacts.velocity);
+    }
+  }
+
+  void take(Patch& patch, const Arms& mid, std::size_t lane, const std::vector<BodyVector>& velocity) {
+    Mat3 directions;  // Its rows are the normal and the tangents.
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t i = 0; i < 3; ++i)
+        directions(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(i)) = patch.directions[d][i];
+    const auto speed = [&](std::int32_t body, const std::array<Lanes, 3>& arms) {
+      const double* v = velocity[static_cast<std::size_t>(body)].row;
+      return Vec3(Vec3(v[0], v[1], v[2]) + Vec3(v[3], v[4], v[5]).cross(arm_of(arms, lane)));
+    };
+    Vec3 u = directions * (speed(patch.b, patch.arms.b) - speed(patch.a, patch.arms.a));
+    u += Vec3(patch.allowance.row[0][lane], patch.allowance.row[1][lane], patch.allowance.row[2][lane]);
+    const double tangential = patch.resistance[1][lane];
+    const Vec3 resistance(patch.resistance[0][lane], tangential, tangential);
+    const Vec3 z(patch.slip.row[0][lane], patch.slip.row[1][lane], patch.slip.row[2][lane]);
+    const Vec3 impulse(patch.impulse.row[0][lane], patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
+    const Vec3 x = impulse - resistance.cwiseProduct(z + kRelaxation * (u - z));
+    Vec3 y = x;
+    y.x() = std::max(0.0, x.x());
+    const double radius = patch.friction * y.x();
+    const double length = std::hypot(x.y(), x.z());
+    if (length > radius) y.tail<2>() = x.tail<2>() * (radius / length);
+    // Of the iterate before, which the iteration starts from.
+    mismatch = std::max(mismatch, (u - z).cwiseAbs().maxCoeff());
+    const Vec3 slip = (y - x).cwiseQuotient(resistance);
+    for (std::size_t i = 0; i < 3; ++i) {
+      patch.impulse.row[i][lane] = y[static_cast<Eigen::Index>(i)];
+      patch.slip.row[i][lane] = slip[static_cast<Eigen::Index>(i)];
+    }
+    const Vec3 force = directions.transpose() * (y + resistance.cwiseProduct(slip - u));
+    add(patch.b, arm_of(mid.b, lane), force);
+    add(patch.a, arm_of(mid.a, lane), -force);
+  }
+
+  void add(std::int32_t body, const Vec3& arm, const Vec3& force) {
+    wrench[static_cast<std::size_t>(body)].head<3>() += force;
+    wrench[static_cast<std::size_t>(body)].tail<3>() += arm.cross(force);
+  }
+};
+
+Wrench total(const LaneWrench& wrench) {
+  Wrench sum = Wrench::Zero();
+  for (Eigen::Index i = 0; i < kBodyRows; ++i)
+    for (const double lane : wrench.row[i]) sum[i] += lane;
+  return sum;
+}
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+/// Impulses and slips only: a patch has padding.
+bool same_bits(const std::vector<Patch>& a, const std::vector<Patch>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Patch& p, const Patch& q) {
+    return std::memcmp(&p.impulse, &q.impulse, sizeof p.impulse) == 0 &&
+           std::memcmp(&p.slip, &q.slip, sizeof p.slip) == 0;
+  });
+}
+
+/// A chain of bodies with a coupling two further, in order of elimination: its structure has fill.
+struct Chain {
+  FactorShape shape;
+  std::vector<BodyBlock> below, diagonal, scratch;
+  std::vector<BodyVector> right;
+  Eigen::MatrixXd matrix;
+};
+
+Chain random_chain(std::uint32_t seed) {
+  constexpr std::uint32_t kColumns = 6;
+  Random random(seed);
+  Chain chain;
+  chain.shape.column_begin = {0};
+  chain.shape.update_begin = {0};
+  for (std::uint32_t j = 0; j < kColumns; ++j) {
+    for (std::uint32_t row = j + 1; row < std::min(j + 3, kColumns); ++row) chain.shape.block_row.push_back(row);
+    chain.shape.column_begin.push_back(static_cast<std::uint32_t>(chain.shape.block_row.size()));
+  }
+  const auto below_count = static_cast<std::uint32_t>(chain.shape.block_row.size());
+  for (std::uint32_t j = 0; j < kColumns; ++j) {
+    for (std::uint32_t k = chain.shape.column_begin[j]; k < chain.shape.column_begin[j + 1]; ++k) {
+      const std::uint32_t column = chain.shape.block_row[k];
+      chain.shape.updates.push_back({below_count + column, k, k});
+      // The two rows of a column are neighbours: their own block is the first of the earlier one's column.
+      if (k + 1 < chain.shape.column_begin[j + 1])
+        chain.shape.updates.push_back({chain.shape.column_begin[column], k + 1, k});
+    }
+    chain.shape.update_begin.push_back(static_cast<std::uint32_t>(chain.shape.updates.size()));
+  }
+  chain.below.resize(below_count);
+  chain.diagonal.resize(kColumns);
+  chain.scratch.resize(2);
+  chain.right.resize(kColumns);
+
+  const Eigen::Index rows = kColumns * kBodyRows;
+  Eigen::MatrixXd root(rows, rows);
+  for (double& number : root.reshaped()) number = random.between(-1, 1);
+  chain.matrix = root * root.transpose() / static_cast<double>(rows);
+  // Only the blocks of the structure are kept; twice the largest row sum keeps what is left positive definite.
+  for (Eigen::Index i = 0; i < rows; ++i)
+    for (Eigen::Index j = 0; j < rows; ++j)
+      if (std::abs(i / kBodyRows - j / kBodyRows) > 2) chain.matrix(i, j) = 0.0;
+  for (Eigen::Index i = 0; i < rows; ++i) chain.matrix(i, i) += 4.0;
+  const auto put = [&](Eigen::Index row, Eigen::Index column, BodyBlock& block) {
+    for (Eigen::Index c = 0; c < kBodyRows; ++c)
+      for (Eigen::Index r = 0; r < kBodyRows; ++r)
+        block.column[c][r] = chain.matrix(row * kBodyRows + r, column * kBodyRows + c);
+  };
+  for (std::uint32_t j = 0; j < kColumns; ++j) {
+    put(j, j, chain.diagonal[j]);
+    for (std::uint32_t k = chain.shape.column_begin[j]; k < chain.shape.column_begin[j + 1]; ++k)
+      put(chain.shape.block_row[k], j, chain.below[k]);
+    for (int k = 0; k < kBodyRows; ++k) chain.right[j].row[k] = random.between(-1, 1);
+  }
+  return chain;
+}
+
+}  // namespace
+
+TEST_CASE("kernels: a sweep does what its formulas say", "[core][kernels]") {
+  for (const bool with_mid_arms : {false, true}) {
+    Contacts contacts = random_contacts(11);
+    Contacts copy = contacts;
+    const Sweep swept(contacts, with_mid_arms);
+    const PlainSweep plain(copy, with_mid_arms);
+    double worst = 0.0;
+    for (std::size_t p = 0; p < kPatches; ++p) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          worst = std::max({worst,
+                            std::abs(contacts.patches[p].impulse.row[i][lane] - copy.patches[p].impulse.row[i][lane]),
+                            std::abs(contacts.patches[p].slip.row[i][lane] - copy.patches[p].slip.row[i][lane])});
+        }
+      }
+    }
+    double worst_wrench = 0.0;
+    for (std::size_t body = 0; body < kBodies; ++body)
+      worst_wrench = std::max(worst_wrench, (total(swept.wrench[body]) - plain.wrench[body]).cwiseAbs().maxCoeff());
+    CAPTURE(with_mid_arms, worst, worst_wrench, swept.mismatch, plain.mismatch);
+    CHECK(worst < 1e-13);
+    CHECK(worst_wrench < 1e-12);
+    CHECK(swept.mismatch == Approx(plain.mismatch).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing", "[core][kernels]") {
+  Contacts contacts = random_contacts(12);
+  const Sweep swept(contacts, false);
+  int sticking = 0, sliding = 0, open = 0;
+  for (const Patch& patch : contacts.patches) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const double normal = patch.impulse.row[0][lane];
+      const double tangential = std::hypot(patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
+      CAPTURE(lane, patch.count, patch.friction, normal, tangential);
+      if (lane >= static_cast<std::size_t>(patch.count)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          CHECK(patch.impulse.row[i][lane] == 0.0);
+          CHECK(patch.slip.row[i][lane] == 0.0);
+        }
+        continue;
+      }
+      CHECK(normal >= 0.0);
+      CHECK(tangential <= patch.friction * normal * (1 + 4e-16));
+      const double slip = std::hypot(patch.slip.row[1][lane], patch.slip.row[2][lane]);
+      (normal == 0.0 ? open : slip < 1e-12 ? sticking : sliding) += 1;
+      // Friction acts against the slip, the normal impulse only where nothing parts.
+      CHECK(patch.impulse.row[1][lane] * patch.slip.row[1][lane] +
+                patch.impulse.row[2][lane] * patch.slip.row[2][lane] ==
+            Approx(-slip * tangential).margin(1e-12));
+      CHECK(std::abs(normal * patch.slip.row[0][lane]) < 1e-12);
+    }
+  }
+  CAPTURE(sticking, sliding, open);
+  CHECK(std::min({sticking, sliding, open}) > 5);
+}
+
+TEST_CASE("kernels: impulses add up to what they do to the bodies", "[core][kernels]") {
+  Contacts contacts = random_contacts(13);
+  std::vector<LaneWrench> wrench(kBodies + 1);
+  add_impulses(contacts.patches, contacts.mid_arms, wrench);
+  std::vector<Wrench> expected(kBodies + 1, Wrench::Zero());
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    const Patch& patch = contacts.patches[p];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      Vec3 force = Vec3::Zero();
+      for (std::size_t d = 0; d < 3; ++d)
+        force +=
+            patch.impulse.row[d][lane] * Vec3(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+      const auto on = [&](std::int32_t body) -> Wrench& { return expected[static_cast<std::size_t>(body)]; };
+      on(patch.b).head<3>() += force;
+      on(patch.b).tail<3>() += arm_of(contacts.mid_arms[p].b, lane).cross(force);
+      on(patch.a).head<3>() -= force;
+      on(patch.a).tail<3>() -= arm_of(contacts.mid_arms[p].a, lane).cross(force);
+    }
+  }
+  double worst = 0.0;
+  for (std::size_t body = 0; body <= kBodies; ++body)
+    worst = std::max(worst, (total(wrench[body]) - expected[body]).cwiseAbs().maxCoeff());
+  CAPTURE(worst);
+  CHECK(worst < 1e-13);
+}
+
+TEST_CASE("kernels: what is factorised is solved", "[core][kernels]") {
+  for (const std::uint32_t seed : {21U, 22U, 23U}) {
+    Chain chain = random_chain(seed);
+    Eigen::VectorXd right(chain.matrix.rows());
+    for (std::size_t j = 0; j < chain.right.size(); ++j)
+      for (std::size_t k = 0; k < kBodyRows; ++k)
+        right[static_cast<Eigen::Index>(j * kBodyRows + k)] = chain.right[j].row[k];
+    const Eigen::VectorXd exact = chain.matrix.ldlt().solve(right);
+    factorise(chain.shape, chain.below, chain.diagonal, chain.scratch);
+    solve(chain.shape, chain.below, chain.diagonal, chain.right);
+    double worst = 0.0;
+    for (std::size_t j = 0; j < chain.right.size(); ++j)
+      for (std::size_t k = 0; k < kBodyRows; ++k)
+        worst = std::max(worst, std::abs(chain.right[j].row[k] - exact[static_cast<Eigen::Index>(j * kBodyRows + k)]));
+    CAPTURE(seed, worst);
+    CHECK(worst < 1e-13);
+    // Rows that only pad stay zero, or they would end up in the next sweep's vectors.
+    for (const BodyVector& x : chain.right) CHECK((x.row[6] == 0.0 && x.row[7] == 0.0));
+  }
+}
+
+TEST_CASE("kernels: every instruction set computes the same bits", "[core][kernels]") {
+  const Contacts contacts = random_contacts(31);
+  const Chain chain = random_chain(32);
+  struct Output {
+    std::vector<Patch> patches;
+    std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
+    std::vector<PatchVector> u, g, r, difference = std::vector<PatchVector>(kPatches);
+    double mismatch = 0.0, product = 0.0;
+    std::vector<BodyBlock> below, diagonal;
+    std::vector<BodyVector> solution;
+  };
+  std::vector<Output> outputs;
+  for_each_instruction_set([&](std::int64_t) {
+    Output& out = outputs.emplace_back();
+    Contacts own = contacts;
+    for (int i = 0; i < 3; ++i) {
+      const Sweep sweep(own, true);
+      out.mismatch = sweep.mismatch;
+      out.swept = sweep.wrench;
+      out.u = sweep.u;
+      out.g = sweep.g;
+      out.r = sweep.r;
+    }
+    out.patches = own.patches;
+    out.product = dot(out.patches, out.g, out.r);
+    subtract(out.g, 0.3, out.r, out.difference);
+    add_impulses(out.patches, {}, out.added);
+    Chain factor = chain;
+    factorise(factor.shape, factor.below, factor.diagonal, factor.scratch);
+    solve(factor.shape, factor.below, factor.diagonal, factor.right);
+    out.below = factor.below;
+    out.diagonal = factor.diagonal;
+    out.solution = factor.right;
+  });
+  REQUIRE_FALSE(outputs.empty());
+  CHECK(outputs.front().mismatch > 0.0);
+  for (const Output& out : outputs) {
+    const Output& first = outputs.front();
+    CAPTURE(&out - &first);
+    CHECK(out.mismatch == first.mismatch);
+    CHECK(same_bits(out.patches, first.patches));
+    CHECK(same_bits(out.swept, first.swept));
+    CHECK(same_bits(out.added, first.added));
+    CHECK(out.product == first.product);
+    CHECK(same_bits(out.u, first.u));
+    CHECK(same_bits(out.g, first.g));
+    CHECK(same_bits(out.r, first.r));
+    CHECK(same_bits(out.difference, first.difference));
+    CHECK(same_bits(out.below, first.below));
+    CHECK(same_bits(out.diagonal, first.diagonal));
+    CHECK(same_bits(out.solution, first.solution));
+  }
+}
+
+TEST_CASE("kernels: an iteration leads from x = y - R z to g = x + r", "[core][kernels]") {
+  Contacts contacts = random_contacts(41);
+  const std::vector<Patch> before = contacts.patches;
+  const Sweep swept(contacts, false);
+  double worst = 0.0;
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double resistance = before[p].resistance[i > 0][lane];
+        const double z = before[p].slip.row[i][lane];
+        const double x = before[p].impulse.row[i][lane] - resistance * z;
+        const double r = -kRelaxation * resistance * (swept.u[p].row[i][lane] - z);
+        worst = std::max({worst, std::abs(swept.r[p].row[i][lane] - r), std::abs(swept.g[p].row[i][lane] - x - r)});
+      }
+    }
+  }
+  CAPTURE(worst);
+  CHECK(worst < 1e-14);
+}
+
+TEST_CASE("kernels: products and differences of impulses are what they are point by point", "[core][kernels]") {
+  Contacts contacts = random_contacts(51);
+  const Sweep swept(contacts, false);
+  std::vector<PatchVector> difference(kPatches);
+  subtract(swept.g, 0.3, swept.r, difference);
+  double product = 0.0, worst = 0.0;
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double g = swept.g[p].row[i][lane];
+        const double r = swept.r[p].row[i][lane];
+        product += g * r * contacts.patches[p].compliance[i > 0][lane];
+        worst = std::max(worst, std::abs(difference[p].row[i][lane] - (g - 0.3 * r)));
+      }
+    }
+  }
+  CAPTURE(product, worst);
+  CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
+  CHECK(worst < 1e-15);
+}

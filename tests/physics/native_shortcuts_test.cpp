@@ -1,0 +1,127 @@
+// What spares the native engine work must not change a bit of what comes out.
+
+#include <algorithm>
+#include <vector>
+
+#include "core/native/native_engine.hpp"
+#include "physics/measures.hpp"
+
+using namespace holdfast;
+using namespace holdfast::scenes;
+using namespace holdfast::physics;
+
+namespace {
+
+/// Accelerations that leave most loads at rest for a while, so that there is something to spare.
+std::vector<Motion> motions() {
+  return {motion_of({{0.2, Vec3::Zero()}, {0.2, Vec3(0.3 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
+          motion_of({{0.3, Vec3(0.8 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
+          motion_of({{0.2, Vec3(0, 0.5 * kGravity, 0)}, {0.2, Vec3(0, -0.5 * kGravity, 0)}})};
+}
+
+Settings screening_settings(bool jump, bool freeze) {
+  Settings settings;
+  settings.native.accuracy = Accuracy::screening;
+  settings.native.jump = jump;
+  settings.native.freeze = freeze;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("native_shortcuts: Jump and Freeze never change a bit", "[physics][native_shortcuts]") {
+  const std::vector<Motion> all = motions();
+  std::uint64_t skipped = 0;
+  // Loads and motions differ in which boxes rest, and when.
+  for (std::size_t i = 0; i < std::size(kLayouts); ++i) {
+    const Motion& motion = all[i % all.size()];
+    std::vector<Run> runs;
+    // Both, then each taken away; without Freeze the proof of rest is repeated, and Jump still counts.
+    for (const auto& [jump, freeze] : {std::pair(true, true), std::pair(false, true), std::pair(true, false)}) {
+      const Settings settings = screening_settings(jump, freeze);
+      runs.push_back(run(NativeEngine(settings), bundled_layout(kLayouts[i], settings), motion, settings));
+    }
+    for (std::size_t k = 1; k < runs.size(); ++k) {
+      CAPTURE(kLayouts[i], &motion - all.data(), k);
+      CHECK(same_bits(runs[k].state, runs[0].state));
+      CHECK(runs[k].record.outcome.counters.steps == runs[0].record.outcome.counters.steps);
+    }
+    skipped += runs.front().record.outcome.counters.steps_skipped;
+  }
+  CHECK(skipped > 0);
+}
+
+TEST_CASE("native_shortcuts: Freeze never changes a bit where boxes keep hitting others at rest",
+          "[physics][native_shortcuts]") {
+  // Boxes of a random scene come to rest one by one, and are hit again.
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    const Layout layout = random_layout(random);
+    const Motion motion = random_motion(random, 0.25);
+    std::vector<Run> runs;
+    for (const bool jump : {true, false}) {
+      for (const bool freeze : {true, false}) {
+        Settings settings = small_container(Accuracy::standard);
+        settings.native.jump = jump;
+        settings.native.freeze = freeze;
+        runs.push_back(run(NativeEngine(settings), layout, motion, settings));
+      }
+    }
+    for (std::size_t k = 1; k < runs.size(); ++k) {
+      CAPTURE(seed, k);
+      CHECK(same_bits(runs[k].state, runs[0].state));
+    }
+  }
+}
+
+TEST_CASE("native_shortcuts: a world is the same alone and among others, in any order", "[physics][native_shortcuts]") {
+  const Settings settings = screening_settings(true, true);
+  std::vector<Layout> layouts;
+  for (const char* name : {"seed_example", "BR5_020_layer_h60", "BR1_001_ep"})
+    layouts.push_back(bundled_layout(name, settings));
+  const std::vector<Motion> all = motions();
+  std::vector<const Motion*> pointers;
+  for (const Motion& motion : all) pointers.push_back(&motion);
+  const NativeEngine engine(settings);
+  const std::vector<Run> together = run_all(engine, layouts, pointers, settings);
+
+  std::vector<Layout> backwards(layouts.rbegin(), layouts.rend());
+  std::vector<const Motion*> pointers_backwards(pointers.rbegin(), pointers.rend());
+  std::vector<Run> turned = run_all(engine, backwards, pointers_backwards, settings);
+  std::reverse(turned.begin(), turned.end());
+
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    const Layout& layout = layouts[i / all.size()];
+    CAPTURE(layout.name, i % all.size());
+    CHECK(same_bits(run(engine, layout, all[i % all.size()], settings).state, together[i].state));
+    CHECK(same_bits(turned[i].state, together[i].state));
+  }
+  CHECK_FALSE(same_bits(together[0].state, together[1].state));
+}
+
+TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each other", "[physics][native_shortcuts]") {
+  const Settings settings = screening_settings(true, true);
+  const std::vector<Layout> layouts = {bundled_layout("seed_example", settings),
+                                       bundled_layout("BR5_020_layer_h60", settings)};
+  const Motion motion = constant(0.8 * kGravity, 0.3);
+  const Motion* const pointers[] = {&motion};
+  const NativeEngine engine(settings);
+  WorldBatch batch = make_batch(layouts, pointers, settings);
+  const std::unique_ptr<Simulation> simulation = engine.build(batch);
+  const Phase phase = phases_of(motion, 0.3).front();
+  double time[] = {0.0, 0.0};
+  while (time[0] < phase.end || time[1] < phase.end) {
+    for (std::size_t world = 0; world < 2; ++world) {
+      if (time[world] >= phase.end) continue;
+      time[world] = simulation->advance(std::span(&world, 1), phase, phase.end);
+    }
+  }
+  for (std::size_t world = 0; world < 2; ++world) {
+    simulation->read_back(world, batch.state);
+    const Run alone = run(engine, layouts[world], motion, settings);
+    const StateView end = {alone.state.position, alone.state.orientation, alone.state.velocity,
+                           alone.state.angular_velocity};
+    CAPTURE(world);
+    CHECK(state_hash(view(batch.state, batch.worlds[world])) == state_hash(end));
+  }
+}
