@@ -15,10 +15,14 @@ namespace holdfast {
 
 namespace {
 
+void* open_plugin(const std::string& file) {
+  // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
+  return dlopen((plugin_folder() / file).c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
 Result<MakeEngine*> load_plugin(const std::string& file) {
   const std::filesystem::path path = plugin_folder() / file;
-  // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = open_plugin(file);
   if (library == nullptr) return Error{.what = "the engine's plug-in cannot be loaded", .value = dlerror()};
   auto* entry = reinterpret_cast<MakeEngine*>(dlsym(library, kEnginePluginEntry));
   if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = path.string()};
@@ -34,6 +38,8 @@ const std::vector<EngineEntry>& engine_catalog() {
       {"bullet-f64", "the same in double precision", "libholdfast-bullet-f64.so"},
       {"bullet-stock", "Bullet in float as shipped, for comparison: 240 1/s, 10 iterations, 1 friction direction",
        "libholdfast-bullet.so"},
+      {"bullet-opencl", "Bullet's OpenCL pipeline with changed kernels: batches of worlds on a CPU or GPU device",
+       "libholdfast-bullet-opencl.so"},
   };
   return kEngines;
 }
@@ -55,6 +61,15 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
   Result<std::unique_ptr<Engine>> engine = Error{.what = "the plug-in made no engine", .value = entry->plugin};
   (*plugin)(name, settings, engine);
   return engine;
+}
+
+std::vector<std::string> engine_devices(const EngineEntry& entry) {
+  std::vector<std::string> lines;
+  void* library = open_plugin(entry.plugin);
+  if (library == nullptr) return lines;
+  auto* list = reinterpret_cast<ListEngineDevices*>(dlsym(library, kEngineDevicesEntry));
+  if (list != nullptr) list(lines);
+  return lines;
 }
 
 }  // namespace holdfast

@@ -130,6 +130,10 @@ struct IterationRange {
   static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
   static constexpr int kMin = 1, kMax = 100000;
 };
+struct BatchRange {
+  static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
+  static constexpr int kMin = 1, kMax = 100000;
+};
 struct DirectionRange {
   static constexpr std::string_view kAccepted = "1 or 2";
   static constexpr int kMin = 1, kMax = 2;

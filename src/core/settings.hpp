@@ -85,6 +85,13 @@ struct BulletSettings {
   std::optional<BulletSleeping> sleeping;
 };
 
+/// Bullet's pipeline on an OpenCL device; `[OpenCL]`.
+struct OpenClSettings {
+  std::string device;          ///< part of the device's name; empty: the first GPU, else the first device
+  int iterations = 20;         ///< of the contact solver, a step; rounded up to a multiple of 4
+  int layouts_per_batch = 16;  ///< layouts that are stepped together, each under all accelerations
+};
+
 /// Everything a run can be told; one member a key of config.ini, in SI units. `setting_table.hpp` declares the
 /// keys, with units, defaults and ranges.
 struct Settings {
@@ -117,6 +124,7 @@ struct Settings {
   std::map<int, MaterialSettings> materials;  ///< by material id
   ScreeningSettings screening;
   BulletSettings bullet;
+  OpenClSettings opencl;
 };
 
 /// Density or mass, friction and restitution of a box of material `id`, defaults filled in.
