@@ -73,7 +73,7 @@ def measure(arguments):
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("--program", default=ROOT / "build/release/bin/holdfast", help="default: %(default)s")
-parser.add_argument("--layout", default=ROOT / "configs/layouts/BR1_001_wall.txt", help="default: %(default)s")
+parser.add_argument("--layout", default=ROOT / "bench/layouts/BR1_001_block.txt", help="default: %(default)s")
 parser.add_argument("--worlds", type=int, nargs="+", default=[1, 10, 100, 1000], help="default: %(default)s")
 parser.add_argument("--steps", type=int, default=24, help="steps of each world (default: %(default)s)")
 parser.add_argument("--iterations", type=int, default=20, help="of both solvers (default: %(default)s)")

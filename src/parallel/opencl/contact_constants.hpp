@@ -15,10 +15,6 @@ inline constexpr double kErp = 0.2;
 /// Approach speed below which nothing rebounds, m/s, as on Bullet's CPU.
 inline constexpr double kReboundSpeed = 0.2;
 
-/// What a face under even pressure bears against spin, as a share of what its corners would: the mean distance from the
-/// centre of a square over that of its corners, (√2 + ln(1 + √2)) / (3 √2).
-inline constexpr double kSpinShare = 0.541;
-
 /// Outer sweeps that Bullet's host code makes over all contacts; ours are inside each of them.
 inline constexpr int kOuterSweeps = 4;
 

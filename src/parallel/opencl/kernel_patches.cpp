@@ -38,7 +38,7 @@ std::vector<KernelPatch> make_patches() {
       // Stock: four sweeps along the normals, then four of friction, which is damped away about the normal. Here each
       // sweep has both, and there are as many as the setting says.
       {"contact solve: code", solve, std::string(kernel_head) + solve,
-       define("HOLDFAST_SPIN_SHARE", kSpinShare) + kContactSolveSource + kernel_head + solve},
+       kContactSolveSource + std::string(kernel_head) + solve},
       {"contact solve: call", solve, "\t\t\t\t\tsolveContactConstraint( gBodies, gShapes, &gConstraints[idx] );\n",
        "holdfast_solve_contact(gBodies, gShapes, &gConstraints[idx]);\n"},
       {"contact solve: sweeps", solve, "\tint idx=ldsStart+lIdx;\n\twhile (ldsCurBatch < maxBatch)\n",

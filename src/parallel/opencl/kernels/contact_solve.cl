@@ -67,10 +67,10 @@ void holdfast_solve_contact(__global Body* bodies, __global Shape* shapes, __glo
       holdfast_push(&velocity_b, &spin_b, inverse_mass_b, inertia_b, -tangent[i], turn_b[i], impulse);
     }
 
-    // Spin about the normal is resisted by what a face under even pressure can bear: less than its corners could.
+    // Spin about the normal is resisted by the points around the centre, each as far as its own pressure allows.
     float compliance = dot3F4(mtMul1(inertia_a, normal), normal) + dot3F4(mtMul1(inertia_b, normal), normal);
     if (compliance > 0.f) {
-      float limit = HOLDFAST_SPIN_SHARE * friction * lever;
+      float limit = friction * lever;
       float before = cs->m_center.w;
       float impulse = clamp(before - dot3F4(normal, spin_a - spin_b) / compliance, -limit, limit);
       cs->m_center.w = impulse;
