@@ -1,10 +1,14 @@
 """Bullet's OpenCL pipeline from outside: what the program says of devices, and what it does without one."""
 import os
+import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
-from cli import HOLDFAST
+import h5py
+
+from cli import HOLDFAST, SOURCE
 
 WITHOUT = {**os.environ, "OCL_ICD_VENDORS": "/nonexistent"}
 
@@ -40,6 +44,25 @@ class WithDevice(unittest.TestCase):
     def test_engines_lists_devices_and_nothing_leaks(self):
         self.assertRegex(self.done.stdout, r"\n +(CPU|GPU|accelerator) .+compute units, \d+ MiB")
         self.assertEqual(self.done.stderr, "")
+
+    def test_a_real_load_under_two_accelerations_agrees_with_bullet(self):
+        found = {}
+        with tempfile.TemporaryDirectory() as folder:
+            config = pathlib.Path(folder, "config.ini")
+            config.write_text("[Physics Engine]\nSimulationStepsPerSecond = 120\n")
+            for engine in ("bullet", "bullet-opencl"):
+                results = pathlib.Path(folder, engine + ".h5")
+                done = holdfast("screen", "--quiet", "-c", str(config), "--engine", engine, "-o", str(results), "--layouts",
+                                str(SOURCE / "configs/layouts/unstable_BR2_007_bpjs.txt"), "--accelerations",
+                                str(SOURCE / "configs/accelerations/road_brake_0g8.txt"),
+                                str(SOURCE / "configs/accelerations/road_corner_left_0g5.txt"))
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+                with h5py.File(results) as file:
+                    self.assertTrue((file["worlds/status"][:] == 0).all())
+                    found[engine] = {name: file["summary/worlds"][name][:] for name in ("fallen_boxes", "max_displacement")}
+        self.assertEqual(list(found["bullet-opencl"]["fallen_boxes"]), list(found["bullet"]["fallen_boxes"]))
+        for ours, bullets in zip(found["bullet-opencl"]["max_displacement"], found["bullet"]["max_displacement"]):
+            self.assertAlmostEqual(ours, bullets, delta=0.05)
 
 
 if __name__ == "__main__":

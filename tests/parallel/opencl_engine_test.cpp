@@ -128,3 +128,18 @@ TEST_CASE("opencl_engine: a device that is not there is named", "[parallel][open
   CHECK(engine.error().what == "no OpenCL device of this name");
   CHECK(engine.error().value == "abacus");
 }
+
+TEST_CASE("opencl_engine: a batch beyond the room for pairs fails, and the next one runs",
+          "[parallel][opencl_engine]") {
+  const Settings settings = open_floor(0.5);
+  const auto engine = opencl_engine(settings);
+  if (!engine) return;
+  // All in one place: 80,000 pairs, where 4,096 bodies have room for 65,536.
+  const Layout heap = layout_of(std::vector<Box>(400, box({10, 10, 1}, {0.5, 0.5, 0.5})));
+  const Run lost = run(*engine, heap, constant(0.0, 0.1), settings);
+  CHECK(lost.record.outcome.stop_reason == StopReason::failed);
+  CHECK(has(lost.record.outcome.status, Status::capacity));
+  const Run next = run(*engine, stack(1, {10, 10, 0}, {0.5, 0.5, 0.5}), constant(0.0, 0.1), settings);
+  CHECK(next.record.outcome.status == Status::ok);
+  CHECK(next.displacement().norm() < 1e-4);
+}
