@@ -18,7 +18,8 @@
 #include "parallel/opencl/contact_constants.hpp"
 #include "parallel/opencl/kernel_patches.hpp"
 
-// Switches of the library that no header declares.
+// Switches and hooks of the library that no header declares, by its names.
+// NOLINTBEGIN(readability-identifier-naming)
 extern bool gDebugSkipLoadingBinary;
 extern bool gUseDbvt;
 extern bool useMprGpu;
@@ -27,6 +28,7 @@ using CreateProgram = cl_program(cl_context, cl_uint, const char**, const std::s
 using BuildProgram = cl_int(cl_program, cl_uint, const cl_device_id*, const char*, void (*)(cl_program, void*), void*);
 extern "C" CreateProgram* __clewCreateProgramWithSource;
 extern "C" BuildProgram* __clewBuildProgram;
+// NOLINTEND(readability-identifier-naming)
 
 namespace holdfast {
 

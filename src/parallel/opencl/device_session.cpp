@@ -139,6 +139,8 @@ void DeviceSession::step(std::span<const WorldStep> worlds, std::span<const Body
   const auto give = [&](const ClKernel& kernel, auto... objects) {
     cl_uint index = 0;
     const auto set = [&](const auto& object) {
+      // A buffer is handed over as its handle.
+      // NOLINTNEXTLINE(bugprone-sizeof-expression)
       note(clSetKernelArg(kernel.get(), index++, sizeof(object), &object), "an argument of a kernel");
     };
     (set(objects), ...);

@@ -34,7 +34,7 @@ class OpenClSimulation final : public Simulation {
         lease_(settings.opencl.device, device_.bodies.size()),
         worlds_(batch.worlds.size()),
         steps_(batch.worlds.size()) {
-    sweeps_ = static_cast<std::uint64_t>(kOuterSweeps * static_cast<int>(device_.bodies.front().sweeps));
+    sweeps_ = std::uint64_t{kOuterSweeps} * static_cast<std::uint64_t>(device_.bodies.front().sweeps);
     if (lease_.session() == nullptr) {
       lost_ = true;
       return;
