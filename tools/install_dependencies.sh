@@ -10,6 +10,8 @@ packages=(
   ninja-build        # runs the build
   pkg-config         # finds the libraries that bring no CMake files
   libbullet-dev      # Bullet, the rigid-body engine behind the plug-ins, in single and double precision
+  ocl-icd-opencl-dev # OpenCL's headers and loader, for Bullet's OpenCL pipeline (in libbullet-dev)
+  pocl-opencl-icd    # PoCL, the processor as an OpenCL device where there is no GPU
   libtbb-dev         # oneTBB, spreads worlds over cores
   libeigen3-dev      # Eigen, vectors and rotations
   libhwy-dev         # Highway, SIMD of the native engine, chosen for the CPU at run time

@@ -11,6 +11,7 @@ ExitCode list_engines() {
   for (const EngineEntry& entry : engine_catalog()) {
     const auto engine = make_engine(entry.name, Settings{});
     fmt::print("{:<14} {}\n", entry.name, engine ? entry.sentence : "missing: " + engine.error().message());
+    for (const std::string& line : engine_devices(entry)) fmt::print("{:<14}   {}\n", "", line);
   }
   return ExitCode::done;
 }

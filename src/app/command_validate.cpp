@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/engine_catalog.hpp"
 #include "app/program_folder.hpp"
 #include "app/report.hpp"
 #include "app/stop_signal.hpp"
@@ -74,6 +75,22 @@ Result<std::vector<LoadWorld>> read_loads(const std::vector<std::string>& paths)
   return load_worlds(layouts);
 }
 
+/// Leaves out the settings of engines that cannot be used here, and says so; an error if such an engine was asked for.
+std::optional<Error> leave_out_missing(const ValidateOptions& options, ValidationPlan& plan) {
+  std::map<std::string, std::optional<Error>> problems;
+  for (const EngineSetting& setting : plan.settings) {
+    if (problems.contains(setting.engine)) continue;
+    const auto engine = make_engine(setting.engine, Settings{});
+    std::optional<Error>& problem = problems[setting.engine];
+    if (engine) continue;
+    problem = engine.error();
+    if (!options.engines.empty()) return problem;
+    fmt::print(stderr, "left out: {}: {}\n", setting.engine, problem->message());
+  }
+  std::erase_if(plan.settings, [&](const EngineSetting& setting) { return problems.at(setting.engine).has_value(); });
+  return std::nullopt;
+}
+
 Result<ValidationPlan> plan_of(const ValidateOptions& options) {
   ValidationPlan plan;
   plan.threads = thread_count(options.threads);
@@ -88,6 +105,8 @@ Result<ValidationPlan> plan_of(const ValidateOptions& options) {
     if (!is_wanted(engines, engine)) return unknown("engine", engine, engines);
   for (const std::string& suite : options.suites)
     if (!is_wanted(kSuites, suite)) return unknown("suite", suite, kSuites);
+
+  if (const auto error = leave_out_missing(options, plan)) return *error;
 
   std::vector<std::string> names = {"real_loads"};
   for (Case& known : all_cases()) {

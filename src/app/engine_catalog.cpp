@@ -17,10 +17,14 @@ namespace holdfast {
 
 namespace {
 
+void* open_plugin(const std::string& file) {
+  // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
+  return dlopen((plugin_folder() / file).c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
 Result<MakeEngine*> load_plugin(const std::string& file) {
   const std::filesystem::path path = plugin_folder() / file;
-  // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = open_plugin(file);
   if (library == nullptr) return Error{.what = "the engine's plug-in cannot be loaded", .value = dlerror()};
   auto* entry = reinterpret_cast<MakeEngine*>(dlsym(library, kEnginePluginEntry));
   if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = path.string()};
@@ -62,6 +66,8 @@ const std::vector<EngineEntry>& engine_catalog() {
       {"native-plain",
        "rigid boxes with hard contacts, solved to the end by plain means: slow, what other engines are compared with",
        "", make_plain},
+      {"bullet-opencl", "Bullet's OpenCL pipeline with changed kernels: batches of worlds on a CPU or GPU device",
+       "libholdfast-bullet-opencl.so"},
   };
   return kEngines;
 }
@@ -79,6 +85,16 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
                                    : fmt::format("accepted are {}", fmt::join(names, ", "))};
   }
   return entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
+}
+
+std::vector<std::string> engine_devices(const EngineEntry& entry) {
+  std::vector<std::string> lines;
+  if (entry.plugin.empty()) return lines;
+  void* library = open_plugin(entry.plugin);
+  if (library == nullptr) return lines;
+  auto* list = reinterpret_cast<ListEngineDevices*>(dlsym(library, kEngineDevicesEntry));
+  if (list != nullptr) list(lines);
+  return lines;
 }
 
 }  // namespace holdfast

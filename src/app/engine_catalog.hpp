@@ -26,4 +26,7 @@ const std::vector<EngineEntry>& engine_catalog();
 /// engine cannot model, that the plug-in is missing and why, or that there is no such engine.
 Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings);
 
+/// A line a device that the engine's plug-in finds on this machine; none where it runs on the processor as it is.
+std::vector<std::string> engine_devices(const EngineEntry& entry);
+
 }  // namespace holdfast

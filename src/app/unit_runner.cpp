@@ -99,7 +99,8 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
   }
   const double cpu_share = (processor_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, next));
   for (WorldRecord& world : record.worlds)
-    if (world.outcome.stop_reason != StopReason::not_run) world.cpu_seconds = cpu_share;
+    if (world.outcome.stop_reason != StopReason::not_run)
+      world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
   return record;
 }
 

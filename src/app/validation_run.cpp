@@ -37,7 +37,8 @@ std::vector<Task> tasks_of(const ValidationPlan& plan, const std::vector<EngineS
   if (!plan.loads.empty())
     for (const EngineSetting& reference : references) add_loads(reference);
   for (const EngineSetting& setting : plan.settings) {
-    for (const Case& known : plan.cases) tasks.push_back({&setting, &known, nullptr});
+    for (const Case& known : plan.cases)
+      if (known.quick || !setting.quick_cases_only) tasks.push_back({&setting, &known, nullptr});
     // A setting that is a reference would be compared with itself.
     const bool is_reference = std::any_of(references.begin(), references.end(), [&](const EngineSetting& reference) {
       return reference.engine == setting.engine && reference.name == setting.name;

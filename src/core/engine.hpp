@@ -25,6 +25,7 @@ struct Counters {
   /// Deepest that a box was inside another or inside a side, m. Worst of all steps; 0 where the engine does not
   /// measure it.
   double max_penetration = 0.0;
+  double device_seconds = 0.0;  ///< that the calling thread waited for a device on the world's behalf, s
 };
 
 /// What the scheduler and the checks need to know of an engine.
@@ -36,6 +37,16 @@ struct EngineTraits {
   std::size_t motions_per_unit = 1;
   /// True when worlds under the same motion advance together, in one call.
   bool lock_step = false;
+  /// True when all worlds of a batch advance together, whatever their motions: by `Simulation::advance_all`.
+  bool all_together = false;
+};
+
+/// A world that is to be taken forward, inside a phase of its own.
+struct Stride {
+  std::size_t world = 0;  ///< index into the batch
+  Phase phase;            ///< stretch of constant acceleration that contains the world's time
+  double watch = 0.0;     ///< next time the caller wants to see, s
+  double time = 0.0;      ///< what the engine answers: the time reached, s
 };
 
 /// Worlds inside an engine. Made by `Engine::build`; used by one thread at a time.
@@ -59,6 +70,12 @@ class Simulation {
   /// @param watch  next time the caller wants to see, s; not before the worlds' time
   /// @return the time reached, s; exactly `phase.end` at the end of the phase
   virtual double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) = 0;
+
+  /// `advance` for an engine with `EngineTraits::all_together`: each world by the same rules, in its own phase and
+  /// towards its own `watch`. The worlds' times differ.
+  virtual void advance_all(std::span<Stride> strides) {
+    for (Stride& stride : strides) stride.time = advance({&stride.world, 1}, stride.phase, stride.watch);
+  }
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;

@@ -134,6 +134,10 @@ struct CutRange {
   static constexpr std::string_view kAccepted = "a whole number from 0 to 1000";
   static constexpr int kMin = 0, kMax = 1000;
 };
+struct BatchRange {
+  static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
+  static constexpr int kMin = 1, kMax = 100000;
+};
 struct DirectionRange {
   static constexpr std::string_view kAccepted = "1 or 2";
   static constexpr int kMin = 1, kMax = 2;

@@ -213,6 +213,15 @@ std::vector<SettingKey> make_table() {
       "Approach speed below which nothing rebounds; presets: bullet 0.2, bullet-stock 0.2.");
   add(OneOf<BulletSleepings>{}, "Sleeping", "", "", MEMBER(bullet.sleeping),
       "Whether boxes at rest sleep until the acceleration changes; presets: bullet off, bullet-stock off.");
+
+  section = "OpenCL";
+  add(Text{}, "Device", "", "", MEMBER(opencl.device),
+      "Part of the name of the device that bullet-opencl runs on; when absent the first GPU, else the first device.");
+  add(Whole<IterationRange>{}, "Iterations", "", "20", MEMBER(opencl.iterations),
+      "Iterations of the contact solver of bullet-opencl a step, rounded up to a multiple of 4.");
+  add(Whole<BatchRange>{}, "LayoutsPerBatch", "", "16", MEMBER(opencl.layouts_per_batch),
+      "Layouts that bullet-opencl steps together, each under all accelerations; less where the device's memory is "
+      "short.");
   return table;
 }
 

@@ -100,6 +100,13 @@ struct NativeSettings {
   bool freeze = true;                      ///< leave islands at rest alone until something touches them
 };
 
+/// Bullet's pipeline on an OpenCL device; `[OpenCL]`.
+struct OpenClSettings {
+  std::string device;          ///< part of the device's name; empty: the first GPU, else the first device
+  int iterations = 20;         ///< of the contact solver, a step; rounded up to a multiple of 4
+  int layouts_per_batch = 16;  ///< layouts that are stepped together, each under all accelerations
+};
+
 /// Everything a run can be told; one member a key of config.ini, in SI units. `setting_table.hpp` declares the
 /// keys, with units, defaults and ranges.
 struct Settings {
@@ -133,6 +140,7 @@ struct Settings {
   ScreeningSettings screening;
   NativeSettings native;
   BulletSettings bullet;
+  OpenClSettings opencl;
 };
 
 /// Density or mass, friction and restitution of a box of material `id`, defaults filled in.

@@ -41,6 +41,7 @@ std::string section_note(std::string_view section) {
   if (section == "Renderer Engine") return "Accepted for the sake of existing files, without effect.\n\n";
   if (section == "Native") return "What is absent comes from Accuracy, which `--accuracy` stands in for.\n\n";
   if (section == "Bullet") return "What is absent comes from the preset of the engine, `bullet` or `bullet-stock`.\n\n";
+  if (section == "OpenCL") return "Of the engine `bullet-opencl` alone; [opencl.md](opencl.md) says what it does.\n\n";
   return "";
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace holdfast {
@@ -26,98 +26,142 @@ bool is_quiet(const StateView& state, double threshold) {
          std::all_of(state.angular_velocity.begin(), state.angular_velocity.end(), slow);
 }
 
-/// Worlds that advance together, from settling to the end of the last one.
+/// Worlds that advance together, from settling to the end of the last one. Each has a clock of its own: unless the
+/// engine steps all of its worlds at once, those of a group have the same motion, and their clocks agree.
 class Group {
  public:
-  Group(Simulation& simulation, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
-        const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
+  Group(Simulation& simulation, const EngineTraits& traits, WorldBatch& batch, const Settings& settings,
+        std::span<Recorder* const> recorders, const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
       : simulation_(simulation),
+        all_together_(traits.all_together),
         batch_(batch),
         settings_(settings),
         recorders_(recorders),
         abort_(abort),
         running_(std::move(worlds)),
         before_(batch.state),
-        quiet_since_(batch.worlds.size(), 0.0),
-        motion_(*batch.worlds[running_.front()].motion) {}
+        clocks_(batch.worlds.size()) {}
 
   /// False when aborted.
   bool run() {
     if (!settle()) return false;
-    for (const Phase& phase : phases_of(motion_, latest_end(motion_, settings_))) {
-      if (!run_phase(phase)) return false;
+    std::erase_if(running_, [&](std::size_t world) {
+      const Motion& motion = *world_of(world).motion;
+      clocks_[world] = {phases_of(motion, latest_end(motion, settings_)), 0, 0.0, last_change(motion)};
+      if (!clocks_[world].phases.empty()) return false;
+      finish(world, {.stop_reason = StopReason::timeout});
+      return true;
+    });
+    while (!running_.empty()) {
+      if (abort_.load(std::memory_order_relaxed)) return false;
+      for (const std::size_t world : running_) clocks_[world].begin = clocks_[world].time;
+      advance([&](std::size_t world) { return recorders_[world]->watch(); });
+      std::erase_if(running_, [&](std::size_t world) { return record_step(world); });
     }
-    for (const std::size_t world : running_) finish(world, {.stop_reason = StopReason::timeout, .end_time = time_});
     return true;
   }
 
  private:
+  /// Where a world is in its motion.
+  struct Clock {
+    std::vector<Phase> phases;
+    std::size_t phase = 0;     ///< index of the phase that contains `time`
+    double time = 0.0;         ///< s
+    double last_change = 0.0;  ///< time from which the acceleration is constant, s
+    double begin = 0.0;        ///< of the step last taken, s
+    double quiet_since = 0.0;  ///< end of the last step that was not quiet, s
+
+    const Phase& now() const { return phases[phase]; }
+  };
+
   const World& world_of(std::size_t world) const { return batch_.worlds[world]; }
   StateView state_of(const StateColumns& columns, std::size_t world) const { return view(columns, world_of(world)); }
 
   /// Gravity alone until t = 0, then the recorders' start.
   bool settle() {
     const StateColumns layout = batch_.state;
-    std::vector<std::size_t> failed;
     // 0 − x: without settling time starts at 0, not at a negative zero.
     const Phase gravity_alone{0.0 - settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
-    time_ = gravity_alone.begin;
-    while (time_ < gravity_alone.end && !running_.empty()) {
+    for (const std::size_t world : running_) clocks_[world] = {{gravity_alone}, 0, gravity_alone.begin};
+    std::vector<std::size_t> settling;
+    if (gravity_alone.begin < gravity_alone.end) settling = running_;
+    std::vector<std::pair<std::size_t, Status>> failed;
+    std::swap(settling, running_);
+    while (!running_.empty()) {
       if (abort_.load(std::memory_order_relaxed)) return false;
-      advance(gravity_alone, gravity_alone.end);
+      advance([&](std::size_t) { return gravity_alone.end; });
       std::erase_if(running_, [&](std::size_t world) {
-        if (is_finite(state_of(batch_.state, world))) return false;
+        const Status failure = failure_of(world);
+        if (failure == Status::ok) return clocks_[world].time >= gravity_alone.end;
         copy_state(layout, batch_.state, world_of(world));
-        failed.push_back(world);
+        failed.emplace_back(world, failure);
         return true;
       });
     }
+    running_ = std::move(settling);
+    std::erase_if(running_, [&](std::size_t world) {
+      return std::any_of(failed.begin(), failed.end(), [&](const auto& entry) { return entry.first == world; });
+    });
     const auto start = [&](std::size_t world) {
       recorders_[world]->start(view(batch_.boxes, world_of(world)), state_of(layout, world),
                                state_of(batch_.state, world));
     };
     std::for_each(running_.begin(), running_.end(), start);
-    for (const std::size_t world : failed) {
+    for (const auto& [world, failure] : failed) {
       start(world);
-      finish(world, {.status = Status::non_finite, .stop_reason = StopReason::failed});
+      finish(world, {.status = failure, .stop_reason = StopReason::failed});
     }
     return true;
   }
 
-  bool run_phase(const Phase& phase) {
-    time_ = phase.begin;
-    while (time_ < phase.end && !running_.empty()) {
-      if (abort_.load(std::memory_order_relaxed)) return false;
-      double watch = std::numeric_limits<double>::infinity();
-      for (const std::size_t world : running_) watch = std::min(watch, recorders_[world]->watch());
-      const double begin = time_;
-      advance(phase, watch);
-      std::erase_if(running_, [&](std::size_t world) { return record_step(world, begin, phase.acceleration); });
-    }
-    return true;
+  /// What makes the world's newest state worthless, if anything.
+  Status failure_of(std::size_t world) const {
+    if (!is_finite(state_of(batch_.state, world))) return Status::non_finite;
+    return has(simulation_.status(world), Status::capacity) ? Status::capacity : Status::ok;
   }
 
-  /// Tells the recorder of the step from `begin` to now. True when the world ends with it.
-  bool record_step(std::size_t world, double begin, const Vec3& acceleration) {
-    const StateView after = state_of(batch_.state, world);
-    if (!is_finite(after)) {
+  /// Tells the recorder of the step just taken. True when the world ends with it.
+  bool record_step(std::size_t world) {
+    Clock& clock = clocks_[world];
+    const Status failure = failure_of(world);
+    if (failure != Status::ok) {
       copy_state(before_, batch_.state, world_of(world));
-      finish(world, {.status = Status::non_finite, .stop_reason = StopReason::failed, .end_time = begin});
+      finish(world, {.status = failure, .stop_reason = StopReason::failed, .end_time = clock.begin});
       return true;
     }
-    recorders_[world]->step({begin, time_, acceleration, state_of(before_, world), after});
+    const StateView after = state_of(batch_.state, world);
+    recorders_[world]->step({clock.begin, clock.time, clock.now().acceleration, state_of(before_, world), after});
 
-    if (settings_.stopping_condition != StoppingCondition::sleeping) return false;
-    if (!is_quiet(after, settings_.sleeping_threshold)) quiet_since_[world] = time_;
-    const double quiet_from = std::max(quiet_since_[world], last_change_);
-    if (time_ - quiet_from < kSleepingTime - kSameInstant) return false;
-    finish(world, {.stop_reason = StopReason::sleeping, .end_time = time_});
-    return true;
+    if (settings_.stopping_condition == StoppingCondition::sleeping) {
+      if (!is_quiet(after, settings_.sleeping_threshold)) clock.quiet_since = clock.time;
+      const double quiet_from = std::max(clock.quiet_since, clock.last_change);
+      if (clock.time - quiet_from >= kSleepingTime - kSameInstant) {
+        finish(world, {.stop_reason = StopReason::sleeping, .end_time = clock.time});
+        return true;
+      }
+    }
+    if (clock.time >= clock.now().end && ++clock.phase == clock.phases.size()) {
+      finish(world, {.stop_reason = StopReason::timeout, .end_time = clock.time});
+      return true;
+    }
+    return false;
   }
 
-  void advance(const Phase& phase, double watch) {
+  /// Takes all running worlds forward, each towards `watch(world)`.
+  template <class Watch>
+  void advance(const Watch& watch) {
     for (const std::size_t world : running_) copy_state(batch_.state, before_, world_of(world));
-    time_ = simulation_.advance(running_, phase, watch);
+    if (all_together_) {
+      strides_.clear();
+      for (const std::size_t world : running_) strides_.push_back({world, clocks_[world].now(), watch(world)});
+      simulation_.advance_all(strides_);
+      for (const Stride& stride : strides_) clocks_[stride.world].time = stride.time;
+    } else {
+      double first = std::numeric_limits<double>::infinity();
+      for (const std::size_t world : running_) first = std::min(first, watch(world));
+      const double time = simulation_.advance(running_, clocks_[running_.front()].now(), first);
+      for (const std::size_t world : running_) clocks_[world].time = time;
+    }
     for (const std::size_t world : running_) simulation_.read_back(world, batch_.state);
   }
 
@@ -128,26 +172,26 @@ class Group {
   }
 
   Simulation& simulation_;
+  bool all_together_;
   WorldBatch& batch_;
   const Settings& settings_;
   std::span<Recorder* const> recorders_;
   const std::atomic<bool>& abort_;
   std::vector<std::size_t> running_;
   StateColumns before_;
-  std::vector<double> quiet_since_;  ///< end of the last step that was not quiet, a world, s
-  const Motion& motion_;
-  double last_change_ = last_change(motion_);
-  double time_ = 0.0;
+  std::vector<Clock> clocks_;  ///< a world of the batch
+  std::vector<Stride> strides_;
 };
 
-/// Worlds of the same motion together for an engine in lock step, else each for itself.
-std::vector<std::vector<std::size_t>> groups_of(const WorldBatch& batch, bool lock_step) {
+/// All worlds, or those of the same motion together, as the engine wants them; else each for itself.
+std::vector<std::vector<std::size_t>> groups_of(const WorldBatch& batch, const EngineTraits& traits) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
-    const auto same_motion = [&](const std::vector<std::size_t>& group) {
-      return batch.worlds[group.front()].motion == batch.worlds[world].motion;
+    const auto together = [&](const std::vector<std::size_t>& group) {
+      return traits.all_together || batch.worlds[group.front()].motion == batch.worlds[world].motion;
     };
-    const auto group = lock_step ? std::find_if(groups.begin(), groups.end(), same_motion) : groups.end();
+    const bool shared = traits.lock_step || traits.all_together;
+    const auto group = shared ? std::find_if(groups.begin(), groups.end(), together) : groups.end();
     if (group == groups.end()) {
       groups.push_back({world});
     } else {
@@ -168,8 +212,8 @@ double latest_end(const Motion& motion, const Settings& settings) {
 bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
               const std::atomic<bool>& abort) {
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
-  for (std::vector<std::size_t>& group : groups_of(batch, engine.traits().lock_step)) {
-    if (!Group(*simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;
+  for (std::vector<std::size_t>& group : groups_of(batch, engine.traits())) {
+    if (!Group(*simulation, engine.traits(), batch, settings, recorders, abort, std::move(group)).run()) return false;
   }
   return true;
 }

@@ -21,17 +21,36 @@ EngineSetting native(const char* name, Accuracy accuracy, bool quick = false) {
   return {"native", name, [=](Settings& settings) { settings.native.accuracy = accuracy; }, quick};
 }
 
+/// Bullet's OpenCL pipeline with a step and a number of iterations; not part of a quick run.
+EngineSetting opencl(const char* name, double steps_per_second, int iterations) {
+  return {.engine = "bullet-opencl",
+          .name = name,
+          .choose =
+              [=](Settings& settings) {
+                settings.steps_per_second = steps_per_second;
+                settings.opencl.iterations = iterations;
+              },
+          .quick_cases_only = true};
+}
+
 }  // namespace
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
-      native("standard", Accuracy::standard, true),     native("screening", Accuracy::screening, true),
+      native("standard", Accuracy::standard, true),
+      native("screening", Accuracy::screening, true),
       native("reference", Accuracy::reference),
-      bullet("bullet", "240 Hz, 50 it", 240, 50, true), bullet("bullet", "60 Hz, 10 it", 60, 10),
-      bullet("bullet", "120 Hz, 20 it", 120, 20),       bullet("bullet", "240 Hz, 10 it", 240, 10),
-      bullet("bullet", "480 Hz, 50 it", 480, 50),       bullet("bullet-f64", "240 Hz, 50 it", 240, 50),
-      bullet("bullet-f64", "1000 Hz, 50 it", 1000, 50), bullet("bullet-stock", "240 Hz, 10 it", 240, 10, true),
-      bullet("bullet-stock", "60 Hz, 10 it", 60, 10),   bullet("bullet-stock", "1000 Hz, 10 it", 1000, 10),
+      bullet("bullet", "240 Hz, 50 it", 240, 50, true),
+      bullet("bullet", "60 Hz, 10 it", 60, 10),
+      bullet("bullet", "120 Hz, 20 it", 120, 20),
+      bullet("bullet", "240 Hz, 10 it", 240, 10),
+      bullet("bullet", "480 Hz, 50 it", 480, 50),
+      bullet("bullet-f64", "240 Hz, 50 it", 240, 50),
+      bullet("bullet-f64", "1000 Hz, 50 it", 1000, 50),
+      bullet("bullet-stock", "240 Hz, 10 it", 240, 10, true),
+      bullet("bullet-stock", "60 Hz, 10 it", 60, 10),
+      bullet("bullet-stock", "1000 Hz, 10 it", 1000, 10),
+      opencl("240 Hz, 20 it", 240, 20),
   };
   return kSettings;
 }

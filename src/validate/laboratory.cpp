@@ -23,7 +23,8 @@ class ObservingRecorder final : public Recorder {
   void start(const BoxView& /*boxes*/, const StateView& /*layout*/, const StateView& settled) override {
     tell({0.0, 0.0, settled});
   }
-  double watch() const override { return std::numeric_limits<double>::infinity(); }
+  /// Every step end is wanted: the next one after the last.
+  double watch() const override { return enough_ ? std::numeric_limits<double>::infinity() : outcome_.end_time; }
   void step(const Step& step) override { tell({step.end, step.end - step.begin, step.after}); }
   void finish(const Outcome& outcome, const StateView& /*end*/) override { outcome_ = outcome; }
 
@@ -106,6 +107,7 @@ std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<co
     const auto movable =
         std::count_if(boxes.mass.begin(), boxes.mass.end(), [](double mass) { return std::isfinite(mass); });
     outcomes.push_back(owned[world]->outcome());
+    cost_.cpu_seconds += outcomes.back().counters.device_seconds;
     cost_.box_seconds += static_cast<double>(movable) * (outcomes.back().end_time + settings.screening.settle_seconds);
   }
   return outcomes;

@@ -299,3 +299,40 @@ TEST_CASE("simulate: a world is the same alone, in a batch and in lock step", "[
     }
   }
 }
+
+TEST_CASE("simulate: worlds that advance all together keep their own motions", "[core][simulate]") {
+  const Layout layouts[] = {kOneBox, kOneBox};
+  const Motion first = pulse();
+  const Motion second = motion_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
+  const Motion* const motions[] = {&first, &second};
+  Settings settings;
+  settings.screening.settle_seconds = 0.1;
+  const std::vector<Run> alone = run_all(ScriptedEngine({}), layouts, motions, settings);
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, settings);
+  REQUIRE(together.size() == 4);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    CHECK(together[i].record.state_hash == alone[i].record.state_hash);
+    CHECK(together[i].record.outcome.end_time == alone[i].record.outcome.end_time);
+    CHECK(together[i].record.outcome.counters.steps == alone[i].record.outcome.counters.steps);
+    CHECK(together[i].record.series.time == alone[i].record.series.time);
+  }
+}
+
+TEST_CASE("simulate: a world ends alone where all advance together", "[core][simulate]") {
+  const Layout layouts[] = {kOneBox, kOneBox};
+  const Motion motion = pulse();
+  const Motion* const motions[] = {&motion};
+  const Script script{.all_together = true, .breaks_at = 0.2, .breaking_world = 1};
+  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, motions, {});
+  CHECK(runs[0].record.outcome.stop_reason == StopReason::timeout);
+  CHECK(runs[0].record.outcome.end_time == motion.end_time());
+  CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
+  CHECK(runs[1].record.outcome.end_time == Approx(0.2).margin(1.0 / 240));
+}
+
+TEST_CASE("simulate: a world whose engine lost contacts fails with the last good state", "[core][simulate]") {
+  const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), {});
+  CHECK(lost.record.outcome.stop_reason == StopReason::failed);
+  CHECK(has(lost.record.outcome.status, Status::capacity));
+  CHECK(lost.record.outcome.end_time == 0.0);
+}

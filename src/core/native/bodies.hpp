@@ -11,15 +11,15 @@ namespace holdfast::native {
 
 /// The boxes of one world, a column a quantity, an entry a box; container frame.
 struct Bodies {
-  std::vector<double> mass;              ///< kg; infinite: fixed to the container
-  std::vector<Vec3> principal_inertia;   ///< about the centre of mass, body axes, kg m²
-  std::vector<Vec3> centre_of_mass;      ///< from the centroid, body axes, m
-  std::vector<double> radius;            ///< from the centre of mass to the farthest corner, m
+  std::vector<double> mass;             ///< kg; infinite: fixed to the container
+  std::vector<Vec3> principal_inertia;  ///< about the centre of mass, body axes, kg m²
+  std::vector<Vec3> centre_of_mass;     ///< from the centroid, body axes, m
+  std::vector<double> radius;           ///< from the centre of mass to the farthest corner, m
   std::vector<Surface> surface;
-  std::vector<std::uint8_t> fixed;       ///< 1: fixed to the container
+  std::vector<std::uint8_t> fixed;  ///< 1: fixed to the container
   StateColumns state;
-  std::vector<OrientedBox> shape;        ///< where the box is by `state`
-  std::vector<Vec3> acceleration;        ///< of the last step, a guess for the next, m/s²
+  std::vector<OrientedBox> shape;          ///< where the box is by `state`
+  std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²
   std::vector<Vec3> angular_acceleration;  ///< likewise, rad/s²
 
   std::size_t count() const { return mass.size(); }

@@ -82,7 +82,7 @@ double contact_reach(const StepTerms& terms, double approach) {
 
 /// The first overlap that a step would bring.
 struct IslandStepper::Event {
-  bool activated = false;  ///< manifolds became active: the step must be solved again
+  bool activated = false;                                 ///< manifolds became active: the step must be solved again
   double time = std::numeric_limits<double>::infinity();  ///< of the first fast impact, s from the step's start
 };
 
@@ -255,8 +255,8 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       case Purpose::smooth:
         patch.allowance.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
         if (purpose == Purpose::smooth) {
-          captures_ = captures_ || std::max(0.0, point.gap) + step * parting_speed <
-                                       -kJumpShare * terms.velocity_unit * step;
+          captures_ =
+              captures_ || std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step;
           // Friction along the mean slip makes curved paths second order in the step.
           const Vec3 slip = relative_velocity(bodies, manifold, point);
           const Vec3 slide = slip - manifold.contact.normal * manifold.contact.normal.dot(slip);
@@ -271,8 +271,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
         break;
     }
   }
-  for (std::size_t p = first; p < solver_.patches.size(); ++p)
-    solver_.patches[p].base = 1.0 / (inverse_mass * used);
+  for (std::size_t p = first; p < solver_.patches.size(); ++p) solver_.patches[p].base = 1.0 / (inverse_mass * used);
 }
 
 SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTerms& terms, double step,
@@ -485,8 +484,7 @@ void IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
     Manifold& manifold = scene.manifolds[index];
     scene.undo.emplace_back(index, manifold);
     double reach = terms.reach;
-    for (int i = 0; i < manifold.contact.count; ++i)
-      reach = std::max(reach, manifold.contact.points[at(i)].gap);
+    for (int i = 0; i < manifold.contact.count; ++i) reach = std::max(reach, manifold.contact.points[at(i)].gap);
     renew_contact(manifold, contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach));
   }
 }
@@ -541,8 +539,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
       const SplittingResult result = run(options, terms, step, report);
       event = find_overlap(scene, island, terms, step);
       if (!event.activated) {
-        const double stop =
-            stops < options_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
+        const double stop = stops < options_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
         if (stop >= step || stop >= event.time) {
           report.residual = std::max(report.residual, result.residual);
           break;
@@ -585,7 +582,8 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
       const Vec3 slip = tangential(relative_velocity(bodies, manifold, point));
       const double speed = slip.norm();
       if (speed <= kSlipShare * terms.velocity_unit) continue;
-      const Vec3 end = tangential(end_velocity(bodies, manifold.b, point.on_b) - end_velocity(bodies, manifold.a, point.on_a));
+      const Vec3 end =
+          tangential(end_velocity(bodies, manifold.b, point.on_b) - end_velocity(bodies, manifold.a, point.on_a));
       // It goes on when it keeps some speed in its direction.
       if (end.dot(slip) > kSlipShare * speed * speed) continue;
       const double slowing = -slip.dot(tangential(rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;

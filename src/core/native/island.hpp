@@ -21,11 +21,11 @@ struct Scene {
 
 /// What holds for all islands in a step.
 struct StepTerms {
-  double step = 0.0;               ///< s
-  Vec3 pull = Vec3::Zero();        ///< gravity and what the container's acceleration feels like, g − a, m/s²
-  double velocity_unit = 0.0;      ///< |g − a| · step: what tolerances are measured in, m/s
-  bool cold = false;               ///< the acceleration has just changed: the last step is no guess for this one
-  double reach = 0.0;              ///< m, see `contact_reach`
+  double step = 0.0;           ///< s
+  Vec3 pull = Vec3::Zero();    ///< gravity and what the container's acceleration feels like, g − a, m/s²
+  double velocity_unit = 0.0;  ///< |g − a| · step: what tolerances are measured in, m/s
+  bool cold = false;           ///< the acceleration has just changed: the last step is no guess for this one
+  double reach = 0.0;          ///< m, see `contact_reach`
 };
 
 /// Bodies that are solved together, with the manifolds inside: those whose ends are among the bodies or fixed.
@@ -81,8 +81,8 @@ class IslandStepper {
 
   NativeOptions options_;
   Splitting solver_;
-  std::int32_t fixed_ = 0;             ///< local index of what is fixed
-  std::vector<std::int32_t> place_;    ///< of a body of the scene in the solver
+  std::int32_t fixed_ = 0;                     ///< local index of what is fixed
+  std::vector<std::int32_t> place_;            ///< of a body of the scene in the solver
   std::vector<Rotation> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, by place
   std::vector<std::uint8_t> turning_;
   std::vector<BodyPair> pairs_;
@@ -94,7 +94,7 @@ class IslandStepper {
   std::vector<Source> sources_;
   std::vector<std::uint8_t> struck_;  ///< a manifold of the scene: its points that take part in an impact, a bit each
   bool captures_ = false;  ///< a contact of the solve closes too fast for the step and too slow to be located
-  bool may_cut_ = true;  ///< impacts that lie ahead may cut the step; else they are solved at its end
+  bool may_cut_ = true;    ///< impacts that lie ahead may cut the step; else they are solved at its end
 };
 
 }  // namespace holdfast::native

@@ -87,9 +87,8 @@ struct Relative {
   Four x, y, z;
 };
 HWY_INLINE Relative relative_velocity(const Arms& arms, const double* va, const double* vb) {
-  const auto arm = [](const std::array<Lanes, 3>& from, int i) HWY_ATTR {
-    return Four::load(from[static_cast<std::size_t>(i)].data());
-  };
+  const auto arm = [](const std::array<Lanes, 3>& from, int i)
+                       HWY_ATTR { return Four::load(from[static_cast<std::size_t>(i)].data()); };
   const Four ax = arm(arms.a, 0), ay = arm(arms.a, 1), az = arm(arms.a, 2);
   const Four bx = arm(arms.b, 0), by = arm(arms.b, 1), bz = arm(arms.b, 2);
   const Four wax = Four::all(va[3]), way = Four::all(va[4]), waz = Four::all(va[5]);
@@ -194,8 +193,7 @@ HWY_ATTR void subtract_kernel(std::size_t count, const PatchVector* a, double fa
     for (std::size_t i = 0; i < 3; ++i) (load(a[p], i) - f * load(b[p], i)).store(out[p].row[i].data());
 }
 
-HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count,
-                                  LaneWrench* wrench) {
+HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count, LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
     const Patch& patch = patches[p];
     const Four y[3] = {load(patch.impulse, 0), load(patch.impulse, 1), load(patch.impulse, 2)};
@@ -247,8 +245,7 @@ HWY_INLINE void invert(BodyBlock& block) {
   }
 }
 
-HWY_ATTR void factorise_kernel(const FactorShape& shape, BodyBlock* below, BodyBlock* diagonal,
-                               BodyBlock* scratch) {
+HWY_ATTR void factorise_kernel(const FactorShape& shape, BodyBlock* below, BodyBlock* diagonal, BodyBlock* scratch) {
   const std::size_t columns = shape.column_begin.size() - 1;
   const std::size_t below_count = shape.block_row.size();
   for (std::size_t j = 0; j < columns; ++j) {
@@ -326,8 +323,8 @@ double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity,
 
 void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
              std::span<const PatchVector> u, std::span<LaneWrench> wrench) {
-  HWY_DYNAMIC_DISPATCH(project_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),
-                                       wrench.data());
+  HWY_DYNAMIC_DISPATCH(project_kernel)
+  (patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(), wrench.data());
 }
 
 double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b) {

@@ -60,10 +60,10 @@ struct BlockUpdate {
 
 /// Structure of a block factor, columns in order of elimination; made by `BlockFactor`.
 struct FactorShape {
-  std::vector<std::uint32_t> column_begin;   ///< first block of column j below the diagonal; one more than columns
-  std::vector<std::uint32_t> block_row;      ///< row, in order of elimination, of a block below the diagonal
-  std::vector<BlockUpdate> updates;          ///< of all columns; c counts blocks below the diagonal, then diagonals
-  std::vector<std::uint32_t> update_begin;   ///< first update of column j; one more than columns
+  std::vector<std::uint32_t> column_begin;  ///< first block of column j below the diagonal; one more than columns
+  std::vector<std::uint32_t> block_row;     ///< row, in order of elimination, of a block below the diagonal
+  std::vector<BlockUpdate> updates;         ///< of all columns; c counts blocks below the diagonal, then diagonals
+  std::vector<std::uint32_t> update_begin;  ///< first update of column j; one more than columns
 };
 
 /// A = L D Lᵀ in place. On entry `below` and `diagonal` hold A's blocks, on exit L and D⁻¹.

@@ -6,18 +6,18 @@ namespace holdfast::native {
 
 /// Everything the native engine can be told, every choice made: the accuracy's set, and the keys that override it.
 struct NativeOptions {
-  double steps_per_second = 240.0;   ///< 1/s
-  double tolerance = 1e-4;           ///< of a moving step's velocities, over |g − a| h
-  int iterations = 60;               ///< of a moving step's solve, at most
-  int cold_iterations = 400;         ///< where the acceleration has just changed
-  double rest_tolerance = 1e-8;      ///< imbalance of a body that counts as none, over its weight |g − a| m
-  int rest_iterations = 400;         ///< of a proof of rest, at most
-  int impact_cuts = 8;               ///< times that impacts may cut a step of an island
-  double impact_length = 2e-4;       ///< impacts that move a body less than this within a step are not located, m
-  double overlap = 1e-5;             ///< from which positions are corrected, m
-  int stop_cuts = 2;                 ///< times that the end of a slip may cut a step of an island
-  bool jump = true;                  ///< go to the end of the phase when all is at rest
-  bool freeze = true;                ///< leave islands at rest alone until something touches them
+  double steps_per_second = 240.0;  ///< 1/s
+  double tolerance = 1e-4;          ///< of a moving step's velocities, over |g − a| h
+  int iterations = 60;              ///< of a moving step's solve, at most
+  int cold_iterations = 400;        ///< where the acceleration has just changed
+  double rest_tolerance = 1e-8;     ///< imbalance of a body that counts as none, over its weight |g − a| m
+  int rest_iterations = 400;        ///< of a proof of rest, at most
+  int impact_cuts = 8;              ///< times that impacts may cut a step of an island
+  double impact_length = 2e-4;      ///< impacts that move a body less than this within a step are not located, m
+  double overlap = 1e-5;            ///< from which positions are corrected, m
+  int stop_cuts = 2;                ///< times that the end of a slip may cut a step of an island
+  bool jump = true;                 ///< go to the end of the phase when all is at rest
+  bool freeze = true;               ///< leave islands at rest alone until something touches them
 };
 
 NativeOptions native_options(const Settings& settings);

@@ -40,8 +40,7 @@ std::vector<Side> sides_of(const ContainerSettings& container) {
   for (const ContainerSide& side : closed_sides(container)) {
     Vec3 normal = Vec3::Zero();
     normal[side.axis] = side.far ? -1.0 : 1.0;
-    sides.push_back({{normal, side.far ? -container.size[side.axis] : 0.0},
-                     {side.kind, container.friction, 0.0}});
+    sides.push_back({{normal, side.far ? -container.size[side.axis] : 0.0}, {side.kind, container.friction, 0.0}});
   }
   return sides;
 }
@@ -50,7 +49,10 @@ std::vector<Side> sides_of(const ContainerSettings& container) {
 
 NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings,
                          const NativeOptions& options)
-    : world_(world), options_(options), gravity_(0.0, 0.0, -settings.gravity), contact_(settings.contact),
+    : world_(world),
+      options_(options),
+      gravity_(0.0, 0.0, -settings.gravity),
+      contact_(settings.contact),
       stepper_(options) {
   scene_.bodies = bodies_of(batch, world);
   scene_.sides = sides_of(settings.container);
@@ -82,8 +84,8 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const auto speed = [&](std::int32_t body) {
     return body < 0 ? 0.0 : bodies.radius[at(body)] * bodies.state.angular_velocity[at(body)].norm();
   };
-  const Vec3 relative = a < 0 ? bodies.state.velocity[at(b)]
-                              : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
+  const Vec3 relative =
+      a < 0 ? bodies.state.velocity[at(b)] : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
   const double reach = contact_reach(terms_, relative.norm() + speed(a) + speed(b));
   Manifold fresh;
   Manifold& manifold = slot < 0 ? fresh : scene_.manifolds[at(slot)];
@@ -128,8 +130,7 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
     const double speed = bodies.state.velocity[i].norm() + bodies.radius[i] * bodies.state.angular_velocity[i].norm();
-    const Vec3 extent =
-        (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
+    const Vec3 extent = (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
     lower_[i] = box.centre - extent;
     upper_[i] = box.centre + extent;
   }
@@ -350,8 +351,7 @@ bool NativeWorld::merge_overlapping() {
     manifold = copy->second;
     manifold.active = active;
   }
-  std::erase_if(scene_.undo,
-                [&](const auto& copy) { return restored[at(scene_.manifolds[copy.first].b)] != 0; });
+  std::erase_if(scene_.undo, [&](const auto& copy) { return restored[at(scene_.manifolds[copy.first].b)] != 0; });
   // Who was merged moves now.
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (restored[i] != 0) moving_[i] = 2;
@@ -387,7 +387,8 @@ void NativeWorld::step_moving() {
 void NativeWorld::finish_step() {
   find_contacts(moving_);
   for (Manifold& manifold : scene_.manifolds) {
-    if (!manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0))) continue;
+    if (!manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0)))
+      continue;
     bool loaded = false;
     double nearest = manifold.contact.points[0].gap;
     for (int i = 0; i < manifold.contact.count; ++i) {

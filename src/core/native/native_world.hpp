@@ -52,16 +52,16 @@ class NativeWorld {
   StepTerms terms_;
   IslandStepper stepper_;
 
-  std::vector<std::int32_t> slot_;         ///< manifold of a pair of body and body or side; −1: none
-  std::vector<std::uint8_t> resting_;      ///< a body: proved to rest under this phase's acceleration
-  std::vector<std::uint8_t> moving_;       ///< a body: stepped in this step
+  std::vector<std::int32_t> slot_;              ///< manifold of a pair of body and body or side; −1: none
+  std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
+  std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step
   std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
   std::vector<Island> islands_;
   std::vector<std::uint32_t> members_, inside_;
-  std::vector<std::uint32_t> island_of_;   ///< a body
+  std::vector<std::uint32_t> island_of_;  ///< a body
   BroadPhase broad_phase_;
-  std::vector<Vec3> lower_, upper_;        ///< bounds of the bodies, grown by their reach, m
-  StateColumns before_;                    ///< at the start of the step, entries of moving bodies
+  std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
+  StateColumns before_;              ///< at the start of the step, entries of moving bodies
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;

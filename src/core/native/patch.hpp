@@ -26,15 +26,15 @@ struct alignas(32) PatchVector {
 /// reads and writes in an iteration. Directions: 0 along the normal, 1 and 2 along the tangents. A lane without a
 /// point has resistance 0 and stays at impulse 0.
 struct alignas(64) Patch {
-  Arms arms;                               ///< at the end of the step: where velocities are measured
-  PatchVector impulse;                     ///< y, on b, opposite on a, kg m/s
-  PatchVector slip;                        ///< z, the velocity that goes with the impulse by Coulomb's law, m/s
+  Arms arms;            ///< at the end of the step: where velocities are measured
+  PatchVector impulse;  ///< y, on b, opposite on a, kg m/s
+  PatchVector slip;     ///< z, the velocity that goes with the impulse by Coulomb's law, m/s
   /// Added to the velocity, m/s: along the normal, what must stay ≥ 0 is the sum; along the tangents, the sum is what
   /// friction opposes.
   PatchVector allowance;
-  Lanes load = {};                         ///< normal impulse that the point is likely to carry, kg m/s
-  std::array<Lanes, 2> resistance = {};    ///< R of the splitting, normal and tangential, kg
-  std::array<Lanes, 2> compliance = {};    ///< 1 / R; 0 for an unused lane, 1/kg
+  Lanes load = {};                                       ///< normal impulse that the point is likely to carry, kg m/s
+  std::array<Lanes, 2> resistance = {};                  ///< R of the splitting, normal and tangential, kg
+  std::array<Lanes, 2> compliance = {};                  ///< 1 / R; 0 for an unused lane, 1/kg
   std::array<std::array<double, 3>, 3> directions = {};  ///< normal (from a to b) and tangents, unit, container frame
   double friction = 0.0;
   std::int32_t a = 0;  ///< body, local index; the island's count stands for what is fixed

@@ -36,8 +36,8 @@ void add(BodyBlock& block, int row, int column, const Mat3& part) {
 
 /// Σ over a patch's points of Gᵢ R Gⱼᵀ, where G maps a force at the point to a wrench; see `Splitting::add_patch`.
 struct PatchBlocks {
-  Mat3 linear = Mat3::Zero();                               ///< force from linear velocity
-  Mat3 turning_a = Mat3::Zero(), turning_b = Mat3::Zero();  ///< torque from linear velocity
+  Mat3 linear = Mat3::Zero();                                    ///< force from linear velocity
+  Mat3 turning_a = Mat3::Zero(), turning_b = Mat3::Zero();       ///< torque from linear velocity
   Mat3 aa = Mat3::Zero(), bb = Mat3::Zero(), ab = Mat3::Zero();  ///< torque from angular velocity
 };
 
@@ -89,7 +89,8 @@ bool Splitting::choose_resistance(const SplittingOptions& options, bool first) {
       double rt = patch.base;
       if (normal > 0.0 || (first && patch.load[i] > 0.0)) {
         const double limit = kSlidingShare * patch.friction * normal;
-        const double tangential = patch.impulse.row[1][i] * patch.impulse.row[1][i] + patch.impulse.row[2][i] * patch.impulse.row[2][i];
+        const double tangential =
+            patch.impulse.row[1][i] * patch.impulse.row[1][i] + patch.impulse.row[2][i] * patch.impulse.row[2][i];
         rn = options.sticking * carried;
         rt = (normal > 0.0 && tangential >= limit * limit ? options.sliding : options.sticking) * carried;
       }

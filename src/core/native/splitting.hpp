@@ -13,22 +13,22 @@ namespace holdfast::native {
 
 /// What a body's mass does in a solve.
 struct SolverBody {
-  double mass = 0.0;              ///< kg
-  Mat3 inertia = Mat3::Zero();    ///< container frame, at the end of the step, kg m²
-  double radius = 0.0;            ///< of the sphere around the box, m
+  double mass = 0.0;            ///< kg
+  Mat3 inertia = Mat3::Zero();  ///< container frame, at the end of the step, kg m²
+  double radius = 0.0;          ///< of the sphere around the box, m
 };
 
 /// How hard a solve tries.
 struct SplittingOptions {
-  double tolerance = 1e-3;      ///< of velocities, in units of `velocity_unit`
-  int iterations = 24;          ///< at most, as long as the residual is not above `bad_residual`
-  int more_iterations = 0;      ///< at most, on top of these, accelerated, where it is
-  double bad_residual = 0.05;   ///< in units of `velocity_unit`
-  double relaxation = 1.0;      ///< α
-  double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
-  double sliding = 3.0;         ///< the same along the tangents where it slides
-  int reclassify_every = 12;    ///< iterations between two choices of R
-  bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end
+  double tolerance = 1e-3;     ///< of velocities, in units of `velocity_unit`
+  int iterations = 24;         ///< at most, as long as the residual is not above `bad_residual`
+  int more_iterations = 0;     ///< at most, on top of these, accelerated, where it is
+  double bad_residual = 0.05;  ///< in units of `velocity_unit`
+  double relaxation = 1.0;     ///< α
+  double sticking = 10.0;      ///< R over the mass that a contact carries, where it sticks and along the normal
+  double sliding = 3.0;        ///< the same along the tangents where it slides
+  int reclassify_every = 12;   ///< iterations between two choices of R
+  bool accelerate = false;     ///< Anderson's acceleration: for solves that go on to the end
 };
 
 /// How far a solve came.
@@ -56,7 +56,7 @@ class Splitting {
   std::vector<Arms> mid_arms;             ///< a patch; empty when nothing turns
   std::vector<std::uint32_t> patch_pair;  ///< pair of the factor that a patch belongs to; `kNoPair` with what is fixed
   BlockFactor factor;
-  double load_unit = 1.0;                 ///< impulse that a kilogram brings to bear in the step, m/s
+  double load_unit = 1.0;  ///< impulse that a kilogram brings to bear in the step, m/s
 
   static constexpr std::uint32_t kNoPair = ~0U;
 

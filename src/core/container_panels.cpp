@@ -1,4 +1,4 @@
-#include "bullet/container_panels.hpp"
+#include "core/container_panels.hpp"
 
 #include <algorithm>
 

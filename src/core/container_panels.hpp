@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bullet/surface.hpp"
+#include "core/contact_law.hpp"
 #include "core/settings.hpp"
 
 namespace holdfast {

@@ -1,0 +1,111 @@
+#include "parallel/opencl/device_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/contact_law.hpp"
+#include "core/container_panels.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Nothing passes a metre of wall within a step.
+constexpr double kWallThickness = 1.0;
+
+float narrow(double number) { return static_cast<float>(number); }
+
+Float4Column column_of(const Vec3& v) { return {narrow(v.x()), narrow(v.y()), narrow(v.z()), 0.0F}; }
+
+/// The friction of every pair as a product of two sides: what a contact on the device can compute. Of the model
+/// `pairs`, a box has the root of two boxes' coefficient, and the container's sides the rest of theirs.
+struct FrictionSides {
+  explicit FrictionSides(const ContactSettings& contact) : contact_(contact) {}
+
+  double of(SurfaceKind kind, double own) const {
+    if (contact_.friction_model == FrictionModel::product) return own;
+    // Boxes without friction still have some against the sides; what is left among them is 1e-12.
+    const double box = std::sqrt(std::max(contact_.box_box, 1e-12));
+    if (kind == SurfaceKind::box) return box;
+    return (kind == SurfaceKind::floor ? contact_.box_floor : contact_.box_wall) / box;
+  }
+
+ private:
+  const ContactSettings& contact_;
+};
+
+struct Body {
+  Vec3 position = Vec3::Zero();
+  Rotation orientation = Rotation::Identity();
+  Vec3 velocity = Vec3::Zero();
+  Vec3 angular_velocity = Vec3::Zero();
+  Vec3 half_extents = Vec3::Zero();
+  Vec3 shape_centre = Vec3::Zero();
+  double mass = std::numeric_limits<double>::infinity();
+  Vec3 inertia = Vec3::Ones();
+  double friction = 0.0;
+  double restitution = 0.0;
+};
+
+void append(DeviceBatch& device, const Body& body, std::size_t world, int sweeps) {
+  const bool fixed = !std::isfinite(body.mass);
+  const Rotation& q = body.orientation;
+  DeviceBody& out = device.bodies.emplace_back();
+  out.position = column_of(body.position);
+  out.orientation = {narrow(q.x()), narrow(q.y()), narrow(q.z()), narrow(q.w())};
+  out.velocity = column_of(body.velocity);
+  out.angular_velocity = column_of(body.angular_velocity);
+  out.inverse_mass = fixed ? 0.0F : narrow(1.0 / body.mass);
+  out.world = static_cast<float>(world);
+  out.sweeps = static_cast<float>(sweeps);
+
+  DeviceInertia& inertia = device.inertias.emplace_back();
+  const bool centred = body.shape_centre.isZero(0.0);
+  for (unsigned axis = 0; axis < 3; ++axis) inertia.now[axis][3] = centred ? narrow(body.half_extents[axis]) : 0.0F;
+  inertia.setup[1][3] = narrow(body.restitution);
+  inertia.setup[2][3] = narrow(body.friction);
+
+  device.body_inertia.push_back(column_of(fixed ? Vec3(Vec3::Ones()) : body.inertia));
+  device.half_extents.push_back(body.half_extents);
+  device.shape_centre.push_back(body.shape_centre);
+}
+
+}  // namespace
+
+DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps) {
+  DeviceBatch device;
+  const FrictionSides friction(settings.contact);
+  const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
+  for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
+    const std::size_t begin = device.bodies.size();
+    const std::size_t first = batch.worlds[world].box_begin;
+    for (std::size_t i = first; i < first + batch.worlds[world].box_count; ++i) {
+      append(device,
+             {.position = batch.state.position[i],
+              .orientation = batch.state.orientation[i],
+              .velocity = batch.state.velocity[i],
+              .angular_velocity = batch.state.angular_velocity[i],
+              .half_extents = batch.boxes.half_extents[i],
+              .shape_centre = -batch.boxes.centre_of_mass[i],
+              .mass = batch.boxes.mass[i],
+              .inertia = batch.boxes.inertia[i],
+              .friction = friction.of(SurfaceKind::box, batch.boxes.friction[i]),
+              .restitution = batch.boxes.restitution[i]},
+             world, sweeps);
+    }
+    for (const Panel& panel : panels) {
+      // The smaller restitution of two counts: that of the box.
+      append(device,
+             {.position = panel.centre,
+              .half_extents = panel.half_extents,
+              .friction = friction.of(panel.kind, settings.container.friction),
+              .restitution = 1.0},
+             world, sweeps);
+    }
+    device.ranges.push_back({begin, device.bodies.size(), false});
+  }
+  return device;
+}
+
+}  // namespace holdfast

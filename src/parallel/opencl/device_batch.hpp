@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "core/settings.hpp"
+#include "core/world.hpp"
+#include "parallel/opencl/body_columns.hpp"
+#include "parallel/opencl/bullet3_pipeline.hpp"
+
+namespace holdfast {
+
+/// A batch of worlds as columns of bodies: of each world its boxes in order, then the sides of the container.
+struct DeviceBatch {
+  std::vector<DeviceBody> bodies;
+  std::vector<DeviceInertia> inertias;
+  std::vector<Float4Column> body_inertia;  ///< principal moments, body axes, kg m²
+  std::vector<Vec3> half_extents;          ///< of a body's shape, m
+  std::vector<Vec3> shape_centre;          ///< of a body's shape in the body's frame, m
+  std::vector<BodyRange> ranges;           ///< a world's bodies
+};
+
+/// @param sweeps of the solver inside each of Bullet's outer ones
+DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps);
+
+}  // namespace holdfast

@@ -1,0 +1,98 @@
+#include "parallel/opencl/kernel_patches.hpp"
+
+#include <algorithm>
+
+#include "core/number_text.hpp"
+#include "parallel/opencl/contact_constants.hpp"
+#include "parallel/opencl/kernel_sources.hpp"
+
+namespace holdfast {
+
+namespace {
+
+std::string define(const char* name, double value) {
+  return std::string("#define ") + name + " " + number_text(value) + "f\n";
+}
+
+std::size_t count(std::string_view text, std::string_view wanted) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(wanted); at != std::string_view::npos; at = text.find(wanted, at + wanted.size()))
+    ++found;
+  return found;
+}
+
+std::vector<KernelPatch> make_patches() {
+  const char* const setup = "void ContactToConstraintKernel(";
+  const char* const solve = "void BatchSolveKernelContact(";
+  const char* const kernel_head = "__kernel\n__attribute__((reqd_work_group_size(WG_SIZE,1,1)))\n";
+  return {
+      // Stock: friction 0.7 and restitution 0 for every pair, a step of 1/60 s, 5 mm of overlap left alone.
+      {"contact setup: code", setup, std::string(kernel_head) + setup,
+       define("HOLDFAST_MARGIN", kShapeMargin) + define("HOLDFAST_EDGE_OVERLAP", kEdgeOverlap) +
+           define("HOLDFAST_ERP", kErp) + define("HOLDFAST_REBOUND_SPEED", kReboundSpeed) + kContactSetupSource +
+           kernel_head + setup},
+      {"contact setup: call", setup, "cs.m_batchIdx = gContact[gIdx].m_batchIdx;\n",
+       "cs.m_batchIdx = gContact[gIdx].m_batchIdx;\n"
+       "holdfast_prepare_contact(&cs, &gContact[gIdx], gBodies, gShapes, aIdx, bIdx);\n"},
+
+      // Stock: four sweeps along the normals, then four of friction, which is damped away about the normal. Here each
+      // sweep has both, and there are as many as the setting says.
+      {"contact solve: code", solve, std::string(kernel_head) + solve,
+       kContactSolveSource + std::string(kernel_head) + solve},
+      {"contact solve: call", solve, "\t\t\t\t\tsolveContactConstraint( gBodies, gShapes, &gConstraints[idx] );\n",
+       "holdfast_solve_contact(gBodies, gShapes, &gConstraints[idx]);\n"},
+      {"contact solve: sweeps", solve, "\tint idx=ldsStart+lIdx;\n\twhile (ldsCurBatch < maxBatch)\n",
+       "const int sweeps = (int)gBodies[gConstraints[start].m_bodyA].m_frictionCoeff;\n"
+       "for (int sweep = 0; sweep < sweeps; ++sweep) {\n"
+       "GROUP_LDS_BARRIER;\nif (lIdx == 0) ldsCurBatch = 0;\nGROUP_LDS_BARRIER;\n"
+       "int idx = start + lIdx;\nwhile (ldsCurBatch < maxBatch)\n"},
+      {"contact solve: end of sweeps", solve, "}\n__kernel void solveSingleContactKernel(",
+       "}\n}\n__kernel void solveSingleContactKernel("},
+      // A batch reads the velocities that other work-items wrote in the batch before.
+      {"contact solve: barrier", solve, "barrier(CLK_LOCAL_MEM_FENCE)",
+       "barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)"},
+      {"friction solve: none of its own", "void BatchSolveKernelFriction(", "\tif( gN[cellIdx] == 0 ) \n",
+       "\tif (gN[cellIdx] >= 0)\n"},
+
+      // Stock: contacts are solved by place, in cells of 6 m. Here a world is a cell, wherever its boxes are.
+      {"contact order", "void SetSortDataKernel(", "int newIndex = (xIdx+yIdx*nSplit.x+zIdx*nSplit.x*nSplit.y);",
+       "int newIndex = (int)gBodies[idx].m_restituitionCoeff & (nSplit.x * nSplit.y * nSplit.z - 1);"},
+
+      // Stock: 1 % of the spin is lost a step.
+      {"integrate: x damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.x *= angularDamping;", ""},
+      {"integrate: y damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.y *= angularDamping;", ""},
+      {"integrate: z damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.z *= angularDamping;", ""},
+  };
+}
+
+}  // namespace
+
+const std::vector<KernelPatch>& kernel_patches() {
+  static const std::vector<KernelPatch> kPatches = make_patches();
+  return kPatches;
+}
+
+std::string KernelPatcher::patched(std::string_view source) {
+  std::string text(source);
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const KernelPatch& patch = patches_[i];
+    if (text.find(patch.program) == std::string::npos) continue;
+    if (count(text, patch.find) == 1) {
+      text.replace(text.find(patch.find), patch.find.size(), patch.replace);
+      applied_[i] = true;
+    } else {
+      misfits_.push_back(patch.name);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> KernelPatcher::unapplied() const {
+  std::vector<std::string> names = misfits_;
+  for (std::size_t i = 0; i < patches_.size(); ++i)
+    if (!applied_[i] && std::find(names.begin(), names.end(), patches_[i].name) == names.end())
+      names.push_back(patches_[i].name);
+  return names;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/engine.hpp"
+#include "core/result.hpp"
+#include "core/settings.hpp"
+#include "parallel/opencl/opencl_device.hpp"
+
+namespace holdfast {
+
+/// Bullet's OpenCL pipeline behind the `Engine` seam: batches of worlds, all stepped at once on one device.
+class OpenClEngine final : public Engine {
+ public:
+  /// Builds the device's kernels if no engine of the process has done so. An error says what of the settings cannot be
+  /// modelled, or why no device can be used.
+  static Result<std::unique_ptr<Engine>> make(const std::string& name, const Settings& settings);
+
+  const EngineTraits& traits() const override { return traits_; }
+  std::unique_ptr<Simulation> build(const WorldBatch& batch) const override;
+
+ private:
+  OpenClEngine(const std::string& name, const Settings& settings, const OpenClDevice& device);
+
+  EngineTraits traits_;
+  Settings settings_;
+};
+
+}  // namespace holdfast
