@@ -24,7 +24,7 @@ template <int kSize>
 struct Pack {
   using D = hn::CappedTag<double, kSize>;
   static constexpr std::size_t kWidth = hn::MaxLanes(D());
-  static constexpr std::size_t kVectors = kSize / kWidth;
+  static constexpr std::size_t kVectors = static_cast<std::size_t>(kSize) / kWidth;
   hn::Vec<D> part[kVectors];
 
   static HWY_INLINE Pack load(const double* from) {

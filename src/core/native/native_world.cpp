@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/container_sides.hpp"
@@ -29,11 +30,24 @@ constexpr int kIdleSteps = 8;
 /// Overlap at the end of a step that calls for a contact between islands, m.
 constexpr double kOverlap = 5e-6;
 
+/// Overlap that bodies may come to within a step without having been in contact before it, m. Corners that approach
+/// across two directions at once show no contact until they overlap.
+constexpr double kDeepOverlap = 2e-4;
+
+/// Times that a step is halved to see such contacts in time.
+constexpr int kHalvings = 4;
+
 /// A residual above this, over |g − a| h, is reported with the world: it moves a box by half of what it falls freely
 /// in a step.
 constexpr double kBadResidual = 0.5;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+double nearest_gap(const ContactSet& contact) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < contact.count; ++i) nearest = std::min(nearest, contact.points[at(i)].gap);
+  return nearest;
+}
 
 std::vector<Side> sides_of(const ContainerSettings& container) {
   std::vector<Side> sides;
@@ -94,6 +108,8 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     fresh.b = b;
   }
   const ContactSet contact = contact_now(manifold, bodies, scene_.sides, reach);
+  const double gap_before = slot < 0 ? 0.0 : std::min(0.0, nearest_gap(manifold.contact));
+  if (contact.count > 0 && nearest_gap(contact) < gap_before - kDeepOverlap) met_deep_ = true;
   if (contact.count > 0 && slot >= 0) {
     renew_contact(manifold, contact);
   } else if (contact.count > 0) {
@@ -367,7 +383,8 @@ void NativeWorld::step_moving() {
     IslandReport report;
     stepper_.advance(scene_, view_of(island), terms_, report);
     counters_.solve_iterations += report.iterations;
-    const double residual = report.residual / terms_.velocity_unit;
+    // In units of a whole step, also where it is halved.
+    const double residual = report.residual / whole_step_unit_;
     counters_.max_residual = std::max(counters_.max_residual, residual);
     if (residual > kBadResidual) status_ = status_ | Status::not_converged;
   };
@@ -384,17 +401,52 @@ void NativeWorld::step_moving() {
   }
 }
 
-void NativeWorld::finish_step() {
+/// An island with a body that moves moves as a whole.
+void NativeWorld::spread_motion() {
+  for (const Island& island : islands_) {
+    const IslandView view = view_of(island);
+    if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] != 0; })) continue;
+    for (const std::uint32_t body : view.bodies) {
+      moving_[body] = 1;
+      resting_[body] = 0;
+    }
+  }
+}
+
+void NativeWorld::take_step(double step, int halvings) {
+  terms_.step = step;
+  terms_.velocity_unit = terms_.pull.norm() * step;
+  if (activate_predicted() || halvings > 0) {
+    find_islands();
+    spread_motion();
+  }
+  step_moving();
+  met_deep_ = false;
   find_contacts(moving_);
+  if (!met_deep_ || halvings == kHalvings) {
+    finish_step();
+    return;
+  }
+  // Back to the start, and on in two steps.
+  Bodies& bodies = scene_.bodies;
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (moving_[i] == 0) continue;
+    for_each_state_column([&](const char*, const auto& from, auto& to) { to[i] = from[i]; }, before_, bodies.state);
+    bodies.update_shape(i);
+  }
+  find_contacts(moving_);
+  take_step(0.5 * step, halvings + 1);
+  take_step(0.5 * step, halvings + 1);
+}
+
+void NativeWorld::finish_step() {
   for (Manifold& manifold : scene_.manifolds) {
     if (!manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0)))
       continue;
     bool loaded = false;
-    double nearest = manifold.contact.points[0].gap;
-    for (int i = 0; i < manifold.contact.count; ++i) {
+    for (int i = 0; i < manifold.contact.count; ++i)
       loaded = loaded || manifold.memory[at(i)].force.dot(manifold.contact.normal) > 0.0;
-      nearest = std::min(nearest, manifold.contact.points[at(i)].gap);
-    }
+    const double nearest = nearest_gap(manifold.contact);
     counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     manifold.idle_steps = loaded ? 0 : manifold.idle_steps + 1;
     if (manifold.idle_steps > kIdleSteps || (!loaded && nearest > kStartTouch)) manifold.active = false;
@@ -406,6 +458,7 @@ double NativeWorld::advance(const Phase& phase) {
   const StepPlan plan(phase, options_.steps_per_second);
   terms_.step = plan.step();
   terms_.velocity_unit = terms_.pull.norm() * terms_.step;
+  whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
   find_islands();
   bool any_moving = false;
   for (const Island& island : islands_) {
@@ -417,17 +470,6 @@ double NativeWorld::advance(const Phase& phase) {
     for (const std::uint32_t body : view.bodies) moving_[body] = rests ? 0 : 1;
     any_moving = any_moving || !rests;
   }
-  if (any_moving && activate_predicted()) {
-    find_islands();
-    for (const Island& island : islands_) {
-      const IslandView view = view_of(island);
-      if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] != 0; })) continue;
-      for (const std::uint32_t body : view.bodies) {
-        moving_[body] = 1;
-        resting_[body] = 0;
-      }
-    }
-  }
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;
     counters_.steps += left;
@@ -436,10 +478,7 @@ double NativeWorld::advance(const Phase& phase) {
     terms_.cold = false;
     return phase.end;
   }
-  if (any_moving) {
-    step_moving();
-    finish_step();
-  }
+  if (any_moving) take_step(plan.step(), 0);
   terms_.cold = false;
   ++counters_.steps;
   if (!any_moving) ++counters_.steps_skipped;

@@ -41,7 +41,9 @@ class NativeWorld {
   void save(const Island& island);
   bool activate_predicted();
   bool merge_overlapping();
+  void spread_motion();
   void step_moving();
+  void take_step(double step, int halvings);
   void finish_step();
 
   const World& world_;
@@ -61,6 +63,8 @@ class NativeWorld {
   std::vector<std::uint32_t> island_of_;  ///< a body
   BroadPhase broad_phase_;
   std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
+  double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
+  bool met_deep_ = false;            ///< a pair has come to overlap deeply since its contact was found last
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
 
   double phase_begin_ = 0.0;
