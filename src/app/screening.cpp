@@ -8,7 +8,6 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 
 #include "app/engine_catalog.hpp"
@@ -23,7 +22,9 @@
 #include "app/world_json.hpp"
 #include "core/setting_table.hpp"
 #include "io/acceleration_reader.hpp"
+#include "io/output_lock.hpp"
 #include "io/results_assembler.hpp"
+#include "io/results_removal.hpp"
 #include "io/results_writer.hpp"
 #include "io/text_export.hpp"
 #include "io/text_file.hpp"
@@ -138,7 +139,6 @@ class Run {
     return !error_ && counts_.done == counts_.total;
   }
 
-  int signal() const { return stop_.signal; }
   bool write_failed() const { return error_.has_value(); }
   std::uint64_t done() const { return counts_.done; }
   std::uint64_t total() const { return counts_.total; }
@@ -224,31 +224,28 @@ class Run {
   bool stop_told_ = false;
 };
 
-/// Whether a file may be replaced: it is HDF5, or holds nothing.
-bool is_replaceable(const std::string& path) {
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kSignature.size(), '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return file.gcount() == 0 || head == kSignature;
-}
-
-/// Removes what an earlier run left under that name.
-std::optional<Error> remove_results(const std::string& path) {
-  if (!is_replaceable(path))
-    return Error{.file = path, .what = "is not a results file, and left as it is", .accepted = "another name"};
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  if (!error) std::filesystem::remove_all(path + ".parts", error);
-  if (error) return Error{.file = path, .what = "cannot be removed", .value = error.message()};
-  return std::nullopt;
+/// How a run ends that a signal stopped: what finished is kept.
+ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
+  fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
+             total, job.results_path);
+  return watch_stop_signals().signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
 ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
   if (!assembled) {
-    if (const auto error = assemble(job.results_path, description)) return fail(ExitCode::some_failed, *error);
+    const std::atomic<bool>& stop = watch_stop_signals().no_more;
+    const auto error = assemble(job.results_path, description, &stop);
+    const std::size_t total = job.layout_paths.size() * description.accelerations.size();
+    if (error && stop) return stopped(job, total, total);
+    if (error) {
+      fail(ExitCode::some_failed, *error);
+      fmt::print(stderr, "all {} are safe in {}.parts; --resume puts them together\n", counted(total, "world"),
+                 job.results_path);
+      return ExitCode::some_failed;
+    }
   }
+  unwatch_stop_signals();  // all is safe: what is left may end at once
   if (job.text_folder) {
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
       return fail(ExitCode::some_failed, *error);
@@ -275,6 +272,10 @@ ExitCode run_screening(const ScreeningJob& job) {
 
   const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
   const RunDescription description = describe_run(job, motions);
+  std::optional<Error> warning;
+  const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
+  if (!lock) return fail(ExitCode::bad_usage, lock.error());
+  if (warning) warn(std::span(&*warning, 1));
   if (job.overwrite) {
     if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }
@@ -309,11 +310,7 @@ ExitCode run_screening(const ScreeningJob& job) {
                safe ? safe->world_count : 0, run.total(), job.results_path);
     return ExitCode::some_failed;
   }
-  if (!all_there) {
-    fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n",
-               run.done(), run.total(), job.results_path);
-    return run.signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-  }
+  if (!all_there) return stopped(job, run.done(), run.total());
   return conclude(job, description, false);
 }
 

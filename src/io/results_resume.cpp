@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "io/durable_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/results_columns.hpp"
 #include "io/results_part.hpp"
@@ -11,16 +10,6 @@
 namespace holdfast {
 
 namespace {
-
-/// What a kill left under temporary names holds nothing that can be used.
-void remove_temporaries(const std::string& path) {
-  std::filesystem::remove(temporary_name(path));
-  if (!std::filesystem::exists(parts_folder(path))) return;
-  std::vector<std::filesystem::path> stale;
-  for (const auto& entry : std::filesystem::directory_iterator(parts_folder(path)))
-    if (entry.path().extension() == ".tmp") stale.push_back(entry.path());
-  for (const auto& file : stale) std::filesystem::remove(file);
-}
 
 std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
   const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
@@ -61,7 +50,11 @@ Progress progress_of_finished_file(const std::string& path, const std::string& f
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint) {
   return h5::caught_result(path, [&] {
     remove_temporaries(path);
-    if (std::filesystem::exists(path)) return progress_of_finished_file(path, fingerprint);
+    if (std::filesystem::exists(path)) {
+      Progress progress = progress_of_finished_file(path, fingerprint);
+      remove_parts(path);  // a run that was killed after assembling did not come to it
+      return progress;
+    }
     Progress progress;
     for (const PartRange& range : check_parts(path, fingerprint)) {
       add_counts(range, progress);

@@ -23,7 +23,8 @@ struct Progress {
   std::vector<std::pair<std::string, std::string>> layouts;
 };
 
-/// What an earlier run left of the results file `path` and of its parts. Left-over temporary files are removed.
+/// What an earlier run left of the results file `path` and of its parts. Temporary files, and parts that are in the
+/// results file already, are removed: the caller holds the `OutputLock`.
 /// An error when a part or the results file belongs to other inputs (it says what differs), when a part is
 /// damaged, or when one is missing in between.
 /// @param fingerprint of the run to go on with

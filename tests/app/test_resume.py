@@ -56,7 +56,7 @@ class LongRun(CliTest):
         shutil.copytree(self.common / "inputs", self.folder, dirs_exist_ok=True)
 
     def parts(self):
-        return sorted(path.name for path in self.folder.glob("results.h5.parts/*"))
+        return sorted(path.name for path in self.folder.glob("results.h5.parts/part-*"))
 
     def test_a_killed_run_is_resumed(self):
         self.assertFalse((self.folder / "results.h5").exists())
@@ -144,6 +144,7 @@ class Signals(CliTest):
         self.assertIn(" of 2 worlds", said)
         self.assertIn("--resume", said)
         self.assertFalse(list(self.folder.glob("results.h5.parts/*.tmp")))
+        self.assertFalse(list(self.folder.glob("results.h5.parts/lock")))
 
     def test_a_second_interrupt_drops_what_is_in_flight(self):
         process = self.start_endless()
