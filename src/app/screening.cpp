@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "app/crash_guard.hpp"
 #include "app/engine_catalog.hpp"
 #include "app/outcome_table.hpp"
 #include "app/progress.hpp"
@@ -84,8 +85,22 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   return run;
 }
 
-/// The layouts of finished worlds must be what they were.
-std::optional<Error> check_unchanged(const Progress& finished, const std::vector<std::string>& layout_paths) {
+/// What is finished must be the first worlds of this job, up to the border of a unit of work, and their layouts must be
+/// what they were.
+std::optional<Error> check_continues(const Progress& finished, const ScreeningJob& job, const EngineTraits& traits) {
+  const std::vector<std::string>& layout_paths = job.layout_paths;
+  const std::size_t motions = job.acceleration_paths.size();
+  const std::size_t total = layout_paths.size() * motions;
+  const std::size_t world = finished.world_count;
+  const WorkUnits units(layout_paths.size(), motions, traits);
+  if (world > total || finished.layouts.size() != (world + motions - 1) / motions ||
+      (world < total && units.first_world(units.beginning_with(world)) != world)) {
+    return Error{
+        .file = job.results_path,
+        .what = "cannot be gone on with: what is finished does not end where a unit of work of this engine does",
+        .value = std::to_string(world) + " of " + std::to_string(total) + " worlds",
+        .accepted = "--overwrite starts anew"};
+  }
   for (std::size_t i = 0; i < finished.layouts.size(); ++i) {
     const Result<TextFile> file = read_text_file(layout_paths[i]);
     const std::string sha256 = file ? file->sha256 : "";
@@ -281,10 +296,15 @@ ExitCode run_screening(const ScreeningJob& job) {
   }
   Progress finished;
   if (job.resume) {
-    const Result<Progress> found = find_finished(job.results_path, fingerprint(description));
+    const auto look = [&] { return find_finished(job.results_path, fingerprint(description)); };
+    const ExitCode readable =
+        guard_reading(job.results_path, [&] { return look() ? ExitCode::done : ExitCode::some_failed; });
+    if (readable == ExitCode::bad_usage) return readable;
+    const Result<Progress> found = look();
     if (!found) return fail(ExitCode::bad_usage, found.error());
     finished = *found;
-    if (const auto error = check_unchanged(finished, job.layout_paths)) return fail(ExitCode::bad_usage, *error);
+    if (const auto error = check_continues(finished, job, (*engine)->traits()))
+      return fail(ExitCode::bad_usage, *error);
     if (finished.complete) {
       if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
       return conclude(job, description, true);

@@ -77,6 +77,8 @@ void assemble_table(const h5::File& file, const DatasetSpec& spec, Parts& parts)
     parts.check_stop();
     const auto source = parts.open(part);
     const h5::Dataset dataset = h5::Dataset::open(*source, spec);
+    if (dataset.length() != at(parts.ranges()[part].end, spec.axis) - at(parts.ranges()[part].begin, spec.axis))
+      source->fail("has a column of another length than its table (" + std::string(spec.path) + ")");
     std::vector<std::byte> stored = dataset.read(0, dataset.length());
     if (spec.refers_to != spec.axis) shift_indices(stored, at(parts.ranges()[part].begin, spec.refers_to));
     if (text) stored = repad(stored, dataset.number_bytes(), text_size);
