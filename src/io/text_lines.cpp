@@ -42,7 +42,7 @@ void split_fields(std::string_view line, std::vector<Field>& fields) {
   fields.clear();
   line = line.substr(0, line.find('#'));
   std::size_t begin = line.find_first_not_of(kWhite);
-  while (begin != std::string_view::npos) {
+  while (begin != std::string_view::npos && fields.size() < kMostFields) {
     const std::size_t end = std::min(line.find_first_of(kWhite, begin), line.size());
     fields.push_back({line.substr(begin, end - begin), static_cast<long>(begin) + 1});
     begin = line.find_first_not_of(kWhite, end);
