@@ -22,6 +22,7 @@
 #include "app/work_units.hpp"
 #include "app/world_json.hpp"
 #include "core/setting_table.hpp"
+#include "core/simulate.hpp"
 #include "io/acceleration_reader.hpp"
 #include "io/output_lock.hpp"
 #include "io/results_assembler.hpp"
@@ -37,15 +38,32 @@ namespace {
 
 constexpr std::size_t kWarningsShown = 20;
 
-std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
+/// Most samples of a world: of 100 boxes they take 1.5 GB, all of which waits in memory for the world's end.
+constexpr double kMostSamples = 200'000;
+
+/// What a motion's series would be too long for, if they are.
+std::optional<Error> check_samples(const ScreeningJob& job, const std::string& path, const Motion& motion) {
+  const double samples = latest_end(motion, job.settings) / job.settings.results_interval;
+  if (!job.record_series || samples <= kMostSamples) return std::nullopt;
+  return Error{
+      .file = path,
+      .what = "would give a world too many samples",
+      .value = fmt::format("{:.0f}", samples),
+      .accepted = fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", kMostSamples)};
+}
+
+std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   std::vector<RunMotion> motions;
-  for (const std::string& path : paths) {
+  for (const std::string& path : job.acceleration_paths) {
     RunMotion& entry = motions.emplace_back();
     entry.motion.name = std::filesystem::path(path).filename().string();
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
     Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
     if (file) entry.motion.sha256 = file->sha256;
+    if (motion) {
+      if (const auto error = check_samples(job, path, *motion)) motion = *error;
+    }
     if (motion) {
       entry.motion = std::move(*motion);
     } else {
@@ -170,7 +188,7 @@ class Run {
       if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
       if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
       if (has(world.outcome.status, Status::non_finite))
-        notes_.push_back(fmt::format("{} under {}: {}", layout, acceleration, world.status_text));
+        notes_.push_back(printable(fmt::format("{} under {}: {}", layout, acceleration, world.status_text)));
       ++world_;
     }
   }
@@ -285,7 +303,7 @@ ExitCode run_screening(const ScreeningJob& job) {
     return fail(ExitCode::bad_usage,
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
-  const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
+  const std::vector<RunMotion> motions = read_motions(job);
   const RunDescription description = describe_run(job, motions);
   std::optional<Error> warning;
   const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);

@@ -40,6 +40,9 @@ void split_fields(std::string_view line, std::vector<Field>& fields);
 /// The text without white space around it.
 std::string_view trimmed(std::string_view text);
 
+/// The text as UTF-8: what is none becomes U+FFFD. Names of files and texts of users may be in any encoding.
+std::string valid_utf8(std::string_view text);
+
 /// A piece of input for a message: at most 60 bytes of UTF-8. Control characters and what is no UTF-8 become `?`,
 /// so that a wrong file (or a hostile one) cannot garble a terminal.
 std::string shown(std::string_view text);
