@@ -23,7 +23,10 @@ test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)
 
 bench: build  ## Measure throughput on this machine
-	$(PYTHON) bench/measure.py
+	$(PYTHON) bench/candidates.py 64 build/bench/candidates --boxes 20 150
+	build/release/bin/holdfast bench --layouts build/bench/candidates --accelerations configs/accelerations/road_brake_0g8.txt \
+	  --engine bullet-stock --classes 50 100 --csv build/bench/measured.csv
+	$(PYTHON) bench/plot.py build/bench/measured.csv build/bench/measured.svg
 
 # Seconds that each fuzz target runs.
 FUZZ_SECONDS ?= 60

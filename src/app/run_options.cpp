@@ -9,6 +9,8 @@ void RunOptions::add_to(CLI::App& command) {
       ->type_name("NAME");
   command.add_option("--text", text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
+  command.add_option("--costs", costs_path, "Write the processor seconds of reading, simulating, writing, ... as JSON")
+      ->type_name("FILE");
   command.add_flag("--no-series", no_series, "Keep end states and peaks only, no time series");
   auto* go_on = command.add_flag("--resume", resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", overwrite, "Replace the results of an earlier run")->excludes(go_on);
@@ -22,6 +24,7 @@ void RunOptions::apply_to(ScreeningJob& job) const {
   screening.threads = threads.value_or(screening.threads);
   screening.scheduler = scheduler.value_or(screening.scheduler);
   if (text_folder) job.text_folder = text_folder;
+  job.costs_path = costs_path;
   job.record_series = !no_series;
   job.resume = resume;
   job.overwrite = overwrite;

@@ -15,6 +15,7 @@
 #include "app/outcome_table.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
+#include "app/stage_costs.hpp"
 #include "app/stop_signal.hpp"
 #include "app/ticker.hpp"
 #include "app/unit_runner.hpp"
@@ -134,11 +135,12 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningJo
 class Run {
  public:
   Run(const ScreeningJob& job, const Engine& engine, const std::vector<RunMotion>& motions, ResultsWriter& writer,
-      const Progress& finished)
+      const Progress& finished, StageCosts& costs)
       : job_(job),
         engine_(engine),
         motions_(motions),
         writer_(writer),
+        costs_(costs),
         world_(finished.world_count),
         thresholds_(recording_plan(job.settings, true).thresholds) {
     counts_.total = job.layout_paths.size() * motions.size();
@@ -149,7 +151,8 @@ class Run {
   /// False when it was stopped or writing failed: then the results are not all there.
   bool go() {
     const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
-    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop);
+    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop,
+                            costs_);
     const std::size_t first = units.beginning_with(world_);
     {
       ProgressLine line(counts_, stderr, job_.quiet);
@@ -160,9 +163,13 @@ class Run {
           [&](std::size_t i) { return stop_.no_more || failed_ ? std::nullopt : runner.run(units[first + i]); },
           [&](UnitRecord&& record) {
             announce(record);
+            const StageTimer timer(costs_, Stage::write);
             return writer_.place(std::move(record));
           },
-          [](PlacedUnit&& unit) { return ResultsWriter::pack(std::move(unit)); },
+          [&](PlacedUnit&& unit) {
+            const StageTimer timer(costs_, Stage::compress);
+            return ResultsWriter::pack(std::move(unit));
+          },
           [&](PackedUnit&& unit) { return write(std::move(unit)); });
       keep(writer_.finish());
     }
@@ -201,7 +208,10 @@ class Run {
       skipped += world.outcome.counters.steps_skipped;
     }
     const std::uint64_t worlds = unit.record.worlds.size();
-    if (!keep(writer_.write(std::move(unit)))) return false;
+    {
+      const StageTimer timer(costs_, Stage::write);
+      if (!keep(writer_.write(std::move(unit)))) return false;
+    }
     counts_.steps += steps;
     counts_.steps_skipped += skipped;
     counts_.done += worlds;
@@ -244,6 +254,7 @@ class Run {
   const Engine& engine_;
   const std::vector<RunMotion>& motions_;
   ResultsWriter& writer_;
+  StageCosts& costs_;
   const StopRequest& stop_ = watch_stop_signals();
   ProgressCounts counts_;
   std::size_t world_;  ///< index of the next world to be placed
@@ -265,10 +276,13 @@ ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t tota
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
-ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
+ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled, StageCosts& costs) {
   if (!assembled) {
     const std::atomic<bool>& stop = watch_stop_signals().no_more;
-    const auto error = assemble(job.results_path, description, &stop);
+    const auto error = [&] {
+      const StageTimer timer(costs, Stage::assemble);
+      return assemble(job.results_path, description, &stop);
+    }();
     const std::size_t total = job.layout_paths.size() * description.accelerations.size();
     if (error && stop) return stopped(job, total, total);
     if (error) {
@@ -279,6 +293,10 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bo
     }
   }
   unwatch_stop_signals();  // all is safe: what is left may end at once
+  if (job.costs_path) {
+    if (const auto error = write_stage_seconds(costs.seconds(), *job.costs_path))
+      return fail(ExitCode::some_failed, *error);
+  }
   if (job.text_folder) {
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
       return fail(ExitCode::some_failed, *error);
@@ -325,7 +343,8 @@ ExitCode run_screening(const ScreeningJob& job) {
       return fail(ExitCode::bad_usage, *error);
     if (finished.complete) {
       if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
-      return conclude(job, description, true);
+      StageCosts none;
+      return conclude(job, description, true, none);
     }
   }
   Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
@@ -339,7 +358,8 @@ ExitCode run_screening(const ScreeningJob& job) {
                description.engine, job.settings.screening.scheduler, counted(threads, "thread"),
                finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
-  Run run(job, **engine, motions, **writer, finished);
+  StageCosts costs;
+  Run run(job, **engine, motions, **writer, finished, costs);
   const bool all_there = run.go();
   if (run.write_failed()) {
     // What was written to the part that failed is lost: only the finished parts count.
@@ -349,7 +369,7 @@ ExitCode run_screening(const ScreeningJob& job) {
     return ExitCode::some_failed;
   }
   if (!all_there) return stopped(job, run.done(), run.total());
-  return conclude(job, description, false);
+  return conclude(job, description, false, costs);
 }
 
 }  // namespace holdfast

@@ -22,8 +22,9 @@ struct ScreeningJob {
   bool record_series = true;
   bool resume = false;
   bool overwrite = false;
-  bool json = false;   ///< one JSON object a world on standard output, nothing else there
-  bool quiet = false;  ///< no progress, no table
+  std::optional<std::string> costs_path;  ///< write there where the processor time went
+  bool json = false;                      ///< one JSON object a world on standard output, nothing else there
+  bool quiet = false;                     ///< no progress, no table
 };
 
 /// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; what went wrong
