@@ -5,7 +5,7 @@ import unittest
 
 import pandas as pd
 
-from cli import SOURCE, CliTest, datasets
+from cli import CONFIG, HOLDFAST, SOURCE, CliTest, datasets
 
 STAGES = ("read", "build", "simulate", "compress", "write", "assemble")
 
@@ -62,6 +62,24 @@ class Bench(CliTest):
         costs = pd.read_json(self.folder / "costs.json", typ="series")
         self.assertEqual(list(costs.index), list(STAGES))
         self.assertGreater(costs["simulate"], 0)
+
+
+class Scale(CliTest):
+    def test_a_small_scale_run_that_is_killed(self):
+        """bench/scale.py measures what is there, and finds a resumed run the same as an undisturbed one."""
+        self.write("config.ini", CONFIG)
+        brake = self.write("brake.txt", "0 1 5 0 0\n")
+        done = subprocess.run([sys.executable, SOURCE / "bench/scale.py", "40", "--boxes", "20", "60", "--config",
+                               self.folder / "config.ini", "--accelerations", brake, "--program", HOLDFAST, "--folder",
+                               self.folder, "--kills", "2"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = {line[:44].strip(): float(line[44:57]) for line in done.stdout.splitlines()[:-1]}
+        self.assertEqual(figures["worlds"], 40)
+        for name in ("wall time", "peak memory", "results file", "processor time: assemble", "worlds safe after kill 2",
+                     "h5py: open, and read a world's displacements"):
+            self.assertIn(name, figures)
+        self.assertEqual(done.stdout.splitlines()[-1], "killed and resumed: the same file as without, times aside")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["brake.txt", "config.ini"])
 
 
 if __name__ == "__main__":
