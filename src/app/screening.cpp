@@ -131,6 +131,19 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningJo
   return std::nullopt;
 }
 
+/// Tells of the worlds that an earlier run finished as it told of them then.
+std::optional<Error> print_finished(const ScreeningJob& job, const RunDescription& description,
+                                    const Progress& finished) {
+  std::size_t index = 0;
+  return visit_finished(job.results_path, finished, [&](const WorldRecord& world) {
+    // Names come from this run's inputs; a world that has none there is of a damaged file.
+    if (world.layout >= description.layout_names.size() || world.acceleration >= description.accelerations.size())
+      return;
+    fmt::print("{}\n", world_json(world, description.layout_names[world.layout],
+                                  description.accelerations[world.acceleration].name, index++, description.thresholds));
+  });
+}
+
 /// One run from the first unit to the last: what its threads share.
 class Run {
  public:
@@ -341,6 +354,9 @@ ExitCode run_screening(const ScreeningJob& job) {
     finished = *found;
     if (const auto error = check_continues(finished, job, (*engine)->traits()))
       return fail(ExitCode::bad_usage, *error);
+    if (job.json) {
+      if (const auto error = print_finished(job, description, finished)) return fail(ExitCode::bad_usage, *error);
+    }
     if (finished.complete) {
       if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
       StageCosts none;

@@ -23,7 +23,7 @@ struct ScreeningJob {
   bool resume = false;
   bool overwrite = false;
   std::optional<std::string> costs_path;  ///< write there where the processor time went
-  bool json = false;                      ///< one JSON object a world on standard output, nothing else there
+  bool json = false;                      ///< one JSON object a world on standard output, finished ones first; nothing else there
   bool quiet = false;                     ///< no progress, no table
 };
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/result.hpp"
+#include "core/world_record.hpp"
 
 namespace holdfast {
 
@@ -29,5 +32,10 @@ struct Progress {
 /// damaged, or when one is missing in between.
 /// @param fingerprint of the run to go on with
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint);
+
+/// Shows every finished world in the order of the run, as it was when it ended: without boxes and series.
+/// @param progress what `find_finished` found there
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
+                                    const std::function<void(const WorldRecord&)>& visit);
 
 }  // namespace holdfast
