@@ -23,8 +23,8 @@ struct ScreeningJob {
   bool resume = false;
   bool overwrite = false;
   std::optional<std::string> costs_path;  ///< write there where the processor time went
-  bool json = false;                      ///< one JSON object a world on standard output, finished ones first; nothing else there
-  bool quiet = false;                     ///< no progress, no table
+  bool json = false;   ///< one JSON object a world on standard output, finished ones first; nothing else there
+  bool quiet = false;  ///< no progress, no table
 };
 
 /// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; what went wrong

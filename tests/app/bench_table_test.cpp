@@ -9,7 +9,7 @@ using namespace holdfast;
 namespace {
 
 /// A case of three runs with the given wall seconds, 100 worlds each.
-BenchRow row_of(int threads, std::vector<double> seconds, const std::string& hash = "aa") {
+BenchRow row_of(int threads, const std::vector<double>& seconds, const std::string& hash = "aa") {
   BenchRow row{{.engine = "bullet", .set = "all", .threads = threads}, {}};
   for (const double wall : seconds) {
     BenchSample sample;
