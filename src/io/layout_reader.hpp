@@ -12,7 +12,7 @@ namespace holdfast {
 
 /// Most boxes of a layout. The largest container takes some thousand; the check of all pairs that meet along x, and the
 /// memory of a world, stay bounded.
-inline constexpr std::size_t kMostBoxes = 50'000;
+inline constexpr std::size_t kMostBoxes = 20'000;
 
 /// Longest header of a layout, byte: every results file keeps it.
 inline constexpr std::size_t kMostHeaderBytes = 4096;

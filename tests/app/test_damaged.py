@@ -2,6 +2,7 @@
 
 Whatever is in the file, `summary` and `--resume` answer: with tables, or with a message that names the file.
 """
+import os
 import random
 import shutil
 import unittest
@@ -50,7 +51,7 @@ class Damaged(CliTest):
         super().setUp()
         self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 0.1\n")
         self.write("a_shove.txt", "0 0.3 8 1 0\n")
-        self.write("b_endless.txt", "0 100000 1 0 0\n")
+        self.write("b_endless.txt", "0 15000 1 0 0\n")
         for name, boxes in (("a.txt", SEED), ("b.txt", TOWER)):
             self.write(f"layouts/{name}", layout_text(boxes))
 
@@ -133,6 +134,8 @@ class Damaged(CliTest):
 
     def test_single_wrong_bytes(self):
         """Where the library itself is led astray, the program still answers."""
+        if os.environ.get("HOLDFAST_SANITIZED"):
+            self.skipTest("the sanitizer ends the program where the library goes astray, as it should")
         self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
         whole = (self.folder / "results.h5").read_bytes()
         heap = whole.index(b"GCOL") + 16 + 8  # size of the first text in HDF5's heap, from which attributes are read

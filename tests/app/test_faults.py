@@ -83,7 +83,7 @@ class Kills(ManyWorlds):
 class TwoRuns(CliTest):
     def setUp(self):
         super().setUp()
-        self.write("config.ini", CONFIG)
+        self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 5\n")
         self.write("short.txt", "0 0.1 1 0 0\n")
         self.write("zzz_endless.txt", "0 100000 1 0 0\n")
         self.write("seed.txt", layout_text(SEED))
