@@ -1,6 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench lint format dependencies build
+SHELL := /bin/bash
+.PHONY: help demo test bench fuzz lint format dependencies build
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -22,7 +23,25 @@ test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)
 
 bench: build  ## Measure throughput on this machine
-	$(PYTHON) bench/measure.py
+	$(PYTHON) bench/candidates.py 64 build/bench/candidates --boxes 20 150
+	build/release/bin/holdfast bench --layouts build/bench/candidates --accelerations configs/accelerations/road_brake_0g8.txt \
+	  --engine bullet-stock --classes 50 100 --csv build/bench/measured.csv
+	$(PYTHON) bench/plot.py build/bench/measured.csv build/bench/measured.svg
+
+# Seconds that each fuzz target runs.
+FUZZ_SECONDS ?= 60
+fuzz:  ## Feed the readers made-up files, FUZZ_SECONDS each (60), with Clang's sanitizers
+	@$(INSTALL) --dev
+	@cmake --preset fuzz > /dev/null
+	cmake --build --preset fuzz -j $(JOBS)
+	@for reader in layout acceleration config; do \
+	  mkdir -p build/fuzz/found/$$reader; \
+	  echo "fuzz: $$reader"; \
+	  build/fuzz/bin/$${reader}_fuzz -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -rss_limit_mb=2048 \
+	    -print_final_stats=1 -verbosity=0 -artifact_prefix=build/fuzz/$$reader- build/fuzz/found/$$reader \
+	    tests/fuzz/corpus/$$reader 2>&1 | tail -12; \
+	  test "$${PIPESTATUS[0]}" = 0 || exit 1; \
+	done
 
 lint:  ## Check format, names, likely bugs and who includes whom
 	@$(INSTALL) --dev

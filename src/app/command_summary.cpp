@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/crash_guard.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
 #include "io/results_reader.hpp"
@@ -73,7 +74,9 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
       ->type_name("DIR");
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
       ->type_name("FILE");
-  command->callback([options, &chosen] { chosen.run = [options] { return summarise(*options); }; });
+  command->callback([options, &chosen] {
+    chosen.run = [options] { return guard_reading(options->results_path, [&] { return summarise(*options); }); };
+  });
 }
 
 }  // namespace holdfast

@@ -20,6 +20,7 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen);
 void add_run_command(CLI::App& program, ChosenCommand& chosen);
 void add_summary_command(CLI::App& program, ChosenCommand& chosen);
 void add_check_command(CLI::App& program, ChosenCommand& chosen);
+void add_bench_command(CLI::App& program, ChosenCommand& chosen);
 void add_validate_command(CLI::App& program, ChosenCommand& chosen);
 void add_engines_command(CLI::App& program, ChosenCommand& chosen);
 

@@ -85,6 +85,7 @@ int main(int argc, char** argv) {
   add_run_command(program, chosen);
   add_summary_command(program, chosen);
   add_check_command(program, chosen);
+  add_bench_command(program, chosen);
   add_validate_command(program, chosen);
   add_engines_command(program, chosen);
   if (const auto error = unknown_command(program, argc, argv))

@@ -58,8 +58,9 @@ class Tally {
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
-      text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", info_.accelerations[i], name_width(), line.stayed,
-                          line.moved, line.fell, line.failed, line.worst ? name_of_layout(line.worst->layout) : "-");
+      text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", printable(info_.accelerations[i]), name_width(),
+                          line.stayed, line.moved, line.fell, line.failed,
+                          line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.failed;
     }
     return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line(), failed};
@@ -98,7 +99,7 @@ class Tally {
   /// A part names the layouts that begin in it, and not the one that goes on from the part before.
   std::string name_of_layout(std::uint64_t layout) const {
     const std::uint64_t i = layout - info_.layout_begin;
-    return i < info_.layouts.size() ? info_.layouts[i] : fmt::format("layout {}", layout);
+    return i < info_.layouts.size() ? printable(info_.layouts[i]) : fmt::format("layout {}", layout);
   }
 
   std::size_t name_width() const {
@@ -112,7 +113,7 @@ class Tally {
     std::string text = "\nworst worlds\n";
     for (const WorldLine& world : worst_) {
       text += fmt::format("  {} under {}: of {} boxes {} fell, {} moved, {} tilted; farthest {:.2f} m\n",
-                          name_of_layout(world.layout), info_.accelerations[world.acceleration], world.boxes,
+                          name_of_layout(world.layout), printable(info_.accelerations[world.acceleration]), world.boxes,
                           world.fallen, world.moved, world.tilted, world.peak_displacement);
     }
     return text;
@@ -136,7 +137,7 @@ class Tally {
     std::size_t shown = 0;
     for (const auto& [reason, count] : failures_) {
       if (shown++ == kUnstableShown) break;
-      text += fmt::format("  {} world{}: {}\n", count, count == 1 ? "" : "s", reason);
+      text += fmt::format("  {} world{}: {}\n", count, count == 1 ? "" : "s", printable(reason));
     }
     if (failures_.size() > kUnstableShown)
       text += fmt::format("  and {} more reasons\n", failures_.size() - kUnstableShown);

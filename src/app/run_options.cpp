@@ -15,10 +15,13 @@ void RunOptions::add_to(CLI::App& command) {
       ->type_name("NAME");
   command.add_option("--text", text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
+  command.add_option("--costs", costs_path, "Write the processor seconds of reading, simulating, writing, ... as JSON")
+      ->type_name("FILE");
   command.add_flag("--no-series", no_series, "Keep end states and peaks only, no time series");
   auto* go_on = command.add_flag("--resume", resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", overwrite, "Replace the results of an earlier run")->excludes(go_on);
-  command.add_flag("--json", json, "Print one JSON object a world as it finishes in this run, and nothing else");
+  command.add_flag("--json", json,
+                   "Print one JSON object a world as it finishes, with --resume the finished ones first");
   command.add_flag("--quiet", quiet, "No progress, no table; errors only");
 }
 
@@ -28,6 +31,7 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   screening.threads = threads.value_or(screening.threads);
   screening.scheduler = scheduler.value_or(screening.scheduler);
   if (text_folder) job.text_folder = text_folder;
+  job.costs_path = costs_path;
   job.record_series = !no_series;
   job.resume = resume;
   job.overwrite = overwrite;

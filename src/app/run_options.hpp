@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<int> threads;
   std::optional<std::string> scheduler;
   std::optional<std::string> text_folder;
+  std::optional<std::string> costs_path;
   bool no_series = false;
   bool resume = false;
   bool overwrite = false;

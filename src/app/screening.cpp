@@ -8,13 +8,14 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 
+#include "app/crash_guard.hpp"
 #include "app/engine_catalog.hpp"
 #include "app/outcome_table.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
+#include "app/stage_costs.hpp"
 #include "app/stop_signal.hpp"
 #include "app/ticker.hpp"
 #include "app/unit_runner.hpp"
@@ -22,8 +23,11 @@
 #include "app/work_units.hpp"
 #include "app/world_json.hpp"
 #include "core/setting_table.hpp"
+#include "core/simulate.hpp"
 #include "io/acceleration_reader.hpp"
+#include "io/output_lock.hpp"
 #include "io/results_assembler.hpp"
+#include "io/results_removal.hpp"
 #include "io/results_writer.hpp"
 #include "io/text_export.hpp"
 #include "io/text_file.hpp"
@@ -35,15 +39,32 @@ namespace {
 
 constexpr std::size_t kWarningsShown = 20;
 
-std::vector<RunMotion> read_motions(const std::vector<std::string>& paths) {
+/// Most samples of a world: of 100 boxes they take 1.5 GB, all of which waits in memory for the world's end.
+constexpr double kMostSamples = 200'000;
+
+/// What a motion's series would be too long for, if they are.
+std::optional<Error> check_samples(const ScreeningJob& job, const std::string& path, const Motion& motion) {
+  const double samples = latest_end(motion, job.settings) / job.settings.results_interval;
+  if (!job.record_series || samples <= kMostSamples) return std::nullopt;
+  return Error{
+      .file = path,
+      .what = "would give a world too many samples",
+      .value = fmt::format("{:.0f}", samples),
+      .accepted = fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", kMostSamples)};
+}
+
+std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   std::vector<RunMotion> motions;
-  for (const std::string& path : paths) {
+  for (const std::string& path : job.acceleration_paths) {
     RunMotion& entry = motions.emplace_back();
     entry.motion.name = std::filesystem::path(path).filename().string();
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
     Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
     if (file) entry.motion.sha256 = file->sha256;
+    if (motion) {
+      if (const auto error = check_samples(job, path, *motion)) motion = *error;
+    }
     if (motion) {
       entry.motion = std::move(*motion);
     } else {
@@ -89,8 +110,22 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   return run;
 }
 
-/// The layouts of finished worlds must be what they were.
-std::optional<Error> check_unchanged(const Progress& finished, const std::vector<std::string>& layout_paths) {
+/// What is finished must be the first worlds of this job, up to the border of a unit of work, and their layouts must be
+/// what they were.
+std::optional<Error> check_continues(const Progress& finished, const ScreeningJob& job, const EngineTraits& traits) {
+  const std::vector<std::string>& layout_paths = job.layout_paths;
+  const std::size_t motions = job.acceleration_paths.size();
+  const std::size_t total = layout_paths.size() * motions;
+  const std::size_t world = finished.world_count;
+  const WorkUnits units(layout_paths.size(), motions, traits);
+  if (world > total || finished.layouts.size() != (world + motions - 1) / motions ||
+      (world < total && units.first_world(units.beginning_with(world)) != world)) {
+    return Error{
+        .file = job.results_path,
+        .what = "cannot be gone on with: what is finished does not end where a unit of work of this engine does",
+        .value = std::to_string(world) + " of " + std::to_string(total) + " worlds",
+        .accepted = "--overwrite starts anew"};
+  }
   for (std::size_t i = 0; i < finished.layouts.size(); ++i) {
     const Result<TextFile> file = read_text_file(layout_paths[i]);
     const std::string sha256 = file ? file->sha256 : "";
@@ -102,15 +137,29 @@ std::optional<Error> check_unchanged(const Progress& finished, const std::vector
   return std::nullopt;
 }
 
+/// Tells of the worlds that an earlier run finished as it told of them then.
+std::optional<Error> print_finished(const ScreeningJob& job, const RunDescription& description,
+                                    const Progress& finished) {
+  std::size_t index = 0;
+  return visit_finished(job.results_path, finished, [&](const WorldRecord& world) {
+    // Names come from this run's inputs; a world that has none there is of a damaged file.
+    if (world.layout >= description.layout_names.size() || world.acceleration >= description.accelerations.size())
+      return;
+    fmt::print("{}\n", world_json(world, description.layout_names[world.layout],
+                                  description.accelerations[world.acceleration].name, index++, description.thresholds));
+  });
+}
+
 /// One run from the first unit to the last: what its threads share.
 class Run {
  public:
   Run(const ScreeningJob& job, const Engine& engine, const std::vector<RunMotion>& motions, ResultsWriter& writer,
-      const Progress& finished)
+      const Progress& finished, StageCosts& costs)
       : job_(job),
         engine_(engine),
         motions_(motions),
         writer_(writer),
+        costs_(costs),
         world_(finished.world_count),
         thresholds_(recording_plan(job.settings, true).thresholds) {
     counts_.total = job.layout_paths.size() * motions.size();
@@ -121,7 +170,8 @@ class Run {
   /// False when it was stopped or writing failed: then the results are not all there.
   bool go() {
     const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
-    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop);
+    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop,
+                            costs_);
     const std::size_t first = units.beginning_with(world_);
     {
       ProgressLine line(counts_, stderr, job_.quiet);
@@ -132,9 +182,13 @@ class Run {
           [&](std::size_t i) { return stop_.no_more || failed_ ? std::nullopt : runner.run(units[first + i]); },
           [&](UnitRecord&& record) {
             announce(record);
+            const StageTimer timer(costs_, Stage::write);
             return writer_.place(std::move(record));
           },
-          [](PlacedUnit&& unit) { return ResultsWriter::pack(std::move(unit)); },
+          [&](PlacedUnit&& unit) {
+            const StageTimer timer(costs_, Stage::compress);
+            return ResultsWriter::pack(std::move(unit));
+          },
           [&](PackedUnit&& unit) { return write(std::move(unit)); });
       keep(writer_.finish());
     }
@@ -144,7 +198,6 @@ class Run {
     return !error_ && counts_.done == counts_.total;
   }
 
-  int signal() const { return stop_.signal; }
   bool write_failed() const { return error_.has_value(); }
   std::uint64_t done() const { return counts_.done; }
   std::uint64_t total() const { return counts_.total; }
@@ -161,7 +214,7 @@ class Run {
       if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
       if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
       if (has(world.outcome.status, Status::non_finite))
-        notes_.push_back(fmt::format("{} under {}: {}", layout, acceleration, world.status_text));
+        notes_.push_back(printable(fmt::format("{} under {}: {}", layout, acceleration, world.status_text)));
       ++world_;
     }
   }
@@ -174,7 +227,10 @@ class Run {
       skipped += world.outcome.counters.steps_skipped;
     }
     const std::uint64_t worlds = unit.record.worlds.size();
-    if (!keep(writer_.write(std::move(unit)))) return false;
+    {
+      const StageTimer timer(costs_, Stage::write);
+      if (!keep(writer_.write(std::move(unit)))) return false;
+    }
     counts_.steps += steps;
     counts_.steps_skipped += skipped;
     counts_.done += worlds;
@@ -217,6 +273,7 @@ class Run {
   const Engine& engine_;
   const std::vector<RunMotion>& motions_;
   ResultsWriter& writer_;
+  StageCosts& costs_;
   const StopRequest& stop_ = watch_stop_signals();
   ProgressCounts counts_;
   std::size_t world_;  ///< index of the next world to be placed
@@ -230,30 +287,34 @@ class Run {
   bool stop_told_ = false;
 };
 
-/// Whether a file may be replaced: it is HDF5, or holds nothing.
-bool is_replaceable(const std::string& path) {
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kSignature.size(), '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return file.gcount() == 0 || head == kSignature;
-}
-
-/// Removes what an earlier run left under that name.
-std::optional<Error> remove_results(const std::string& path) {
-  if (!is_replaceable(path))
-    return Error{.file = path, .what = "is not a results file, and left as it is", .accepted = "another name"};
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  if (!error) std::filesystem::remove_all(path + ".parts", error);
-  if (error) return Error{.file = path, .what = "cannot be removed", .value = error.message()};
-  return std::nullopt;
+/// How a run ends that a signal stopped: what finished is kept.
+ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
+  fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
+             total, job.results_path);
+  return watch_stop_signals().signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
-ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled) {
+ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled, StageCosts& costs) {
   if (!assembled) {
-    if (const auto error = assemble(job.results_path, description)) return fail(ExitCode::some_failed, *error);
+    const std::atomic<bool>& stop = watch_stop_signals().no_more;
+    const auto error = [&] {
+      const StageTimer timer(costs, Stage::assemble);
+      return assemble(job.results_path, description, &stop);
+    }();
+    const std::size_t total = job.layout_paths.size() * description.accelerations.size();
+    if (error && stop) return stopped(job, total, total);
+    if (error) {
+      fail(ExitCode::some_failed, *error);
+      fmt::print(stderr, "all {} are safe in {}.parts; --resume puts them together\n", counted(total, "world"),
+                 job.results_path);
+      return ExitCode::some_failed;
+    }
+  }
+  unwatch_stop_signals();  // all is safe: what is left may end at once
+  if (job.costs_path) {
+    if (const auto error = write_stage_seconds(costs.seconds(), *job.costs_path))
+      return fail(ExitCode::some_failed, *error);
   }
   if (job.text_folder) {
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
@@ -279,20 +340,33 @@ ExitCode run_screening(const ScreeningJob& job) {
     return fail(ExitCode::bad_usage,
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
-  const std::vector<RunMotion> motions = read_motions(job.acceleration_paths);
+  const std::vector<RunMotion> motions = read_motions(job);
   const RunDescription description = describe_run(job, motions);
+  std::optional<Error> warning;
+  const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
+  if (!lock) return fail(ExitCode::bad_usage, lock.error());
+  if (warning) warn(std::span(&*warning, 1));
   if (job.overwrite) {
     if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }
   Progress finished;
   if (job.resume) {
-    const Result<Progress> found = find_finished(job.results_path, fingerprint(description));
+    const auto look = [&] { return find_finished(job.results_path, fingerprint(description)); };
+    const ExitCode readable =
+        guard_reading(job.results_path, [&] { return look() ? ExitCode::done : ExitCode::some_failed; });
+    if (readable == ExitCode::bad_usage) return readable;
+    const Result<Progress> found = look();
     if (!found) return fail(ExitCode::bad_usage, found.error());
     finished = *found;
-    if (const auto error = check_unchanged(finished, job.layout_paths)) return fail(ExitCode::bad_usage, *error);
+    if (const auto error = check_continues(finished, job, (*engine)->traits()))
+      return fail(ExitCode::bad_usage, *error);
+    if (job.json) {
+      if (const auto error = print_finished(job, description, finished)) return fail(ExitCode::bad_usage, *error);
+    }
     if (finished.complete) {
       if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
-      return conclude(job, description, true);
+      StageCosts none;
+      return conclude(job, description, true, none);
     }
   }
   Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
@@ -306,7 +380,8 @@ ExitCode run_screening(const ScreeningJob& job) {
                engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
                finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
-  Run run(job, **engine, motions, **writer, finished);
+  StageCosts costs;
+  Run run(job, **engine, motions, **writer, finished, costs);
   const bool all_there = run.go();
   if (run.write_failed()) {
     // What was written to the part that failed is lost: only the finished parts count.
@@ -315,12 +390,8 @@ ExitCode run_screening(const ScreeningJob& job) {
                safe ? safe->world_count : 0, run.total(), job.results_path);
     return ExitCode::some_failed;
   }
-  if (!all_there) {
-    fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n",
-               run.done(), run.total(), job.results_path);
-    return run.signal() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-  }
-  return conclude(job, description, false);
+  if (!all_there) return stopped(job, run.done(), run.total());
+  return conclude(job, description, false, costs);
 }
 
 }  // namespace holdfast

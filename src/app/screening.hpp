@@ -22,7 +22,8 @@ struct ScreeningJob {
   bool record_series = true;
   bool resume = false;
   bool overwrite = false;
-  bool json = false;   ///< one JSON object a world on standard output, nothing else there
+  std::optional<std::string> costs_path;  ///< write there where the processor time went
+  bool json = false;   ///< one JSON object a world on standard output, finished ones first; nothing else there
   bool quiet = false;  ///< no progress, no table
 };
 

@@ -28,4 +28,9 @@ const StopRequest& watch_stop_signals() {
   return request;
 }
 
+void unwatch_stop_signals() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
 }  // namespace holdfast

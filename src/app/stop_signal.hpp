@@ -17,4 +17,7 @@ struct StopRequest {
 /// Routes SIGINT and SIGTERM to the process's request, and returns it.
 const StopRequest& watch_stop_signals();
 
+/// Gives SIGINT and SIGTERM their usual effect again: they end the process.
+void unwatch_stop_signals();
+
 }  // namespace holdfast

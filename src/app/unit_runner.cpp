@@ -57,7 +57,10 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
   std::vector<UnitLayout> layouts;
   std::vector<Layout> usable_layouts;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
-    layouts.push_back(read_unit_layout(layout_paths_[i], settings_));
+    {
+      const StageTimer timer(costs_, Stage::read);
+      layouts.push_back(read_unit_layout(layout_paths_[i], settings_));
+    }
     if (layouts.back().error.empty()) usable_layouts.push_back(layouts.back().layout);
     if (unit.motion_begin > 0) continue;
     record.layouts.push_back({i, layouts.back().layout});
@@ -75,7 +78,10 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
     owners.push_back(std::make_unique<SeriesRecorder>(plan_));
     recorders.push_back(owners.back().get());
   }
-  if (!batch.worlds.empty() && !simulate(engine_, batch, settings_, recorders, abort_)) return std::nullopt;
+  if (!batch.worlds.empty()) {
+    const StageTimer timer(costs_, Stage::simulate);
+    if (!simulate(engine_, batch, settings_, recorders, abort_)) return std::nullopt;
+  }
 
   std::size_t next = 0;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/timed_engine.hpp"
 #include "app/work_units.hpp"
 #include "core/engine.hpp"
 #include "core/series_recorder.hpp"
@@ -25,24 +26,26 @@ class UnitRunner {
  public:
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
              const std::vector<std::string>& layout_paths, const std::vector<RunMotion>& motions,
-             const std::atomic<bool>& abort)
-      : engine_(engine),
+             const std::atomic<bool>& abort, StageCosts& costs)
+      : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
         layout_paths_(layout_paths),
         motions_(motions),
-        abort_(abort) {}
+        abort_(abort),
+        costs_(costs) {}
 
   /// The unit's records; nothing when aborted.
   std::optional<UnitRecord> run(const WorkUnit& unit) const;
 
  private:
-  const Engine& engine_;
+  TimedEngine engine_;
   const Settings& settings_;
   RecordingPlan plan_;
   const std::vector<std::string>& layout_paths_;
   const std::vector<RunMotion>& motions_;
   const std::atomic<bool>& abort_;
+  StageCosts& costs_;
 };
 
 }  // namespace holdfast

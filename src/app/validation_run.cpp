@@ -43,7 +43,7 @@ std::vector<Task> tasks_of(const ValidationPlan& plan, const std::vector<EngineS
     const bool is_reference = std::any_of(references.begin(), references.end(), [&](const EngineSetting& reference) {
       return reference.engine == setting.engine && reference.name == setting.name;
     });
-    if (!is_reference) add_loads(setting);
+    if (!is_reference && setting.loads) add_loads(setting);
   }
   return tasks;
 }

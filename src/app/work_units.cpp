@@ -29,6 +29,11 @@ WorkUnit WorkUnits::operator[](std::size_t i) const {
   return unit;
 }
 
+std::size_t WorkUnits::first_world(std::size_t unit) const {
+  const WorkUnit block = (*this)[unit];
+  return block.layout_begin * motion_count_ + block.motion_begin;
+}
+
 std::size_t WorkUnits::beginning_with(std::size_t world) const {
   const std::size_t layout_block = world / motion_count_ / layouts_per_unit_;
   const std::size_t motion_block = world % motion_count_ / motions_per_unit_;

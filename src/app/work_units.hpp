@@ -21,6 +21,9 @@ class WorkUnits {
   std::size_t count() const { return layout_blocks_ * motion_blocks_; }
   WorkUnit operator[](std::size_t i) const;
 
+  /// Index in the run of a unit's first world.
+  std::size_t first_world(std::size_t unit) const;
+
   /// Index of the unit that begins with world `world`, which must be the first of one.
   std::size_t beginning_with(std::size_t world) const;
 

@@ -59,7 +59,7 @@ BulletWorld::~BulletWorld() {
 
 void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   BoxBody& box = boxes_.emplace_back();
-  box.surface = {SurfaceKind::box, batch.boxes.friction[i], batch.boxes.restitution[i], &settings_.contact};
+  box.surface = {{SurfaceKind::box, batch.boxes.friction[i], batch.boxes.restitution[i]}, &settings_.contact};
   box.shape = std::make_unique<btBoxShape>(to_bullet(batch.boxes.half_extents[i]));
   btCollisionShape* shape = box.shape.get();
   const Vec3& centre_of_mass = batch.boxes.centre_of_mass[i];

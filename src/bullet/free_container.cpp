@@ -23,8 +23,8 @@ class FreeContainer final : public ContainerBody {
       : world_(world),
         gravity_(0.0, 0.0, -settings.gravity),
         driven_mass_(settings.container.mass + cargo_mass),
-        surface_{SurfaceKind::floor, settings.container.friction, 0.0, &settings.contact},
-        ground_surface_{SurfaceKind::ground, settings.container.ground_friction, 0.0, &settings.contact},
+        surface_{{SurfaceKind::floor, settings.container.friction, 0.0}, &settings.contact},
+        ground_surface_{{SurfaceKind::ground, settings.container.ground_friction, 0.0}, &settings.contact},
         ground_shape_(btVector3(to_bullet(kGroundReach), to_bullet(kGroundReach), to_bullet(0.5 * kGroundThickness))) {
     add_ground();
     add_shell(settings.container);

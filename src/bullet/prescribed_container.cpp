@@ -19,7 +19,7 @@ class PrescribedContainer final : public ContainerBody {
     sides_.reserve(panels.size());
     for (const Panel& panel : panels) {
       Side& side = sides_.emplace_back();
-      side.surface = {panel.kind, settings.container.friction, 0.0, &settings.contact};
+      side.surface = {{panel.kind, settings.container.friction, 0.0}, &settings.contact};
       side.shape = std::make_unique<btBoxShape>(to_bullet(panel.half_extents));
       side.body = std::make_unique<btRigidBody>(btScalar(0), nullptr, side.shape.get());
       side.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), to_bullet(panel.centre)));

@@ -2,8 +2,16 @@
 
 namespace holdfast {
 
+std::string printable(std::string text) {
+  for (char& letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x20U || byte == 0x7FU) letter = '?';
+  }
+  return text;
+}
+
 std::string Error::message() const {
-  std::string text = file;
+  std::string text = printable(file);
   if (line > 0) text += ':' + std::to_string(line);
   if (line > 0 && column > 0) text += ':' + std::to_string(column);
   if (!text.empty()) text += ": ";

@@ -7,6 +7,9 @@
 
 namespace holdfast {
 
+/// The text with `?` for control characters: a file's name may hold them, and must not garble a line.
+std::string printable(std::string text);
+
 /// One thing that is wrong with what a user gave us, in the parts that the message needs.
 /// Lines and columns count from 1; 0 means "not about one line" and is left out of the message.
 struct Error {

@@ -63,6 +63,15 @@ struct RateRange {
   static constexpr std::string_view kAccepted = "a number from 1 to 1000000";
   static bool holds(double number) { return number >= 1.0 && number <= 1e6; }
 };
+// Eleven days: more is a slip, and would never end.
+struct DurationRange {
+  static constexpr std::string_view kAccepted = "a number above 0, at most 1000000";
+  static bool holds(double number) { return number > 0.0 && number <= 1e6; }
+};
+struct PauseRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 1000000";
+  static bool holds(double number) { return number >= 0.0 && number <= 1e6; }
+};
 struct IntervalRange {
   static constexpr std::string_view kAccepted = "a number of at least 0.000001";
   static bool holds(double number) { return number >= 1e-6; }
@@ -74,6 +83,8 @@ using NotNegative = Number<NotNegativeRange>;
 using Share = Number<ShareRange>;
 using Angle = Number<AngleRange>;
 using Rate = Number<RateRange>;
+using Duration = Number<DurationRange>;
+using Pause = Number<PauseRange>;
 using Interval = Number<IntervalRange>;
 
 /// Text of a length in centimetres that gives exactly `metres` when it is read again.

@@ -34,7 +34,7 @@ enum class StopReason : std::uint8_t {
 /// Names of the set bits, joined by '+': "ok", "bad_layout", "non_finite+not_converged".
 std::string to_string(Status status);
 
-/// Name of the reason as above.
+/// Name of the reason as above; "unknown" for a number that is none, which a damaged file may hold.
 std::string to_string(StopReason reason);
 
 }  // namespace holdfast

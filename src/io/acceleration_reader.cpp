@@ -47,6 +47,8 @@ std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields
   }
   if (!good) return std::nullopt;
   if (numbers[0] < 0.0) return refuse(0, "the initial time is negative", "a time of at least 0 s");
+  if (numbers[0] > kLatestSegment || numbers[1] > kLatestSegment)
+    return refuse(numbers[0] > kLatestSegment ? 0 : 1, "a time that no run would reach", "times of at most 1e6 s");
   if (numbers[1] < kSameInstant) return refuse(1, "the duration is too short", "a duration of at least 1e-9 s");
   return Segment{numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}, line};
 }

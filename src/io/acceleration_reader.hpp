@@ -8,6 +8,9 @@
 
 namespace holdfast {
 
+/// Latest start and longest duration of a segment, s: eleven days. More is a slip, and would never end.
+inline constexpr double kLatestSegment = 1e6;
+
 /// Reads an acceleration file: a line a segment, `initial-time duration ax ay az` in s and m/s², in the order of
 /// time and without overlap; gaps mean zero. `#` begins a comment anywhere in a line. A segment that starts within
 /// kSameInstant of the end of the one before starts exactly there.

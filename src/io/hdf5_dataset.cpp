@@ -37,6 +37,12 @@ Id type_of(const DatasetSpec& spec, std::size_t text_size) {
   return type;
 }
 
+/// Deflate makes at most 1032 bytes of one.
+constexpr std::uint64_t kMostInflation = 1032;
+
+/// Longest text of a column that is read, byte.
+constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
+
 std::string parent_of(std::string_view path) { return std::string(path.substr(0, path.rfind('/'))); }
 
 }  // namespace
@@ -96,6 +102,10 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
   std::array<hsize_t, 2> chunk = {1, 1};
   if (H5Pget_layout(creation) == H5D_CHUNKED) H5Pget_chunk(creation, rank, chunk.data());
   dataset.chunk_entries_ = chunk[0];
+  // A file may say that it has billions of entries, and hold none: no answer is worth that much memory.
+  const std::uint64_t most_entries = H5Dget_storage_size(dataset.id_) * kMostInflation / dataset.entry_bytes();
+  if (dataset.length_ > most_entries || dataset.number_bytes_ > kMostTextBytes)
+    dataset.fail("has a dataset that is larger than what it holds");
   if (is_series(spec) && chunk[0] != kChunkEntries) dataset.fail("has a dataset of another chunk size than it should");
   return dataset;
 }

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "io/text_lines.hpp"
+
 namespace holdfast::h5 {
 
 namespace {
@@ -154,7 +156,7 @@ void make_group(const File& file, const std::string& path) {
 bool exists(const File& file, const std::string& path) { return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text) {
-  const std::string copy(text);
+  const std::string copy = valid_utf8(text);
   const char* pointer = copy.c_str();
   write_scalar_attribute(file, object, name, text_type(H5T_VARIABLE), pointer);
 }
@@ -185,7 +187,7 @@ double read_number_attribute(const File& file, const std::string& object, const 
 void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description) {
   const Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  const std::string padded(text.empty() ? std::string(1, '\0') : std::string(text));
+  const std::string padded(text.empty() ? std::string(1, '\0') : valid_utf8(text));
   const Id type = text_type(padded.size());
   const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const std::string what = "cannot be written (" + path + ")";

@@ -64,6 +64,12 @@ class LayoutReader {
     while (lines.next()) {
       split_fields(lines.line(), fields);
       if (fields.empty()) continue;
+      if (box_count_ == kMostBoxes) {
+        errors_.add({.line = lines.number(),
+                     .what = "a box too many",
+                     .accepted = "at most " + std::to_string(kMostBoxes) + " boxes"});
+        return;
+      }
       if (header_line_ > 0)
         read_box(lines.number(), fields);
       else
@@ -73,7 +79,16 @@ class LayoutReader {
 
   void read_header(const LineReader& lines, const std::vector<Field>& fields) {
     header_line_ = lines.number();
-    layout_.header = trimmed(lines.line());
+    const std::string_view header = trimmed(lines.line());
+    if (header.size() > kMostHeaderBytes) {
+      errors_.add({.line = header_line_,
+                   .column = fields[0].column,
+                   .what = "the header is too long",
+                   .value = std::to_string(header.size()) + " bytes",
+                   .accepted = "at most " + std::to_string(kMostHeaderBytes)});
+      return;
+    }
+    layout_.header = header;
     if (!looks_like_box(fields)) return;
     errors_.add({.line = header_line_,
                  .column = fields[0].column,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/layout.hpp"
@@ -8,6 +9,13 @@
 #include "io/text_file.hpp"
 
 namespace holdfast {
+
+/// Most boxes of a layout. The largest container takes some thousand; the check of all pairs that meet along x, and the
+/// memory of a world, stay bounded.
+inline constexpr std::size_t kMostBoxes = 20'000;
+
+/// Longest header of a layout, byte: every results file keeps it.
+inline constexpr std::size_t kMostHeaderBytes = 4096;
 
 /// Reads a layout file and checks its geometry (see check_layout).
 ///

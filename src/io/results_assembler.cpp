@@ -1,5 +1,6 @@
 #include "io/results_assembler.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -18,8 +19,8 @@ namespace {
 /// The finished parts, opened when needed; so many are kept open that usually each is opened once.
 class Parts {
  public:
-  Parts(const std::string& path, const std::string& fingerprint)
-      : path_(path), ranges_(check_parts(path, fingerprint)), kept_(ranges_.size()) {}
+  Parts(const std::string& path, const std::string& fingerprint, const std::atomic<bool>* stop)
+      : path_(path), ranges_(check_parts(path, fingerprint)), kept_(ranges_.size()), stop_(stop) {}
 
   const std::vector<PartRange>& ranges() const { return ranges_; }
   AxisCounts end() const { return ranges_.empty() ? AxisCounts{} : ranges_.back().end; }
@@ -32,18 +33,22 @@ class Parts {
     return file;
   }
 
-  /// Removes the parts, and their folder when nothing else is in it.
+  /// Fails when the user wants no more.
+  void check_stop() const {
+    if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
+  }
+
+  /// Removes them from the disk.
   void remove() {
     kept_.clear();
-    for (std::size_t part = 0; part < ranges_.size(); ++part) std::filesystem::remove(part_path(path_, part + 1));
-    std::error_code not_empty;
-    std::filesystem::remove(parts_folder(path_), not_empty);
+    remove_parts(path_);
   }
 
  private:
   std::string path_;
   std::vector<PartRange> ranges_;
   std::vector<std::shared_ptr<h5::File>> kept_;
+  const std::atomic<bool>* stop_;
 };
 
 /// Makes indices that count from the part's first entry count from the run's.
@@ -69,8 +74,11 @@ void assemble_table(const h5::File& file, const DatasetSpec& spec, Parts& parts)
 
   TableWriter writer(file, spec, at(parts.end(), spec.axis), text_size);
   for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
+    parts.check_stop();
     const auto source = parts.open(part);
     const h5::Dataset dataset = h5::Dataset::open(*source, spec);
+    if (dataset.length() != at(parts.ranges()[part].end, spec.axis) - at(parts.ranges()[part].begin, spec.axis))
+      source->fail("has a column of another length than its table (" + std::string(spec.path) + ")");
     std::vector<std::byte> stored = dataset.read(0, dataset.length());
     if (spec.refers_to != spec.axis) shift_indices(stored, at(parts.ranges()[part].begin, spec.refers_to));
     if (text) stored = repad(stored, dataset.number_bytes(), text_size);
@@ -91,8 +99,10 @@ void assemble_series(const h5::File& file, const DatasetSpec& spec, Parts& parts
     if (begin == end) continue;
     const auto source = parts.open(part);
     const h5::Dataset dataset = h5::Dataset::open(*source, spec);
-    for (std::uint64_t chunk = begin; chunk < end; ++chunk)
+    for (std::uint64_t chunk = begin; chunk < end; ++chunk) {
+      parts.check_stop();
       target.write_chunk(chunk, dataset.read_chunk(chunk - begin));
+    }
   }
 }
 
@@ -137,10 +147,10 @@ void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
 
 }  // namespace
 
-std::optional<Error> assemble(const std::string& path, const RunDescription& run) {
+std::optional<Error> assemble(const std::string& path, const RunDescription& run, const std::atomic<bool>* stop) {
   const std::string temporary = temporary_name(path);
   const auto error = h5::caught(path, [&] {
-    Parts parts(path, fingerprint(run));
+    Parts parts(path, fingerprint(run), stop);
     check_whole(path, run, parts);
     h5::File file = h5::File::create(temporary);
     write_file(file, run, parts);

@@ -11,6 +11,7 @@
 #include "io/results_reader.hpp"
 #include "io/results_schema.hpp"
 #include "io/summary.hpp"
+#include "io/text_lines.hpp"
 
 /// Which member is kept in which dataset: said once, for writing and for reading.
 namespace holdfast {
@@ -122,7 +123,7 @@ class Column {
   }
   void append(const std::string& text) {
     assert(spec_->type == ElementType::text);
-    texts_.push_back(text);
+    texts_.push_back(valid_utf8(text));  // as the column's type says
     ++count_;
   }
 

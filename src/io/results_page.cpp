@@ -87,7 +87,8 @@ constexpr std::string_view kParts = R"(
 
 While a run goes on, finished worlds are safe in `results.h5.parts/part-000001.h5`, `part-000002.h5`, …: each holds a
 consecutive range of worlds, and is closed after 256 worlds, 32 MB or 2 seconds. A part appears under its name only
-when all of it is on disk, so a kill or a power cut costs the open part at most. At the end the parts become
+when all of it is on disk, so a kill or a power cut costs the open part at most, and worlds that finished ahead of a
+slower one before them. `results.h5.parts/lock` keeps a second run away while the first one lives. At the end the parts become
 `results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part,
 if config, settings, engine, layouts
 and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor

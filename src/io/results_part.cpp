@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "io/durable_file.hpp"
 #include "io/run_description.hpp"
 
 namespace holdfast {
@@ -56,6 +57,21 @@ std::vector<std::uint64_t> list_parts(const std::string& results_path) {
   }
   std::sort(numbers.begin(), numbers.end());
   return numbers;
+}
+
+void remove_parts(const std::string& results_path) {
+  for (const std::uint64_t number : list_parts(results_path)) std::filesystem::remove(part_path(results_path, number));
+  std::error_code not_empty;
+  std::filesystem::remove(parts_folder(results_path), not_empty);
+}
+
+void remove_temporaries(const std::string& results_path) {
+  std::filesystem::remove(temporary_name(results_path));
+  if (!std::filesystem::exists(parts_folder(results_path))) return;
+  std::vector<std::filesystem::path> stale;
+  for (const auto& entry : std::filesystem::directory_iterator(parts_folder(results_path)))
+    if (entry.path().extension() == ".tmp") stale.push_back(entry.path());
+  for (const auto& file : stale) std::filesystem::remove(file);
 }
 
 void write_range_begin(const h5::File& file, const AxisCounts& begin) {

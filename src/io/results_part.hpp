@@ -29,6 +29,12 @@ std::string part_path(const std::string& results_path, std::uint64_t number);
 /// Numbers of the finished parts in the folder, rising.
 std::vector<std::uint64_t> list_parts(const std::string& results_path);
 
+/// Removes the finished parts, and their folder when nothing else is in it.
+void remove_parts(const std::string& results_path);
+
+/// Removes what a kill left under temporary names: it holds nothing that can be used.
+void remove_temporaries(const std::string& results_path);
+
 void write_range_begin(const h5::File& file, const AxisCounts& begin);
 PartRange read_range(const h5::File& file);
 

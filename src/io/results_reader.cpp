@@ -62,6 +62,7 @@ struct ResultsReader::State {
 
   void read_info() {
     check_format(*file);
+    info.path = file->path();
     const auto text = [&](const char* name) { return h5::read_text_attribute(*file, "/", name); };
     info.software = text("software");
     info.git_commit = text("git_commit");

@@ -13,6 +13,7 @@ namespace holdfast {
 
 /// What a results file says about its run.
 struct ResultsInfo {
+  std::string path;  ///< as it was opened, for messages
   std::string software;
   std::string git_commit;
   std::string engine;

@@ -1,26 +1,18 @@
 #include "io/results_resume.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
-#include "io/durable_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/results_columns.hpp"
 #include "io/results_part.hpp"
+#include "io/results_reader.hpp"
 #include "io/run_description.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// What a kill left under temporary names holds nothing that can be used.
-void remove_temporaries(const std::string& path) {
-  std::filesystem::remove(temporary_name(path));
-  if (!std::filesystem::exists(parts_folder(path))) return;
-  std::vector<std::filesystem::path> stale;
-  for (const auto& entry : std::filesystem::directory_iterator(parts_folder(path)))
-    if (entry.path().extension() == ".tmp") stale.push_back(entry.path());
-  for (const auto& file : stale) std::filesystem::remove(file);
-}
 
 std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
   const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
@@ -56,12 +48,56 @@ Progress progress_of_finished_file(const std::string& path, const std::string& f
   return progress;
 }
 
+WorldRecord record_of(const WorldRow& row, EndTable&& end) {
+  WorldRecord world;
+  world.layout = row.layout;
+  world.acceleration = row.acceleration;
+  world.outcome.status = row.status;
+  world.outcome.stop_reason = row.stop_reason;
+  world.outcome.end_time = row.end_time;
+  world.outcome.counters = {row.steps, row.steps_skipped, row.solve_iterations, row.max_residual};
+  world.status_text = row.status_text;
+  world.cpu_seconds = row.cpu_seconds;
+  world.peak_total_kinetic_energy = row.peak_total_kinetic_energy;
+  world.state_hash = row.state_hash;
+  world.end = std::move(end);
+  return world;
+}
+
+void visit_file(const std::string& path, const std::function<void(const WorldRecord&)>& visit) {
+  Result<ResultsReader> results = ResultsReader::open(path);
+  if (!results) throw h5::Failure(results.error());
+  constexpr std::uint64_t kSlice = 1024;
+  const std::uint64_t count = results->info().world_count;
+  for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
+    const auto rows = results->worlds(begin, std::min(kSlice, count - begin));
+    if (!rows) throw h5::Failure(rows.error());
+    for (const WorldRow& row : *rows) {
+      Result<EndTable> end = results->ends(row.box_begin, row.box_count);
+      if (!end) throw h5::Failure(end.error());
+      visit(record_of(row, std::move(*end)));
+    }
+  }
+}
+
 }  // namespace
+
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
+                                    const std::function<void(const WorldRecord&)>& visit) {
+  return h5::caught(path, [&] {
+    if (progress.complete) return visit_file(path, visit);
+    for (std::uint64_t part = 1; part <= progress.part_count; ++part) visit_file(part_path(path, part), visit);
+  });
+}
 
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint) {
   return h5::caught_result(path, [&] {
     remove_temporaries(path);
-    if (std::filesystem::exists(path)) return progress_of_finished_file(path, fingerprint);
+    if (std::filesystem::exists(path)) {
+      Progress progress = progress_of_finished_file(path, fingerprint);
+      remove_parts(path);  // a run that was killed after assembling did not come to it
+      return progress;
+    }
     Progress progress;
     for (const PartRange& range : check_parts(path, fingerprint)) {
       add_counts(range, progress);

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/result.hpp"
+#include "core/world_record.hpp"
 
 namespace holdfast {
 
@@ -23,10 +26,16 @@ struct Progress {
   std::vector<std::pair<std::string, std::string>> layouts;
 };
 
-/// What an earlier run left of the results file `path` and of its parts. Left-over temporary files are removed.
+/// What an earlier run left of the results file `path` and of its parts. Temporary files, and parts that are in the
+/// results file already, are removed: the caller holds the `OutputLock`.
 /// An error when a part or the results file belongs to other inputs (it says what differs), when a part is
 /// damaged, or when one is missing in between.
 /// @param fingerprint of the run to go on with
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint);
+
+/// Shows every finished world in the order of the run, as it was when it ended: without boxes and series.
+/// @param progress what `find_finished` found there
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
+                                    const std::function<void(const WorldRecord&)>& visit);
 
 }  // namespace holdfast

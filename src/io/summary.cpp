@@ -78,12 +78,28 @@ std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
   return rows;
 }
 
-SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, std::uint64_t world_begin) {
+/// The worlds' boxes lie end to end in /boxes; a file in which they do not is no longer what was written.
+void check_ranges(const ResultsInfo& info, const SummarySlice& slice) {
+  std::uint64_t next = slice.box_begin;
+  for (std::size_t i = 0; i < slice.rows.size(); ++i) {
+    const WorldRow& row = slice.rows[i];
+    if (row.box_begin != next || row.box_count > info.box_count - next) {
+      throw h5::Failure(Error{.file = info.path,
+                              .what = "is damaged: the boxes of a world are not where they should be, world",
+                              .value = std::to_string(slice.world_begin + i)});
+    }
+    next += row.box_count;
+  }
+}
+
+SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, std::uint64_t world_begin,
+                          std::uint64_t box_begin) {
   const std::uint64_t left = results.info().world_count - world_begin;
   SummarySlice slice;
   slice.world_begin = world_begin;
   slice.rows = take_slice(value_of(results.worlds(world_begin, std::min(left, kSliceWorlds))));
-  slice.box_begin = slice.rows.front().box_begin;
+  slice.box_begin = box_begin;
+  check_ranges(results.info(), slice);
   const std::uint64_t box_count = slice.rows.back().box_begin + slice.rows.back().box_count - slice.box_begin;
   const EndTable ends = value_of(results.ends(slice.box_begin, box_count));
   for (const WorldRow& row : slice.rows) {
@@ -101,11 +117,16 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
 std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit) {
   return h5::caught("", [&] {
-    for (std::uint64_t world = 0; world < results.info().world_count;) {
-      const SummarySlice slice = derive_slice(results, thresholds, world);
+    const ResultsInfo& info = results.info();
+    std::uint64_t box = 0;
+    for (std::uint64_t world = 0; world < info.world_count;) {
+      const SummarySlice slice = derive_slice(results, thresholds, world, box);
       if (const auto error = visit(slice)) throw h5::Failure(*error);
       world += slice.rows.size();
+      box += slice.boxes.drop.size();
     }
+    if (box != info.box_count)
+      throw h5::Failure(Error{.file = info.path, .what = "is damaged: it has boxes that belong to no world"});
   });
 }
 

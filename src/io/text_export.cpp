@@ -41,8 +41,9 @@ std::string outcome(const WorldRow& row, double value) {
 
 /// What both files of a world begin with.
 std::string heading(const ResultsInfo& info, const WorldRow& row) {
-  std::string text = fmt::format("# layout {}, acceleration {}, engine {}, status {}", layout_name(info, row),
-                                 acceleration_name(info, row), row.engine, to_string(row.status));
+  std::string text =
+      fmt::format("# layout {}, acceleration {}, engine {}, status {}", printable(layout_name(info, row)),
+                  printable(acceleration_name(info, row)), row.engine, to_string(row.status));
   if (!row.status_text.empty()) text += " (" + row.status_text + ")";
   return text + '\n';
 }
@@ -105,8 +106,9 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
     const std::string pair = "$" + layouts.at(row.layout) + "$" + accelerations.at(row.acceleration);
     write_solution(results, row, folder + "/[SOLUTION]" + pair);
     write_resumed(results, slice, world, folder + "/[SOLUTION_RESUMED]" + pair);
-    batch.write(fmt::format("{}\t{}\t{}\t{}\n", layout_name(results.info(), row),
-                            acceleration_name(results.info(), row), outcome(row, slice.worlds.fallen_boxes[world]),
+    batch.write(fmt::format("{}\t{}\t{}\t{}\n", printable(layout_name(results.info(), row)),
+                            printable(acceleration_name(results.info(), row)),
+                            outcome(row, slice.worlds.fallen_boxes[world]),
                             outcome(row, slice.worlds.total_kinetic_energy[world])));
   }
 }

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
 
 namespace holdfast {
@@ -22,9 +21,21 @@ Result<TextFile> read_text_file(const std::string& path) {
   TextFile file;
   file.path = path;
   file.name = std::filesystem::path(path).filename().string();
-  if (stream) file.text.assign(std::istreambuf_iterator<char>(stream), {});
+  // Block by block, whatever size the system tells: a pipe and a device tell none.
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
+  while (stream && file.text.size() <= kMostTextBytes) {
+    const std::size_t size = file.text.size();
+    file.text.resize(size + kBlock);
+    stream.read(file.text.data() + size, kBlock);
+    file.text.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
   if (!stream.is_open() || stream.bad()) {
     return Error{.file = path, .what = "cannot be read", .value = std::strerror(errno)};
+  }
+  if (file.text.size() > kMostTextBytes) {
+    return Error{.file = path,
+                 .what = "is too large for an input file",
+                 .accepted = fmt::format("at most {} MiB", kMostTextBytes >> 20U)};
   }
   file.sha256 = sha256_of(file.text);
   return file;

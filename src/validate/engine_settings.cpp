@@ -16,9 +16,13 @@ EngineSetting bullet(const char* engine, const char* name, double steps_per_seco
           quick};
 }
 
-/// The native engine at one of its accuracies, quick where the name says so.
-EngineSetting native(const char* name, Accuracy accuracy, bool quick = false) {
-  return {"native", name, [=](Settings& settings) { settings.native.accuracy = accuracy; }, quick};
+/// The native engine at one of its accuracies, quick, and taken through loads, where told.
+EngineSetting native(const char* name, Accuracy accuracy, bool quick, bool loads) {
+  return {.engine = "native",
+          .name = name,
+          .choose = [=](Settings& settings) { settings.native.accuracy = accuracy; },
+          .quick = quick,
+          .loads = loads};
 }
 
 /// Bullet's OpenCL pipeline with a step and a number of iterations; not part of a quick run.
@@ -30,6 +34,7 @@ EngineSetting opencl(const char* name, double steps_per_second, int iterations) 
                 settings.steps_per_second = steps_per_second;
                 settings.opencl.iterations = iterations;
               },
+          .loads = false,
           .quick_cases_only = true};
 }
 
@@ -37,9 +42,9 @@ EngineSetting opencl(const char* name, double steps_per_second, int iterations) 
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
-      native("standard", Accuracy::standard, true),
-      native("screening", Accuracy::screening, true),
-      native("reference", Accuracy::reference),
+      native("standard", Accuracy::standard, true, true),
+      native("screening", Accuracy::screening, true, true),
+      native("reference", Accuracy::reference, false, false),
       bullet("bullet", "240 Hz, 50 it", 240, 50, true),
       bullet("bullet", "60 Hz, 10 it", 60, 10),
       bullet("bullet", "120 Hz, 20 it", 120, 20),

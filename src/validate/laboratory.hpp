@@ -21,6 +21,7 @@ struct EngineSetting {
   std::function<void(Settings&)> choose;  ///< sets step and solver in a scene's settings
   bool quick = false;                     ///< part of a quick run
   bool reference = false;                 ///< one of the references of the load suite
+  bool loads = true;                      ///< taken through the load suite; not where a load costs minutes
   bool quick_cases_only = false;          ///< of a device: a step of one box takes it as long as one of a full load
 };
 

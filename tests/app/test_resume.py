@@ -1,4 +1,5 @@
 """Runs that are killed, stopped or out of disk, and go on with `--resume`."""
+import json
 import pathlib
 import resource
 import shutil
@@ -56,7 +57,7 @@ class LongRun(CliTest):
         shutil.copytree(self.common / "inputs", self.folder, dirs_exist_ok=True)
 
     def parts(self):
-        return sorted(path.name for path in self.folder.glob("results.h5.parts/*"))
+        return sorted(path.name for path in self.folder.glob("results.h5.parts/part-*"))
 
     def test_a_killed_run_is_resumed(self):
         self.assertFalse((self.folder / "results.h5").exists())
@@ -72,6 +73,21 @@ class LongRun(CliTest):
         self.assertIn("complete already", done.stderr)
         self.write("short.txt", "0 0.5 0 2 0\n")
         self.assert_refused(self.run_here(*self.arguments(), "--resume"), "results.h5", "accelerations differ")
+
+    def test_json_tells_of_all_worlds(self):
+        def told(done):
+            self.assert_exit(done, 0)
+            worlds = [json.loads(line) for line in done.stdout.splitlines()]
+            for world in worlds:
+                self.assertGreater(world.pop("cpu_seconds"), 0)
+            return worlds
+
+        resumed = told(self.run_here(*self.arguments(), "--resume", "--json"))
+        self.assertEqual([world["world"] for world in resumed], list(range(48)))
+        again = told(self.run_here(*self.arguments(), "--resume", "--json"))
+        self.assertEqual(again, resumed)
+        anew = told(self.run_here(*self.arguments(), "--overwrite", "--json"))
+        self.assertEqual(anew, resumed)
 
     def test_with_other_threads_and_scheduler(self):
         done = self.run_here(*self.arguments(), "--resume", "--threads", 3, "--scheduler", schedulers()[-2], "--quiet")
@@ -144,6 +160,7 @@ class Signals(CliTest):
         self.assertIn(" of 2 worlds", said)
         self.assertIn("--resume", said)
         self.assertFalse(list(self.folder.glob("results.h5.parts/*.tmp")))
+        self.assertFalse(list(self.folder.glob("results.h5.parts/lock")))
 
     def test_a_second_interrupt_drops_what_is_in_flight(self):
         process = self.start_endless()

@@ -74,3 +74,11 @@ TEST_CASE("work_units: nothing to do", "[app][work_units]") {
 }
 
 TEST_CASE("work_units: traits of 0 count as 1", "[app][work_units]") { check_covers(units_of(2, 2, 0, 0), 2, 2); }
+
+TEST_CASE("work_units: a unit's first world is where the unit begins", "[app][work_units]") {
+  const WorkUnits units = units_of(3, 5, 1, 2);
+  CHECK(units.first_world(0) == 0);
+  CHECK(units.first_world(2) == 4);
+  CHECK(units.first_world(3) == 5);
+  CHECK(units.first_world(units.beginning_with(3)) == 2);
+}

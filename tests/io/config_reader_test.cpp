@@ -92,7 +92,7 @@ TEST_CASE("config_reader: a wrong value names its column and what is accepted", 
   CHECK(errors_of("[Simulation Settings]\n  BoxFriction =  1,5 ; comma\n") ==
         Messages{"in/c.ini:2:18: BoxFriction has a wrong value: 1,5; a number of at least 0"});
   CHECK(errors_of("[Simulation Settings]\nTimeoutInSeconds=nan\n") ==
-        Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number above 0 (s)"});
+        Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number above 0, at most 1000000 (s)"});
   CHECK(errors_of("[Container]\nLength = 0x10\nWidth = inf\nHeight=-1\n") ==
         Messages{"in/c.ini:2:10: Length has a wrong value: 0x10; a number above 0 (cm)",
                  "in/c.ini:3:9: Width has a wrong value: inf; a number above 0 (cm)",

@@ -90,3 +90,15 @@ TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results
     CHECK(contains(error->message(), "does not hold all worlds of the run: 4 of 6"));
   }
 }
+
+TEST_CASE("results_resume: parts that a kill left beside the finished file are removed", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}, {5, 2}});
+  write_parts(path, run);
+  std::filesystem::copy(path + ".parts", folder / "kept");
+  require_ok(assemble(path, run.description));
+  std::filesystem::copy(folder / "kept", path + ".parts");
+  CHECK(require_value(find_finished(path, fingerprint(run.description))).complete);
+  CHECK_FALSE(std::filesystem::exists(path + ".parts"));
+}

@@ -264,3 +264,20 @@ TEST_CASE("results_assembler: a failed write leaves the parts and no file", "[io
   require_ok(assemble(path, run.description));
   check_file(path, run, 0, 3);
 }
+
+TEST_CASE("results_assembler: when stopped it leaves the parts as they are", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}, {5, 2}});
+  {
+    const auto writer = require_value(ResultsWriter::open(path, run.description, {}, every_unit()));
+    write_units(*writer, run, 0, run.units.size());
+  }
+  std::atomic<bool> stop = true;
+  CHECK(assemble(path, run.description, &stop));
+  CHECK(list_directory(folder / "") == std::vector<std::string>{"results.h5.parts"});
+  CHECK(list_directory(path + ".parts").size() == 2);
+  stop = false;
+  require_ok(assemble(path, run.description, &stop));
+  CHECK(list_directory(folder / "") == std::vector<std::string>{"results.h5"});
+}

@@ -1,0 +1,86 @@
+"""`holdfast bench`: its figures are those of the runs, and no speed is told where a run failed."""
+import subprocess
+import sys
+import unittest
+
+import pandas as pd
+
+from cli import CONFIG, HOLDFAST, SOURCE, CliTest, datasets
+
+STAGES = ("read", "build", "simulate", "compress", "write", "assemble")
+
+
+class Bench(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write_inputs()
+        (self.folder / "scratch").mkdir()
+
+    def bench(self, *arguments):
+        return self.run_here("bench", "-c", self.config, "--accelerations", *self.accelerations, "--folder", "scratch",
+                             *arguments)
+
+    def test_figures_are_those_of_the_runs(self):
+        done = self.bench("--layouts", *self.layouts, "--engine", "bullet-stock", "--threads", 1, 2, "--repeats", 2,
+                          "--classes", 4, "--csv", "bench.csv")
+        self.assert_exit(done, 0)
+        runs = pd.read_csv(self.folder / "bench.csv")
+        # Two numbers of threads, without series, and two classes: twice each.
+        self.assertEqual(len(runs), 2 * (2 + 1 + 2))
+        self.assertEqual(runs.groupby("layouts")["hash"].nunique().tolist(), [1, 1, 1])
+        path, _ = self.screen()
+        data = datasets(path)
+        whole = runs[runs["layouts"] == "all"].iloc[0]
+        self.assertEqual(whole["worlds"], 6)
+        self.assertEqual(whole["boxes"], data["/worlds/box_count"].sum())
+        self.assertEqual(whole["steps"], data["/worlds/steps"].sum())
+        self.assertEqual(whole["box_steps"], (data["/worlds/steps"] * data["/worlds/box_count"]).sum())
+        self.assertAlmostEqual(whole["simulated_seconds"], data["/worlds/end_time"].sum())
+        self.assertEqual(sorted(set(runs["layouts"])), ["1-3 boxes", "4+ boxes", "all"])
+        classes = runs[runs["layouts"] != "all"].groupby("layouts")["worlds"].first()
+        self.assertEqual(classes.tolist(), [4, 2])
+        for stage in ("read", "build", "simulate", "write", "assemble"):
+            self.assertTrue((runs[f"{stage}_cpu_seconds"] > 0).all(), stage)
+        total = sum(runs[f"{stage}_cpu_seconds"] for stage in STAGES)
+        self.assertTrue((total <= runs["cpu_seconds"] + 0.02).all())
+        self.assertTrue((runs["peak_memory_MiB"] > 5).all())
+        self.assertEqual(len([line for line in done.stdout.splitlines() if line.startswith("bullet-stock")]), 10)
+        self.assertFalse(list((self.folder / "scratch").iterdir()), "nothing is left behind")
+
+        subprocess.run([sys.executable, SOURCE / "bench/plot.py", "bench.csv", "bench.svg"], cwd=self.folder, check=True)
+        self.assertIn("strong scaling", (self.folder / "bench.svg").read_text())
+
+    def test_a_failing_run_tells_no_speed(self):
+        bad = self.write("bad.txt", "1 1\n0 0 0 5 5 x 1\n")
+        done = self.bench("--layouts", *self.layouts, bad, "--engine", "bullet-stock", "--threads", 1, "--repeats", 1)
+        self.assert_exit(done, 1)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("a run failed, so nothing is measured", done.stderr)
+
+    def test_costs_of_a_run(self):
+        _, done = self.screen("--costs", "costs.json")
+        costs = pd.read_json(self.folder / "costs.json", typ="series")
+        self.assertEqual(list(costs.index), list(STAGES))
+        self.assertGreater(costs["simulate"], 0)
+
+
+class Scale(CliTest):
+    def test_a_small_scale_run_that_is_killed(self):
+        """bench/scale.py measures what is there, and finds a resumed run the same as an undisturbed one."""
+        self.write("config.ini", CONFIG)
+        brake = self.write("brake.txt", "0 1 5 0 0\n")
+        done = subprocess.run([sys.executable, SOURCE / "bench/scale.py", "40", "--boxes", "20", "60", "--config",
+                               self.folder / "config.ini", "--accelerations", brake, "--program", HOLDFAST, "--folder",
+                               self.folder, "--kills", "2"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = {line[:44].strip(): float(line[44:57]) for line in done.stdout.splitlines()[:-1]}
+        self.assertEqual(figures["worlds"], 40)
+        for name in ("wall time", "peak memory", "results file", "processor time: assemble", "worlds safe after kill 2",
+                     "h5py: open, and read a world's displacements"):
+            self.assertIn(name, figures)
+        self.assertEqual(done.stdout.splitlines()[-1], "killed and resumed: the same file as without, times aside")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["brake.txt", "config.ini"])
+
+
+if __name__ == "__main__":
+    unittest.main()

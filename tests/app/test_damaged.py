@@ -1,0 +1,193 @@
+"""Results files that were changed by something else: other types, shapes, values, single bytes.
+
+Whatever is in the file, `summary` and `--resume` answer: with tables, or with a message that names the file.
+"""
+import os
+import random
+import shutil
+import unittest
+
+import h5py
+import numpy as np
+
+from cli import CONFIG, SEED, TOWER, CliTest, datasets, layout_text, start, wait_for
+
+DAMAGE = ["is damaged", "lacks a dataset", "has a dataset", "ends before", "has no", "cannot be", "is not", "later format"]
+
+
+def other_type(data):
+    return np.zeros(len(data), "f8") if data.dtype.kind == "S" else np.full(data.shape, b"text")
+
+
+def other_width(data):
+    if data.dtype.kind == "S":
+        return data.astype("S300")
+    widths = {"u1": "u2", "u4": "u8", "u8": "u4", "i4": "i8", "f4": "f8", "f8": "f4"}
+    return data.astype(widths[f"{data.dtype.kind}{data.itemsize}"])
+
+
+# What is done to a dataset: a name, and what it becomes (None: removed).
+CHANGES = {
+    "removed": lambda data: None,
+    "of another type": other_type,
+    "of another width": other_width,
+    "with a column more": lambda data: np.stack([data, data], axis=-1),
+    "a single value": lambda data: data.reshape(-1)[0] if data.size else np.zeros(()),
+    "empty": lambda data: data[:0],
+    "shorter": lambda data: data[:-1],
+    "longer": lambda data: np.concatenate([data, data]),
+}
+# What is done to the values of a dataset of numbers.
+VALUES = {
+    "largest": lambda data: np.full_like(data, np.iinfo(data.dtype).max if data.dtype.kind in "ui" else np.finfo(data.dtype).max),
+    "one more": lambda data: data + np.ones_like(data),
+    "reversed": lambda data: data[::-1],
+    "infinite or zero": lambda data: np.full_like(data, 0 if data.dtype.kind in "ui" else np.nan),
+}
+
+
+class Damaged(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 0.1\n")
+        self.write("a_shove.txt", "0 0.3 8 1 0\n")
+        self.write("b_endless.txt", "0 15000 1 0 0\n")
+        for name, boxes in (("a.txt", SEED), ("b.txt", TOWER)):
+            self.write(f"layouts/{name}", layout_text(boxes))
+
+    def arguments(self, *accelerations):
+        return ("screen", "-c", "config.ini", "--layouts", "layouts", "--accelerations", *accelerations, "--quiet")
+
+    def assert_answers(self, path, *arguments):
+        """The program does what is asked, or says what is wrong with the file; it never crashes."""
+        done = self.run_here(*arguments)
+        self.assertIn(done.returncode, (0, 1, 2), f"{arguments}: {done.stderr}")
+        self.assert_exit(done, done.returncode)
+        if done.returncode != 0:
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(path, done.stderr)
+            self.assertTrue(any(words in done.stderr for words in DAMAGE), done.stderr)
+        return done.returncode
+
+    def changed(self, source, name, change):
+        """A copy of the file in which a dataset is another."""
+        shutil.copy(source, self.folder / "changed.h5")
+        with h5py.File(self.folder / "changed.h5", "r+") as file:
+            data, attributes = file[name][()], dict(file[name].attrs)
+            new = change(data)
+            chunks = file[name].chunks if name.startswith("/series") else None
+            del file[name]
+            if new is not None:
+                options = {"chunks": chunks, "maxshape": (None, *np.shape(new)[1:])} if chunks and np.ndim(new) == len(chunks) \
+                    else {}
+                file.create_dataset(name, data=new, **options).attrs.update(attributes)
+        return "changed.h5"
+
+    def summary(self, path):
+        shutil.rmtree(self.folder / "tables", ignore_errors=True)
+        return self.assert_answers(path, "summary", path, "--csv", "tables")
+
+    def test_summary_of_other_types_and_shapes(self):
+        self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
+        refused = 0
+        needed = ("/worlds", "/boxes", "/inputs/layouts/name", "/inputs/accelerations/name", "/series/time", "/series/displ")
+        for name in (name for name in datasets(self.folder / "results.h5") if name.startswith(needed)):
+            for kind, change in CHANGES.items():
+                with self.subTest(dataset=name, change=kind):
+                    refused += self.summary(self.changed(self.folder / "results.h5", name, change)) != 0
+        self.assertGreater(refused, 100, "of some 300 changes many are such that no table can be made")
+
+    def test_summary_of_other_values(self):
+        self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
+        for name, data in datasets(self.folder / "results.h5").items():
+            if not name.startswith(("/worlds", "/boxes/end", "/series/time")) or data.dtype.kind == "S":
+                continue
+            for kind, change in VALUES.items():
+                with self.subTest(dataset=name, values=kind):
+                    code = self.summary(self.changed(self.folder / "results.h5", name, change))
+                    if name in ("/worlds/box_begin", "/worlds/box_count") and kind in ("largest", "one more", "reversed"):
+                        self.assertNotEqual(code, 0)
+
+    def test_a_file_that_claims_to_be_huge(self):
+        self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
+        for name in ("/worlds/layout", "/boxes/mass", "/inputs/layouts/name", "/series/time"):
+            with self.subTest(dataset=name):
+                shutil.copy(self.folder / "results.h5", self.folder / "huge.h5")
+                with h5py.File(self.folder / "huge.h5", "r+") as file:
+                    dtype = file[name].dtype
+                    del file[name]
+                    file.create_dataset(name, (10**13,), dtype, chunks=(16384,), maxshape=(None,))
+                self.assertNotEqual(self.summary("huge.h5"), 0)
+
+    def test_attributes_of_other_types(self):
+        self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
+        for group, name in (("/", "format"), ("/", "format_version"), ("/", "engine"), ("/", "worlds_begin"),
+                            ("/", "complete"), ("/summary", "drop_threshold")):
+            for value in (None, np.arange(3), "text", 2.5, np.uint64(2**64 - 1)):
+                with self.subTest(attribute=name, value=value):
+                    shutil.copy(self.folder / "results.h5", self.folder / "changed.h5")
+                    with h5py.File(self.folder / "changed.h5", "r+") as file:
+                        del file[group].attrs[name]
+                        if value is not None:
+                            file[group].attrs[name] = value
+                    self.summary("changed.h5")
+
+    def test_single_wrong_bytes(self):
+        """Where the library itself is led astray, the program still answers."""
+        if os.environ.get("HOLDFAST_SANITIZED"):
+            self.skipTest("the sanitizer ends the program where the library goes astray, as it should")
+        self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
+        whole = (self.folder / "results.h5").read_bytes()
+        heap = whole.index(b"GCOL") + 16 + 8  # size of the first text in HDF5's heap, from which attributes are read
+        self.write("heap.h5", whole[:heap] + b"\xff\xff\xff\x7f" + whole[heap + 4:])
+        self.assertNotEqual(self.summary("heap.h5"), 0)
+        place = random.Random(2024)
+        for i in range(60):
+            damaged = bytearray(whole)
+            for _ in range(place.choice((1, 4, 16))):
+                damaged[place.randrange(len(damaged))] = place.choice((0, 1, 255))
+            with self.subTest(i=i):
+                self.write("damaged.h5", bytes(damaged))
+                self.summary("damaged.h5")
+
+    def test_resume_from_changed_parts(self):
+        """Three worlds of four are finished; then their part is no longer what it was."""
+        process = start(*self.arguments("a_shove.txt", "b_endless.txt"), "--threads", 1, cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        part = self.folder / "results.h5.parts/part-000001.h5"
+        wait_for(part.exists, process)
+        process.kill()
+        process.wait()
+        shutil.copy(part, self.folder / "kept.h5")
+        # What is refused is refused before anything is simulated: the endless world is never begun.
+        names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layouts", "/boxes/world",
+                                                                     "/series/time", "/series/displ"))]
+        for name in names:
+            for kind in ("removed", "of another type", "with a column more"):
+                with self.subTest(dataset=name, change=kind):
+                    shutil.copy(self.folder / self.changed(self.folder / "kept.h5", name, CHANGES[kind]), part)
+                    if self.is_needed_before(name):
+                        self.assertEqual(self.assert_answers("results.h5", *self.arguments("a_shove.txt", "b_endless.txt"),
+                                                             "--resume"), 2)
+        for name, value in (("worlds_begin", 1), ("samples_begin", 2**63), ("fingerprint", "config=0"), ("boxes_begin", "x")):
+            with self.subTest(attribute=name):
+                shutil.copy(self.folder / "kept.h5", part)
+                with h5py.File(part, "r+") as file:
+                    del file.attrs[name]
+                    file.attrs[name] = value
+                done = self.run_here(*self.arguments("a_shove.txt", "b_endless.txt"), "--resume")
+                self.assert_refused(done, "results.h5")
+        for content in (b"", b"No part.\n", (self.folder / "kept.h5").read_bytes()[:3000]):
+            part.write_bytes(content)
+            done = self.run_here(*self.arguments("a_shove.txt", "b_endless.txt"), "--resume")
+            self.assert_refused(done, "part-000001.h5")
+
+    @staticmethod
+    def is_needed_before(name):
+        return name in ("/worlds/layout", "/inputs/layouts/name", "/inputs/layouts/sha256", "/boxes/world", "/series/time",
+                        "/series/displacement")
+
+
+if __name__ == "__main__":
+    unittest.main()

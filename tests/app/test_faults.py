@@ -1,0 +1,214 @@
+"""Faults from outside: kills at random moments, a second run, a full or read-only disk, a world that blows up.
+
+HOLDFAST_KILLS sets how many random kills there are; 10 without it.
+"""
+import os
+import random
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import h5py
+
+from cli import CONFIG, PATIENCE, SEED, CliTest, datasets, layout_text, start, wait_for
+
+KILLS = int(os.environ.get("HOLDFAST_KILLS", "10"))
+LONG_ENOUGH = 1.0  # s of an undisturbed run: several parts, and moments between them
+
+
+class ManyWorlds(CliTest):
+    """A run of many short worlds, so that many parts are finished in little time."""
+
+    def write_many(self, layouts, seconds):
+        self.write("config.ini", CONFIG)
+        self.write("left.txt", f"0 {seconds:.2f} 6 2 0\n")
+        self.write("right.txt", f"0 {seconds:.2f} -6 2 0\n")
+        for i in range(layouts):
+            self.write(f"layouts/{i:04}.txt", layout_text([(i % 400, 0, 0, i % 400 + 50, 50, 50 + i % 7),
+                                                           (i % 400, 60, 0, i % 400 + 50, 99 + i % 11, 50)]))
+
+    @staticmethod
+    def arguments(*more):
+        return ("screen", "-c", "config.ini", "--layouts", "layouts", "--accelerations", "left.txt", "right.txt", *more)
+
+    def safe_worlds(self, output="results.h5"):
+        """Worlds in finished parts, every one of which must be readable."""
+        count = 0
+        for path in sorted(self.folder.glob(f"{output}.parts/part-*.h5")):
+            with h5py.File(path) as part:
+                for name in ("worlds/layout", "boxes/mass", "series/displacement"):
+                    part[name][...]
+                count += len(part["worlds/layout"])
+        return count
+
+
+class Kills(ManyWorlds):
+    def test_killed_at_random_moments_and_resumed(self):
+        seconds, elapsed = 0.5, 0.0
+        while elapsed < LONG_ENOUGH:
+            self.write_many(1000, seconds)
+            begin = time.monotonic()
+            self.assert_exit(self.run_here(*self.arguments("-o", "whole.h5", "--overwrite", "--quiet")), 0)
+            elapsed = time.monotonic() - begin
+            seconds *= max(1.5, LONG_ENOUGH / elapsed)
+        whole, results = self.folder / "whole.h5", self.folder / "results.h5"
+        moments = random.Random(2024)
+        killed, on_the_way, safe = 0, 0, 0
+        while killed < KILLS:
+            process = start(*self.arguments("--quiet", "--resume" if safe else "--overwrite"), cwd=self.folder)
+            time.sleep(moments.uniform(0.0, 1.1 * elapsed))
+            process.kill()
+            said = process.communicate()[1]
+            self.assertIn(process.returncode, (0, -signal.SIGKILL), said)
+            killed += process.returncode != 0
+            if results.exists():  # it came to its end; a kill may still have left parts behind
+                self.assert_exit(self.run_here(*self.arguments("--resume", "--quiet")), 0)
+                self.assert_same_results(whole, results)
+                safe = 0
+            else:
+                now = self.safe_worlds()
+                self.assertGreaterEqual(now, safe, "nothing that was safe is lost")
+                on_the_way += now > 0
+                safe = now
+        self.assert_exit(self.run_here(*self.arguments("--quiet", "--resume" if safe else "--overwrite")), 0)
+        self.assert_same_results(whole, results)
+        self.assertFalse((self.folder / "results.h5.parts").exists())
+        self.assertFalse((self.folder / "results.h5.tmp").exists())
+        print(f"{killed} kills of a run of {elapsed:.1f} s, {on_the_way} of them between the first part and the end")
+
+
+class TwoRuns(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 5\n")
+        self.write("short.txt", "0 0.1 1 0 0\n")
+        self.write("zzz_endless.txt", "0 100000 1 0 0\n")
+        self.write("seed.txt", layout_text(SEED))
+
+    @staticmethod
+    def arguments(*more):
+        return ("screen", "-c", "config.ini", "--layouts", "seed.txt", "--accelerations", "short.txt",
+                "zzz_endless.txt", "--quiet", *more)
+
+    def test_a_second_run_into_the_same_output_is_refused(self):
+        process = start(*self.arguments(), cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        part = self.folder / "results.h5.parts/part-000001.h5"
+        wait_for(part.exists, process)
+        before = part.read_bytes()
+        for more in ((), ("--resume",), ("--overwrite",), ("-o", "./results.h5")):
+            with self.subTest(more=more):
+                done = self.run_here(*self.arguments(*more))
+                self.assert_refused(done, "results.h5: is being written by another run")
+                self.assertIsNone(process.poll())
+                self.assertEqual(part.read_bytes(), before)
+        done = self.run_here("summary", part)
+        self.assert_exit(done, 0)
+
+        # The lock goes with its process, however that ends.
+        process.kill()
+        process.wait()
+        process = start(*self.arguments("--resume"), cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        time.sleep(0.5)
+        self.assertIsNone(process.poll())
+        process.terminate()
+        self.assertEqual(process.wait(PATIENCE), 143)
+        self.assertEqual(part.read_bytes(), before)
+
+    def test_two_outputs_in_one_folder_are_fine(self):
+        process = start(*self.arguments("-o", "one.h5"), cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        wait_for((self.folder / "one.h5.parts/part-000001.h5").exists, process)
+        done = self.run_here("screen", "-c", "config.ini", "--layouts", "seed.txt", "--accelerations", "short.txt",
+                             "-o", "two.h5")
+        self.assert_exit(done, 0)
+        self.assertIsNone(process.poll())
+
+
+class SmallDisk(ManyWorlds):
+    """A file system of its own, full or read-only."""
+
+    def setUp(self):
+        super().setUp()
+        self.disk = self.folder / "disk"
+        self.disk.mkdir()
+        if self.mount("size=64m") != 0:
+            self.skipTest("this user may not mount a file system")
+        self.addCleanup(subprocess.run, ["umount", self.disk], check=True)
+
+    def mount(self, options, *more):
+        return subprocess.run(["mount", "-t", "tmpfs", "-o", options, *more, "tmpfs", self.disk],
+                              stderr=subprocess.DEVNULL, check=False).returncode
+
+    def remount(self, options):
+        self.assertEqual(self.mount(f"remount,{options}"), 0)
+
+    def test_a_full_disk_is_told_and_the_run_goes_on_when_there_is_room(self):
+        self.write_many(700, 0.5)
+        self.assert_exit(self.run_here(*self.arguments("-o", "whole.h5", "--quiet")), 0)
+        whole = (self.folder / "whole.h5").stat().st_size
+        self.remount(f"size={whole // 2}")
+        done = self.run_here(*self.arguments("-o", "disk/results.h5"))
+        self.assert_exit(done, 1)
+        self.assertIn("No space left on device", done.stderr)
+        safe = self.safe_worlds("disk/results.h5")
+        self.assertTrue(0 < safe < 1400, safe)
+        self.assertIn(f"{safe} of 1400 worlds are safe in disk/results.h5.parts; --resume goes on from there", done.stderr)
+        self.assertFalse(list(self.disk.glob("**/*.tmp")))
+
+        # Room for the parts, and not for the file that they become.
+        self.remount(f"size={whole * 2}")
+        done = self.run_here(*self.arguments("-o", "disk/results.h5", "--resume"))
+        self.assert_exit(done, 1)
+        self.assertIn("No space left on device", done.stderr)
+        self.assertIn("--resume", done.stderr)
+        self.assertFalse((self.disk / "results.h5").exists())
+
+        self.remount("size=64m")
+        self.assert_exit(self.run_here(*self.arguments("-o", "disk/results.h5", "--resume", "--quiet")), 0)
+        self.assert_same_results(self.folder / "whole.h5", self.disk / "results.h5")
+        self.assertEqual([path.name for path in self.disk.iterdir()], ["results.h5"])
+
+    def test_a_read_only_place_is_told_at_once(self):
+        self.write_many(1, 0.1)
+        self.remount("ro")
+        done = self.run_here(*self.arguments("-o", "disk/results.h5"))
+        self.assert_refused(done, "disk/results.h5.parts: cannot be made", "Read-only file system")
+
+
+class NotFinite(CliTest):
+    def test_a_world_that_blows_up_is_marked_and_disturbs_no_other(self):
+        self.write_inputs()
+        calm, _ = self.screen(output="calm.h5")
+        expected = dict(zip(*self.named_hashes(calm)))
+        self.accelerations.insert(1, self.write("huge.txt", "0 0.2 1 0 0\n0.2 0.3 1e300 0 0\n"))
+        for scheduler in ("tbb", "serial"):
+            with self.subTest(scheduler=scheduler):
+                mixed, done = self.screen("--overwrite", "--scheduler", scheduler, "--threads", 3, expect=1)
+                data = datasets(mixed)
+                huge = data["/worlds/acceleration"] == 1
+                self.assertTrue((data["/worlds/status"][huge] == 4).all())
+                self.assertTrue((data["/worlds/stop_reason"][huge] == 3).all())
+                self.assertTrue((data["/worlds/end_time"][huge] <= 0.2).all())
+                self.assertTrue((data["/worlds/status"][~huge] == 0).all())
+                found = dict(zip(*self.named_hashes(mixed)))
+                self.assertEqual({key: found[key] for key in expected}, expected)
+                self.assertIn("seed.txt under huge.txt: a state became infinite or undefined", done.stderr)
+
+    @staticmethod
+    def named_hashes(path):
+        data = datasets(path)
+        layout = data["/inputs/layouts/name"][data["/worlds/layout"]]
+        acceleration = data["/inputs/accelerations/name"][data["/worlds/acceleration"]]
+        return list(zip(layout, acceleration)), data["/worlds/state_hash"]
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,108 @@
+#include "fuzz/fuzz_targets.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/error_list.hpp"
+#include "core/setting_table.hpp"
+#include "io/acceleration_reader.hpp"
+#include "io/config_reader.hpp"
+#include "io/input_paths.hpp"
+#include "io/layout_reader.hpp"
+
+namespace fuzz {
+
+namespace {
+
+using namespace holdfast;
+
+constexpr std::size_t kMostMessageBytes = 2000;
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+TextFile file_of(std::string_view text) {
+  return {.path = "folder/input.txt", .name = "input.txt", .text = std::string(text), .sha256 = std::string(64, '0')};
+}
+
+/// A message is a line that a terminal can show, however hostile the input.
+void check_message(const Error& error) {
+  const std::string message = error.message();
+  require(message.size() < kMostMessageBytes, "a message is too long");
+  for (const char letter : message) {
+    const auto byte = static_cast<unsigned char>(letter);
+    require(byte >= 0x20U && byte != 0x7FU, "a message has a control character");
+  }
+  require(error.line >= 0 && error.column >= 0, "a message has no place");
+}
+
+template <class T>
+void check_errors(const Result<T>& result, const std::vector<Error>& warnings) {
+  for (const Error& warning : warnings) check_message(warning);
+  if (result) return;
+  require(!result.errors().empty(), "refused without a reason");
+  require(result.errors().size() <= ErrorList::kMost + 1, "too many errors");
+  for (const Error& error : result.errors()) check_message(error);
+}
+
+void check_box(const Box& box) {
+  require(box.corner_min.allFinite() && box.corner_max.allFinite(), "a corner is not finite");
+  require((box.corner_max.array() > box.corner_min.array()).all(), "a box has no extent");
+  require(box.material >= 0 && box.line > 0, "a box has no material or line");
+}
+
+}  // namespace
+
+void read_layout(std::string_view text) {
+  classify(text);
+  const TextFile file = file_of(text);
+  Settings settings;
+  for (const UpAxis up : {UpAxis::z, UpAxis::y}) {
+    settings.up_axis = up;
+    settings.container.open_sides = up == UpAxis::z ? std::vector<std::string>{} : std::vector<std::string>{"rear"};
+    std::vector<Error> warnings;
+    const Result<Layout> layout = parse_layout(file, settings, warnings);
+    check_errors(layout, warnings);
+    if (!layout) continue;
+    require(!layout->boxes.empty() && layout->boxes.size() <= kMostBoxes, "no boxes, or too many");
+    for (const Box& box : layout->boxes) check_box(box);
+  }
+}
+
+void read_acceleration(std::string_view text) {
+  classify(text);
+  std::vector<Error> warnings;
+  const Result<Motion> motion = parse_acceleration(file_of(text), warnings);
+  check_errors(motion, warnings);
+  if (!motion) return;
+  require(!motion->segments.empty(), "no segments");
+  double end = 0.0;
+  for (const Segment& segment : motion->segments) {
+    require(segment.start >= end && segment.duration > 0.0, "segments overlap");
+    require(segment.acceleration.allFinite(), "an acceleration is not finite");
+    end = segment.start + segment.duration;
+  }
+  require(std::isfinite(end) && motion->end_time() == end, "the end is not finite");
+  // Phases are what a motion is used for.
+  double reached = 0.0;
+  for (const Phase& phase : phases_of(*motion, end)) {
+    require(phase.begin == reached && phase.end > phase.begin, "phases leave gaps");
+    reached = phase.end;
+  }
+  require(reached == end, "phases end early");
+}
+
+void read_config(std::string_view text) {
+  classify(text);
+  std::vector<Error> warnings;
+  const Result<Config> config = parse_config(file_of(text), warnings);
+  check_errors(config, warnings);
+  if (!config) return;
+  require(check_settings(config->settings).empty(), "accepted settings contradict each other");
+  effective_settings(config->settings);
+}
+
+}  // namespace fuzz
