@@ -39,7 +39,7 @@ fuzz:  ## Feed the readers made-up files, FUZZ_SECONDS each (60), with Clang's s
 	  echo "fuzz: $$reader"; \
 	  build/fuzz/bin/$${reader}_fuzz -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -rss_limit_mb=2048 \
 	    -print_final_stats=1 -verbosity=0 -artifact_prefix=build/fuzz/$$reader- build/fuzz/found/$$reader \
-	    tests/fuzz/corpus/$$reader 2>&1 | tail -12; \
+	    tests/fuzz/corpus/$$reader 2>&1 | tail -5; \
 	  test "$${PIPESTATUS[0]}" = 0 || exit 1; \
 	done
 
