@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xcd1f51dda517fb70},
-    {"lean", lean, 0xd750d15731df57bc},
-    {"tumble", tumble, 0xb14b0770d4dfa8b8},
-    {"drop", drop, 0xd38a25758a14494c},
+    {"brake", brake, 0x660b417654aac7f4},
+    {"lean", lean, 0x3c77f193fd29925c},
+    {"tumble", tumble, 0x4eb0e7703eaa2a88},
+    {"drop", drop, 0x9d4aea20eedc343d},
 };
 
 }  // namespace

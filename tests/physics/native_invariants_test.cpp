@@ -125,21 +125,17 @@ void check_tumbling(const Bounds& bounds) {
 
 TEST_CASE("native_invariants: on real loads energy does not rise, and boxes hardly sink into each other",
           "[physics][native_invariants]") {
-  check_real_loads({1e-5, 1e-2, 2e-3});
+  check_real_loads(kExpected);
 }
 
 TEST_CASE("native_invariants: in random scenes energy hardly rises, and boxes hardly sink into each other",
           "[physics][native_invariants]") {
-  check_random_scenes(Accuracy::screening, {5e-3, 4e-2, 3e-2});
-  check_random_scenes(Accuracy::standard, {1e-3, 1e-2, 7e-3});
+  check_random_scenes(Accuracy::screening, {5e-4, 5e-3, 5e-3});
+  check_random_scenes(Accuracy::standard, {1e-4, 4e-3, 2e-3});
 }
 
 TEST_CASE("native_invariants: the same where boxes tumble onto each other", "[physics][native_invariants]") {
-  check_tumbling({4e-2, 3e-2, 2e-2});
-}
-
-TEST_CASE("native_invariants: real loads within what is expected", "[.][physics][native_invariants]") {
-  check_real_loads(kExpected);
+  check_tumbling({1e-4, 1e-2, 5e-3});
 }
 
 TEST_CASE("native_invariants: random scenes within what is expected", "[.][physics][native_invariants]") {
@@ -228,7 +224,8 @@ void check_meetings(Accuracy accuracy, double head_on, double oblique) {
 
 TEST_CASE("native_invariants: two boxes that meet on a frictionless floor keep their momentum",
           "[physics][native_invariants]") {
-  check_meetings(Accuracy::screening, 2e-3, 0.2);
+  // Impacts are not located at `screening`, and their solve stops at its cap.
+  check_meetings(Accuracy::screening, 1e-2, 0.2);
   check_meetings(Accuracy::standard, 2e-4, 0.05);
   check_meetings(Accuracy::reference, 1e-5, 2e-4);
 }

@@ -209,7 +209,7 @@ TEST_CASE("native_engine: a box that lands on another one does not sink into it"
 // Expected: they meet at their edges. Before the step each is beyond the other's edge, along both axes: no contact is
 // known, and they overlap by as much as they go in a step.
 TEST_CASE("native_engine: boxes that approach across their edges do not pass into each other",
-          "[.][core][native_engine]") {
+          "[core][native_engine]") {
   for (const double steps_per_second : {60.0, 240.0}) {
     const double overlap = overlap_of_cubes({0.505, 0, 0.504}, {-3, 0, -3}, steps_per_second);
     CAPTURE(steps_per_second, text(overlap));
