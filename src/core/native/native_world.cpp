@@ -34,7 +34,7 @@ constexpr double kOverlap = 5e-6;
 /// across two directions at once show no contact until they overlap.
 constexpr double kDeepOverlap = 2e-4;
 
-/// Times that a step is halved to see such contacts in time.
+/// Times that a step is halved to see such contacts in time, or to get on where a solve does not.
 constexpr int kHalvings = 4;
 
 /// A residual above this, over |g − a| h, is reported with the world: it moves a box by half of what it falls freely
@@ -374,7 +374,8 @@ bool NativeWorld::merge_overlapping() {
   return true;
 }
 
-void NativeWorld::step_moving() {
+double NativeWorld::step_moving() {
+  double worst = 0.0;
   scene_.undo.clear();
   for (const Island& island : islands_) {
     if (moving_[members_[island.body_begin]] != 0) save(island);
@@ -384,9 +385,7 @@ void NativeWorld::step_moving() {
     stepper_.advance(scene_, view_of(island), terms_, report);
     counters_.solve_iterations += report.iterations;
     // In units of a whole step, also where it is halved.
-    const double residual = report.residual / whole_step_unit_;
-    counters_.max_residual = std::max(counters_.max_residual, residual);
-    if (residual > kBadResidual) status_ = status_ | Status::not_converged;
+    worst = std::max(worst, report.residual / whole_step_unit_);
   };
   for (const Island& island : islands_)
     if (moving_[members_[island.body_begin]] != 0) advance(island);
@@ -399,6 +398,7 @@ void NativeWorld::step_moving() {
       advance(island);
     }
   }
+  return worst;
 }
 
 /// An island with a body that moves moves as a whole.
@@ -420,10 +420,12 @@ void NativeWorld::take_step(double step, int halvings) {
     find_islands();
     spread_motion();
   }
-  step_moving();
+  const double residual = step_moving();
   met_deep_ = false;
   find_contacts(moving_);
-  if (!met_deep_ || halvings == kHalvings) {
+  if ((!met_deep_ && residual <= kBadResidual) || halvings == kHalvings) {
+    counters_.max_residual = std::max(counters_.max_residual, residual);
+    if (residual > kBadResidual) status_ = status_ | Status::not_converged;
     finish_step();
     return;
   }

@@ -42,7 +42,7 @@ class NativeWorld {
   bool activate_predicted();
   bool merge_overlapping();
   void spread_motion();
-  void step_moving();
+  double step_moving();
   void take_step(double step, int halvings);
   void finish_step();
 

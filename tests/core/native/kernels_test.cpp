@@ -148,8 +148,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 /// Impulses and slips only: a patch has padding.
 bool same_bits(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Patch& p, const Patch& q) {
-    return std::memcmp(&p.impulse, &q.impulse, sizeof p.impulse) == 0 &&
-           std::memcmp(&p.slip, &q.slip, sizeof p.slip) == 0;
+    return same_bits(std::vector{p.impulse}, std::vector{q.impulse}) &&
+           same_bits(std::vector{p.slip}, std::vector{q.slip});
   });
 }
 
