@@ -20,11 +20,11 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// A fixed number of doubles, however many vectors they take.
-template <int kSize>
+template <std::size_t kSize>
 struct Pack {
   using D = hn::CappedTag<double, kSize>;
   static constexpr std::size_t kWidth = hn::MaxLanes(D());
-  static constexpr std::size_t kVectors = static_cast<std::size_t>(kSize) / kWidth;
+  static constexpr std::size_t kVectors = kSize / kWidth;
   hn::Vec<D> part[kVectors];
 
   static HWY_INLINE Pack load(const double* from) {
