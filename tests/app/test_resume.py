@@ -125,8 +125,9 @@ class LongRun(CliTest):
         for _ in range(3):
             process.stdout.readline()
         process.send_signal(signal.SIGINT)
-        out, said = process.communicate(timeout=PATIENCE)
-        self.assertEqual(process.returncode, 130, said)
+        # Not communicate(), which does not see lines that readline() has taken into its buffer.
+        out, said = process.stdout.read(), process.stderr.read()
+        self.assertEqual(process.wait(timeout=PATIENCE), 130, said)
         self.assertIn("stopping: finishing the worlds in flight; press Ctrl-C again to drop them", said)
         finished = 3 + len(out.splitlines())
         self.assertIn(f"stopped after {finished} of 48 worlds", said)
