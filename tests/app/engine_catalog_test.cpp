@@ -10,6 +10,11 @@ TEST_CASE("engine_catalog: every engine can be made and knows its name", "[app][
     CAPTURE(entry.name);
     CHECK_FALSE(entry.sentence.empty());
     const Result<std::unique_ptr<Engine>> engine = make_engine(entry.name, Settings{});
+    if (!engine && entry.name == "bullet-opencl") {
+      // A machine without a device, or a build without the library, says so.
+      CHECK_THAT(engine.error().message(), Catch::Contains("OpenCL") || Catch::Contains("plug-in"));
+      continue;
+    }
     REQUIRE(engine);
     CHECK((*engine)->traits().name == entry.name);
   }
