@@ -347,7 +347,7 @@ Vec3 IslandStepper::end_velocity(const Bodies& bodies, std::int32_t body, const 
   return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
 }
 
-bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                                     IslandReport& report) {
   Bodies& bodies = scene.bodies;
   double fastest = 0.0;
@@ -365,7 +365,7 @@ bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
       fastest = std::max(fastest, -speed);
     }
   }
-  if (fastest == 0.0) return false;
+  if (fastest == 0.0) return;
   SplittingOptions options;
   options.iterations = 2 * options_.iterations;
   options.tolerance = options_.tolerance;
@@ -391,7 +391,6 @@ bool IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
     bodies.state.velocity[body] = linear(solver_.velocity[at(place_[body])]);
     bodies.state.angular_velocity[body] = angular(solver_.velocity[at(place_[body])]);
   }
-  return true;
 }
 
 /// Adds the points that the solved impact pushes into each other. False when there are none.

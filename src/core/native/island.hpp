@@ -65,7 +65,7 @@ class IslandStepper {
   void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void remember(Scene& scene, double step) const;
-  bool resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+  void resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
