@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x660b417654aac7f4},
-    {"lean", lean, 0x3c77f193fd29925c},
-    {"tumble", tumble, 0x4eb0e7703eaa2a88},
-    {"drop", drop, 0x9d4aea20eedc343d},
+    {"brake", brake, 0x2ca9330d164aa219},
+    {"lean", lean, 0x522d346959ff92f6},
+    {"tumble", tumble, 0xdaab0a0e03f06955},
+    {"drop", drop, 0x7c2208b38097599a},
 };
 
 }  // namespace

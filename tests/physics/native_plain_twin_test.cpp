@@ -39,7 +39,8 @@ TEST_CASE("native_plain_twin: in random scenes both engines bring the boxes to t
     Random random(100 + seed);
     const Layout layout = random_layout(random, 4, 6);
     const Motion motion = random_motion(random, 0.1);
-    const Difference difference = difference_of(layout, motion, 480);
+    // Coarser steps may part where an impact could go either way.
+    const Difference difference = difference_of(layout, motion, 960);
     CAPTURE(seed, layout.boxes.size(), text(difference.of_twins), text(difference.moved));
     CHECK(difference.of_twins < 1e-2);
     CHECK(difference.moved > 1e-2);

@@ -12,6 +12,10 @@ namespace {
 /// The residual may grow by this factor (squared norm) before what was learned is dropped.
 constexpr double kGrowth = 4.0;
 
+/// Iterations without acceleration after that, twice as many each time. Where boxes just come to rest, what was learned
+/// as they still slid leads past rest, and at once applied again back to sliding, for ever.
+constexpr int kPause = 3;
+
 /// Share of its own square that a direction must have beside the others to be used.
 constexpr double kIndependent = 1e-8;
 
@@ -20,31 +24,45 @@ constexpr double kLargestWeight = 100.0;
 
 }  // namespace
 
+void Anderson::restart() {
+  has_last_ = false;
+  pause_ = 0;
+  next_pause_ = kPause;
+}
+
 void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, std::vector<PatchVector>& r) {
   const double square = dot(patches, r, r);
   const bool known = has_last_ && last_g_.size() == g.size();
   if (!known || square > kGrowth * last_square_) {
     stored_ = next_ = 0;
+    if (known) {
+      pause_ = next_pause_;
+      next_pause_ *= 2;
+    }
   } else {
     const std::size_t place = next_;
     g_step_[place].resize(g.size());
     r_step_[place].resize(g.size());
-    subtract(g, 1.0, last_g_, g_step_[place]);
-    subtract(r, 1.0, last_r_, r_step_[place]);
+    take_difference(g, last_g_, g_step_[place]);
+    take_difference(r, last_r_, r_step_[place]);
     stored_ = std::min(stored_ + 1, kDepth);
     next_ = (next_ + 1) % kDepth;
     for (std::size_t i = 0; i < stored_; ++i)
       gram_[i][place] = gram_[place][i] = dot(patches, r_step_[i], r_step_[place]);
   }
+  if (stored_ == 0) {
+    last_g_ = g;
+    last_r_ = r;
+  }
   has_last_ = true;
   last_square_ = square;
-  last_g_ = g;
-  last_r_ = r;
   for (std::size_t i = 0; i < stored_; ++i) along_[i] = dot(patches, r, r_step_[i]);
+  if (pause_ > 0) {
+    --pause_;
+    return;
+  }
   double weight[kDepth];
-  if (!weigh(weight)) return;
-  for (std::size_t i = 0; i < stored_; ++i)
-    if (weight[i] != 0.0) subtract(g, weight[i], g_step_[i], g);
+  if (weigh(weight)) subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
 }
 
 /// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False when the

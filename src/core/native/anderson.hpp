@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ namespace holdfast::native {
 class Anderson {
  public:
   /// Forgets all iterates: the map is a new one.
-  void restart() { has_last_ = false; }
+  void restart();
 
   /// The next x, in place of `g`.
   /// @param patches give the weights 1/R of the inner product
@@ -26,13 +27,15 @@ class Anderson {
 
   bool weigh(double (&weight)[kDepth]) const;
 
+  int pause_ = 0;  ///< iterations until it acts again
+  int next_pause_ = 0;
   std::size_t stored_ = 0;  ///< differences that are kept
   std::size_t next_ = 0;    ///< the place that is written next
   double last_square_ = 0.0;
   std::vector<PatchVector> last_g_, last_r_;
-  std::vector<PatchVector> g_step_[kDepth], r_step_[kDepth];  ///< differences of neighbouring iterates
-  double gram_[kDepth][kDepth] = {};                          ///< inner products of r_step_
-  double along_[kDepth] = {};                                 ///< of r with r_step_
+  std::array<std::vector<PatchVector>, kDepth> g_step_, r_step_;  ///< differences of neighbouring iterates
+  double gram_[kDepth][kDepth] = {};                              ///< inner products of r_step_
+  double along_[kDepth] = {};                                     ///< of r with r_step_
   bool has_last_ = false;
 };
 

@@ -31,6 +31,11 @@ class BlockFactor {
   BodyBlock& diagonal(std::size_t place) { return diagonal_[place]; }
   /// Block of pair `i` of the last `analyse`; its row is the later place of the two, its column the earlier.
   BodyBlock& below(std::size_t pair) { return below_[pair_block_[pair]]; }
+  /// Adds what contacts resist, see `add_resistance`.
+  /// @param patch_pair a patch: index into the pairs of the last `analyse`, or `kNoPair`
+  void add(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<const std::uint32_t> patch_pair) {
+    add_resistance(patches, mid_arms, patch_pair, pair_block_, diagonal_, below_);
+  }
 
   /// Replaces the matrix by its factor.
   void factorise();

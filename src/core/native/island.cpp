@@ -34,11 +34,21 @@ constexpr double kSlipShare = 1e-3;
 /// A residual above this many |g − a| h, or none at all, is that of an iteration that diverges.
 constexpr double kDiverged = 10.0;
 
+/// A residual above this many |g − a| h after all iterations of a moving step calls for more care.
+constexpr double kStuck = 0.5;
+
+/// Iterations with care over those without, and the R they are taken with.
+constexpr int kCare = 4;
+constexpr double kCarefulShare = 0.3;
+
 /// No part of a step that is cut is shorter than this share of it.
 constexpr double kLeastStep = 1e-4;
 
 /// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
 constexpr int kWarmRestIterations = 30;
+
+/// Iterations of a proof of rest in which R follows the loads that are found. Beyond them it would jump to and fro.
+constexpr int kSettling = 60;
 
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
@@ -110,6 +120,7 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
     if (!manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
     pairs_.emplace_back(place_[at(manifold.a)], place_[at(manifold.b)]);
   }
+  solver_.begin();
   solver_.factor.analyse(island.bodies.size(), pairs_);
   fixed_ = static_cast<std::int32_t>(island.bodies.size());
   solver_.bodies.resize(island.bodies.size());
@@ -156,7 +167,7 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
     if (!manifold.active) continue;
     const bool with_fixed = is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b);
     add_patches(scene, index, terms, purpose, step);
-    solver_.patch_pair.resize(solver_.patches.size(), with_fixed ? Splitting::kNoPair : pair);
+    solver_.patch_pair.resize(solver_.patches.size(), with_fixed ? kNoPair : pair);
     if (!with_fixed) ++pair;
   }
   // Without rotation both sets of arms are the same.
@@ -280,20 +291,23 @@ SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTe
   const double scale = unit > 0.0 ? unit : 1e-3 * step;
   SplittingResult result = solver_.solve(options, scale);
   report.iterations += static_cast<std::uint64_t>(result.iterations);
-  if (!(result.residual < kDiverged * scale)) {
-    // Once more, with care.
+  const bool diverged = !(result.residual < kDiverged * scale);
+  if (diverged || (options.more_iterations > 0 && result.residual > kStuck * scale)) {
     SplittingOptions careful = options;
     careful.accelerate = false;
-    careful.iterations += careful.more_iterations;
-    careful.more_iterations = 0;
-    solver_.restart(solver_.free_velocity);
+    careful.sticking *= kCarefulShare;
+    careful.sliding *= kCarefulShare;
+    careful.more_iterations = kCare * (options.iterations + options.more_iterations);
+    if (diverged) solver_.restart(solver_.free_velocity);
     result = solver_.solve(careful, scale);
     report.iterations += static_cast<std::uint64_t>(result.iterations);
   }
   return result;
 }
 
-void IslandStepper::remember(Scene& scene, double step) const {
+void IslandStepper::remember(Scene& scene, const IslandView& island, double step) const {
+  // Points that were not part of the solve carry nothing.
+  for (const std::uint32_t index : island.manifolds) scene.manifolds[index].memory.fill(PointMemory{});
   for (std::size_t p = 0; p < sources_.size(); ++p) {
     const Patch& patch = solver_.patches[p];
     Manifold& manifold = scene.manifolds[sources_[p].manifold];
@@ -323,15 +337,16 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   const int most = terms.cold ? options_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < most; done += tight.iterations) {
+    tight.keep_resistance = done >= kSettling;
     run(tight, terms, terms.step, report);
     std::vector<BodyVector> velocity = solver_.velocity;
     if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {
-      remember(scene, terms.step);
+      remember(scene, island, terms.step);
       return true;
     }
     solver_.velocity = std::move(velocity);
   }
-  remember(scene, terms.step);
+  remember(scene, island, terms.step);
   // How the bodies begin to move, nearly.
   for (const std::uint32_t body : island.bodies) {
     scene.bodies.acceleration[body] = linear(solver_.velocity[at(place_[body])]) / terms.step;
@@ -547,9 +562,9 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
         step = stop;
         continue;
       }
-      remember(scene, step);
+      remember(scene, island, step);
     }
-    remember(scene, step);
+    remember(scene, island, step);
     const double share = event.time < step ? event.time / step : 1.0;
     move(scene, island, terms, step, share);
     if (share == 1.0 && step == remaining) return;

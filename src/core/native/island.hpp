@@ -64,7 +64,7 @@ class IslandStepper {
   void load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose, double step);
   void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
-  void remember(Scene& scene, double step) const;
+  void remember(Scene& scene, const IslandView& island, double step) const;
   void resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;

@@ -125,6 +125,13 @@ HWY_INLINE void add_wrench(const Patch& patch, const Arms& arms, const Four (&f)
 
 HWY_INLINE Four load(const PatchVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
 
+/// Sum over the lanes.
+HWY_INLINE double total(const Four& four) {
+  alignas(64) double lane[kLanes];
+  four.store(lane);
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
 /// The largest of the lanes.
 HWY_INLINE double largest(const Four& four) {
   alignas(64) double lane[kLanes];
@@ -181,16 +188,28 @@ HWY_ATTR double dot_kernel(const Patch* patches, std::size_t count, const PatchV
   for (std::size_t p = 0; p < count; ++p)
     for (std::size_t i = 0; i < 3; ++i)
       sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(patches[p].compliance[i > 0].data());
-  alignas(64) double lane[kLanes];
-  (sum[0] + (sum[1] + sum[2])).store(lane);
-  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+  return total(sum[0] + (sum[1] + sum[2]));
 }
 
-HWY_ATTR void subtract_kernel(std::size_t count, const PatchVector* a, double factor, const PatchVector* b,
-                              PatchVector* out) {
-  const Four f = Four::all(factor);
-  for (std::size_t p = 0; p < count; ++p)
-    for (std::size_t i = 0; i < 3; ++i) (load(a[p], i) - f * load(b[p], i)).store(out[p].row[i].data());
+HWY_ATTR void take_difference_kernel(std::size_t count, const PatchVector* now, PatchVector* last, PatchVector* step) {
+  for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Four x = load(now[p], i);
+      (x - load(last[p], i)).store(step[p].row[i].data());
+      x.store(last[p].row[i].data());
+    }
+  }
+}
+
+HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<PatchVector>* history, const double* weight,
+                              std::size_t depth, PatchVector* x) {
+  for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Four sum = load(x[p], i);
+      for (std::size_t k = 0; k < depth; ++k) sum = sum - Four::all(weight[k]) * load(history[k].data()[p], i);
+      sum.store(x[p].row[i].data());
+    }
+  }
 }
 
 HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count, LaneWrench* wrench) {
@@ -198,6 +217,112 @@ HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, st
     const Patch& patch = patches[p];
     const Four y[3] = {load(patch.impulse, 0), load(patch.impulse, 1), load(patch.impulse, 2)};
     add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], y, wrench);
+  }
+}
+
+/// Three components of a vector at the points of a patch.
+struct Triple {
+  Four at[3];
+};
+HWY_INLINE Triple operator*(const Four& s, const Triple& v) { return {{s * v.at[0], s * v.at[1], s * v.at[2]}}; }
+HWY_INLINE Four dot(const Triple& p, const Triple& q) {
+  return p.at[0] * q.at[0] + p.at[1] * q.at[1] + p.at[2] * q.at[2];
+}
+HWY_INLINE Triple cross(const Triple& p, const std::array<double, 3>& n) {
+  const Four x = Four::all(n[0]), y = Four::all(n[1]), z = Four::all(n[2]);
+  return {{p.at[1] * z - p.at[2] * y, p.at[2] * x - p.at[0] * z, p.at[0] * y - p.at[1] * x}};
+}
+
+/// How a patch's points, each at arm r with R = t I + d n nᵀ, resist when a body turns.
+struct Lever {
+  Triple arm, turn;          ///< r; r × n
+  Triple tangential, extra;  ///< t r; d r × n
+  double moment[3][3];       ///< torque from linear velocity, Σ t [r]ₓ + d (r × n) nᵀ
+};
+HWY_INLINE Lever lever(const std::array<Lanes, 3>& arms, const Four& t, const Four& d, const std::array<double, 3>& n) {
+  Lever l;
+  l.arm = {{Four::load(arms[0].data()), Four::load(arms[1].data()), Four::load(arms[2].data())}};
+  l.turn = cross(l.arm, n);
+  l.tangential = t * l.arm;
+  l.extra = d * l.turn;
+  double r[3], m[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    r[i] = total(l.tangential.at[i]);
+    m[i] = total(l.extra.at[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) l.moment[i][j] = m[i] * n[j];
+  l.moment[0][1] -= r[2];
+  l.moment[0][2] += r[1];
+  l.moment[1][0] += r[2];
+  l.moment[1][2] -= r[0];
+  l.moment[2][0] -= r[1];
+  l.moment[2][1] += r[0];
+  return l;
+}
+
+/// Torque from angular velocity, Σ t ((p · q) I − q pᵀ) + d (p × n) (q × n)ᵀ, where torques act on p and q turns:
+/// [p]ₓ [q]ₓᵀ = (p · q) I − q pᵀ.
+HWY_INLINE void add_turning(const Lever& p, const Lever& q, double (&out)[3][3]) {
+  const Four diagonal = dot(p.tangential, q.arm);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Four sum = p.extra.at[i] * q.turn.at[j] - q.arm.at[i] * p.tangential.at[j];
+      out[i][j] = total(i == j ? sum + diagonal : sum);
+    }
+  }
+}
+
+/// block += sign · (linear, momentᵀ; moment, turning), moments of the row's and of the column's body.
+HWY_INLINE void add_block(double sign, const double (&linear)[3][3], const double (&row_moment)[3][3],
+                          const double (&column_moment)[3][3], const double (&turning)[3][3], bool transpose,
+                          BodyBlock& block) {
+  const Eight s = Eight::all(sign);
+  for (std::size_t c = 0; c < 3; ++c) {
+    alignas(64) double left[kPaddedRows] = {}, right[kPaddedRows] = {};
+    for (std::size_t r = 0; r < 3; ++r) {
+      left[r] = linear[r][c];
+      left[3 + r] = row_moment[r][c];
+      right[r] = column_moment[c][r];
+      right[3 + r] = transpose ? turning[c][r] : turning[r][c];
+    }
+    (Eight::load(block.column[c]) + s * Eight::load(left)).store(block.column[c]);
+    (Eight::load(block.column[3 + c]) + s * Eight::load(right)).store(block.column[3 + c]);
+  }
+}
+
+HWY_ATTR void add_resistance_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count,
+                                    const std::uint32_t* patch_pair, const std::uint32_t* pair_block,
+                                    std::int32_t fixed, BodyBlock* diagonal, BodyBlock* below) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const Patch& patch = patches[p];
+    const Arms& arms = mid_arms == nullptr ? patch.arms : mid_arms[p];
+    const std::array<double, 3>& n = patch.directions[0];
+    const Four t = Four::load(patch.resistance[1].data());
+    const Four d = Four::load(patch.resistance[0].data()) - t;
+    const double sum_t = total(t);
+    const double sum_d = total(d);
+    double linear[3][3];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) linear[i][j] = sum_d * n[i] * n[j] + (i == j ? sum_t : 0.0);
+    double turning[3][3];
+    const Lever a = lever(arms.a, t, d, n);
+    const Lever b = lever(arms.b, t, d, n);
+    if (patch.a != fixed) {
+      add_turning(a, a, turning);
+      add_block(1.0, linear, a.moment, a.moment, turning, false, diagonal[patch.a]);
+    }
+    if (patch.b != fixed) {
+      add_turning(b, b, turning);
+      add_block(1.0, linear, b.moment, b.moment, turning, false, diagonal[patch.b]);
+    }
+    if (patch_pair[p] == kNoPair) continue;
+    BodyBlock& block = below[pair_block[patch_pair[p]]];
+    add_turning(a, b, turning);
+    if (patch.a > patch.b)
+      add_block(-1.0, linear, a.moment, b.moment, turning, false, block);
+    else
+      add_block(-1.0, linear, b.moment, a.moment, turning, true, block);
   }
 }
 
@@ -304,8 +429,10 @@ namespace holdfast::native {
 HWY_EXPORT(aim_kernel);
 HWY_EXPORT(project_kernel);
 HWY_EXPORT(dot_kernel);
+HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
+HWY_EXPORT(add_resistance_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
 
@@ -331,13 +458,25 @@ double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::
   return HWY_DYNAMIC_DISPATCH(dot_kernel)(patches.data(), patches.size(), a.data(), b.data());
 }
 
-void subtract(std::span<const PatchVector> a, double factor, std::span<const PatchVector> b,
-              std::span<PatchVector> out) {
-  HWY_DYNAMIC_DISPATCH(subtract_kernel)(a.size(), a.data(), factor, b.data(), out.data());
+void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step) {
+  HWY_DYNAMIC_DISPATCH(take_difference_kernel)(now.size(), now.data(), last.data(), step.data());
+}
+
+void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
+              std::span<PatchVector> x) {
+  HWY_DYNAMIC_DISPATCH(subtract_kernel)(x.size(), history.data(), weight.data(), weight.size(), x.data());
 }
 
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
+}
+
+void add_resistance(std::span<const Patch> patches, std::span<const Arms> mid_arms,
+                    std::span<const std::uint32_t> patch_pair, std::span<const std::uint32_t> pair_block,
+                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
+  HWY_DYNAMIC_DISPATCH(add_resistance_kernel)
+  (patches.data(), arms_or_null(mid_arms), patches.size(), patch_pair.data(), pair_block.data(),
+   static_cast<std::int32_t>(diagonal.size()), diagonal.data(), below.data());
 }
 
 void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,

@@ -46,9 +46,12 @@ void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span
 /// Σ a b / R over all points: an inner product of impulses.
 double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);
 
-/// out = a − factor b.
-void subtract(std::span<const PatchVector> a, double factor, std::span<const PatchVector> b,
-              std::span<PatchVector> out);
+/// step = now − last, last = now.
+void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step);
+
+/// x = x − Σ weight · history.
+void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
+              std::span<PatchVector> x);
 
 /// Adds J_midᵀ y to `wrench`.
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
@@ -57,6 +60,18 @@ void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms
 struct BlockUpdate {
   std::uint32_t c, l, b;
 };
+
+/// A patch that touches what is fixed has no block off the diagonal.
+inline constexpr std::uint32_t kNoPair = ~0U;
+
+/// Adds J_midᵀ R J_mid, what the contacts add to the bodies' mass, to A: the lower triangle of its diagonal blocks, and
+/// all of those below.
+/// @param mid_arms   arms of the middle of the step; empty: those of the patches
+/// @param patch_pair a patch: index into `pair_block`, or `kNoPair`
+/// @param pair_block a pair of bodies: its block of `below`, whose row is the later body and whose column the earlier
+void add_resistance(std::span<const Patch> patches, std::span<const Arms> mid_arms,
+                    std::span<const std::uint32_t> patch_pair, std::span<const std::uint32_t> pair_block,
+                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
 
 /// Structure of a block factor, columns in order of elimination; made by `BlockFactor`.
 struct FactorShape {

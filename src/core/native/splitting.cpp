@@ -10,6 +10,9 @@ namespace {
 /// Share of the disc's radius from which a contact counts as sliding.
 constexpr double kSlidingShare = 0.999;
 
+/// R of the iterations beyond the cap over that of those before: slower, but steadier where load moves to and fro.
+constexpr double kLateShare = 0.3;
+
 /// Iterations before a solve may stop: the first only meets the start values.
 constexpr int kLeastIterations = 2;
 
@@ -20,65 +23,9 @@ double step_up(double ratio) {
   return power;
 }
 
-Vec3 arm(const std::array<Lanes, 3>& arms, std::size_t lane) { return {arms[0][lane], arms[1][lane], arms[2][lane]}; }
-
-Mat3 cross_matrix(const Vec3& r) {
-  Mat3 m;
-  m << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0;
-  return m;
-}
-
-/// Adds a 3×3 part to a block.
-void add(BodyBlock& block, int row, int column, const Mat3& part) {
-  for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) block.column[column + c][row + r] += part(r, c);
-}
-
-/// Σ over a patch's points of Gᵢ R Gⱼᵀ, where G maps a force at the point to a wrench; see `Splitting::add_patch`.
-struct PatchBlocks {
-  Mat3 linear = Mat3::Zero();                                    ///< force from linear velocity
-  Mat3 turning_a = Mat3::Zero(), turning_b = Mat3::Zero();       ///< torque from linear velocity
-  Mat3 aa = Mat3::Zero(), bb = Mat3::Zero(), ab = Mat3::Zero();  ///< torque from angular velocity
-};
-
-PatchBlocks blocks_of(const Patch& patch, const Arms& arms) {
-  PatchBlocks sum;
-  const Vec3 n(patch.directions[0][0], patch.directions[0][1], patch.directions[0][2]);
-  double tangential = 0.0;
-  double extra = 0.0;
-  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero(), moment_a = Vec3::Zero(), moment_b = Vec3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
-    // R = r_t I + (r_n − r_t) n nᵀ
-    const double rt = patch.resistance[1][i];
-    const double rd = patch.resistance[0][i] - rt;
-    const Vec3 a = arm(arms.a, i);
-    const Vec3 b = arm(arms.b, i);
-    const Vec3 na = a.cross(n);
-    const Vec3 nb = b.cross(n);
-    tangential += rt;
-    extra += rd;
-    arm_a += rt * a;
-    arm_b += rt * b;
-    moment_a += rd * na;
-    moment_b += rd * nb;
-    // [p]ₓ [q]ₓᵀ = (p · q) I − q pᵀ
-    sum.aa += rd * na * na.transpose() - rt * a * a.transpose();
-    sum.bb += rd * nb * nb.transpose() - rt * b * b.transpose();
-    sum.ab += rd * na * nb.transpose() - rt * b * a.transpose();
-    sum.aa.diagonal().array() += rt * a.squaredNorm();
-    sum.bb.diagonal().array() += rt * b.squaredNorm();
-    sum.ab.diagonal().array() += rt * a.dot(b);
-  }
-  sum.linear = extra * n * n.transpose();
-  sum.linear.diagonal().array() += tangential;
-  sum.turning_a = cross_matrix(arm_a) + moment_a * n.transpose();
-  sum.turning_b = cross_matrix(arm_b) + moment_b * n.transpose();
-  return sum;
-}
-
 }  // namespace
 
-bool Splitting::choose_resistance(const SplittingOptions& options, bool first) {
+bool Splitting::choose_resistance(double sticking, double sliding) {
   bool changed = false;
   for (Patch& patch : patches) {
     const double unit = patch.base * load_unit;
@@ -87,12 +34,12 @@ bool Splitting::choose_resistance(const SplittingOptions& options, bool first) {
       const double carried = patch.base * step_up(std::max(normal, patch.load[i]) / unit);
       double rn = patch.base;
       double rt = patch.base;
-      if (normal > 0.0 || (first && patch.load[i] > 0.0)) {
+      if (normal > 0.0 || (begun_ && patch.load[i] > 0.0)) {
         const double limit = kSlidingShare * patch.friction * normal;
         const double tangential =
             patch.impulse.row[1][i] * patch.impulse.row[1][i] + patch.impulse.row[2][i] * patch.impulse.row[2][i];
-        rn = options.sticking * carried;
-        rt = (normal > 0.0 && tangential >= limit * limit ? options.sliding : options.sticking) * carried;
+        rn = sticking * carried;
+        rt = (normal > 0.0 && tangential >= limit * limit ? sliding : sticking) * carried;
       }
       changed = changed || patch.resistance[0][i] != rn || patch.resistance[1][i] != rt;
       patch.resistance[0][i] = rn;
@@ -108,34 +55,13 @@ void Splitting::assemble() {
   factor.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     BodyBlock& block = factor.diagonal(i);
-    for (int k = 0; k < 3; ++k) block.column[k][k] = bodies[i].mass;
-    add(block, 3, 3, bodies[i].inertia);
+    for (int k = 0; k < 3; ++k) {
+      block.column[k][k] = bodies[i].mass;
+      for (int row = 0; row < 3; ++row) block.column[3 + k][3 + row] = bodies[i].inertia(row, k);
+    }
   }
-  for (std::size_t p = 0; p < patches.size(); ++p) add_patch(p);
+  factor.add(patches, mid_arms, patch_pair);
   factor.factorise();
-}
-
-void Splitting::add_patch(std::size_t p) {
-  const Patch& patch = patches[p];
-  const PatchBlocks sum = blocks_of(patch, mid_arms.empty() ? patch.arms : mid_arms[p]);
-  const auto fixed = static_cast<std::int32_t>(bodies.size());
-  const auto add_own = [&](std::int32_t body, const Mat3& turning, const Mat3& angular) {
-    if (body == fixed) return;
-    BodyBlock& block = factor.diagonal(static_cast<std::size_t>(body));
-    add(block, 0, 0, sum.linear);
-    add(block, 3, 0, turning);
-    add(block, 0, 3, turning.transpose());
-    add(block, 3, 3, angular);
-  };
-  add_own(patch.a, sum.turning_a, sum.aa);
-  add_own(patch.b, sum.turning_b, sum.bb);
-  if (patch_pair[p] == kNoPair) return;
-  BodyBlock& block = factor.below(patch_pair[p]);
-  const bool a_is_row = patch.a > patch.b;
-  add(block, 0, 0, -sum.linear);
-  add(block, 3, 0, -(a_is_row ? sum.turning_a : sum.turning_b));
-  add(block, 0, 3, -(a_is_row ? sum.turning_b : sum.turning_a).transpose());
-  add(block, 3, 3, a_is_row ? Mat3(-sum.ab) : Mat3(-sum.ab.transpose()));
 }
 
 void Splitting::residual_force() {
@@ -163,19 +89,22 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
   u_.resize(patches.size());
   g_.resize(patches.size());
   r_.resize(patches.size());
-  anderson_.restart();
   const double bad = options.bad_residual * velocity_unit;
   const int most = options.iterations + options.more_iterations;
   while (!result.converged &&
          (result.iterations < options.iterations || (result.iterations < most && result.residual > bad))) {
-    const bool first = result.iterations == 0;
-    if (result.iterations % options.reclassify_every == 0 && (choose_resistance(options, first) || first)) {
+    const int late = result.iterations - options.iterations;
+    const double share = late >= 0 ? kLateShare : 1.0;
+    const bool due =
+        (begun_ || !options.keep_resistance) && (late >= 0 ? late : result.iterations) % options.reclassify_every == 0;
+    if (due && (choose_resistance(share * options.sticking, share * options.sliding) || begun_)) {
+      begun_ = false;
       assemble();
       anderson_.restart();
     }
     wrench_.assign(bodies.size() + 1, LaneWrench{});
     const double mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
-    if (options.accelerate || result.iterations >= options.iterations) anderson_.accelerate(patches, g_, r_);
+    if (options.accelerate) anderson_.accelerate(patches, g_, r_);
     project(patches, mid_arms, g_, u_, wrench_);
     residual_force();
     factor.solve(change_);
@@ -202,6 +131,7 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
 void Splitting::restart(std::span<const BodyVector> start) {
   std::copy(start.begin(), start.end(), velocity.begin());
   mid_arms.clear();
+  begin();
   for (Patch& patch : patches) {
     patch.impulse = PatchVector{};
     patch.slip = PatchVector{};

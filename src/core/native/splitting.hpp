@@ -20,15 +20,16 @@ struct SolverBody {
 
 /// How hard a solve tries.
 struct SplittingOptions {
-  double tolerance = 1e-3;     ///< of velocities, in units of `velocity_unit`
-  int iterations = 24;         ///< at most, as long as the residual is not above `bad_residual`
-  int more_iterations = 0;     ///< at most, on top of these, accelerated, where it is
-  double bad_residual = 0.05;  ///< in units of `velocity_unit`
-  double relaxation = 1.0;     ///< α
-  double sticking = 10.0;      ///< R over the mass that a contact carries, where it sticks and along the normal
-  double sliding = 3.0;        ///< the same along the tangents where it slides
-  int reclassify_every = 12;   ///< iterations between two choices of R
-  bool accelerate = false;     ///< Anderson's acceleration: for solves that go on to the end
+  double tolerance = 1e-3;       ///< of velocities, in units of `velocity_unit`
+  int iterations = 24;           ///< at most, as long as the residual is not above `bad_residual`
+  int more_iterations = 0;       ///< at most, on top of these, with less R, where it is
+  double bad_residual = 0.05;    ///< in units of `velocity_unit`
+  double relaxation = 1.0;       ///< α
+  double sticking = 10.0;        ///< R over the mass that a contact carries, where it sticks and along the normal
+  double sliding = 3.0;          ///< the same along the tangents where it slides
+  int reclassify_every = 12;     ///< iterations between two choices of R
+  bool keep_resistance = false;  ///< go on with the R of the last call
+  bool accelerate = false;       ///< Anderson's acceleration: for solves that go on to the end
 };
 
 /// How far a solve came.
@@ -58,9 +59,11 @@ class Splitting {
   BlockFactor factor;
   double load_unit = 1.0;  ///< impulse that a kilogram brings to bear in the step, m/s
 
-  static constexpr std::uint32_t kNoPair = ~0U;
+  /// To be told when bodies, patches or arms are new: what was factorised for the ones before no longer counts.
+  void begin() { begun_ = true; }
 
-  /// Iterates from the velocities, impulses and slips that are there.
+  /// Iterates from the velocities, impulses and slips that are there; goes on with the factor of the last call where it
+  /// still holds.
   /// @param velocity_unit what tolerances are measured in, m/s
   SplittingResult solve(const SplittingOptions& options, double velocity_unit);
 
@@ -73,11 +76,11 @@ class Splitting {
   double imbalance_at_rest(double velocity_unit);
 
  private:
-  bool choose_resistance(const SplittingOptions& options, bool first);
+  bool choose_resistance(double sticking, double sliding);
   void assemble();
-  void add_patch(std::size_t patch);
   void residual_force();
 
+  bool begun_ = true;  ///< nothing has been iterated since `begin`
   Anderson anderson_;
   std::vector<PatchVector> u_, g_, r_;
   std::vector<LaneWrench> wrench_;

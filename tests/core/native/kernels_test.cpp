@@ -79,6 +79,25 @@ struct Sweep {
   }
 };
 
+/// What contacts add to the matrix, with a block for every pair of bodies: row · kBodies + column.
+struct Resistance {
+  std::vector<BodyBlock> diagonal, below;
+};
+
+void add_resistance(const Contacts& contacts, Resistance& out, bool with_mid_arms) {
+  out.diagonal.resize(kBodies);
+  out.below.resize(kBodies * kBodies);
+  std::vector<std::uint32_t> pair, block;
+  for (const Patch& patch : contacts.patches) {
+    const auto [column, row] = std::minmax(patch.a, patch.b);
+    const bool with_fixed = row == static_cast<std::int32_t>(kBodies);
+    pair.push_back(with_fixed ? kNoPair : static_cast<std::uint32_t>(block.size()));
+    if (!with_fixed) block.push_back(static_cast<std::uint32_t>(row * static_cast<std::int32_t>(kBodies) + column));
+  }
+  native::add_resistance(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), pair, block,
+                         out.diagonal, out.below);
+}
+
 using Wrench = Eigen::Matrix<double, kBodyRows, 1>;
 
 /// What `aim` and `project` are said to do, point by point.
@@ -322,10 +341,11 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
   struct Output {
     std::vector<Patch> patches;
     std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
-    std::vector<PatchVector> u, g, r, difference = std::vector<PatchVector>(kPatches);
+    std::vector<PatchVector> u, g, r, difference, step;
     double mismatch = 0.0, product = 0.0;
     std::vector<BodyBlock> below, diagonal;
     std::vector<BodyVector> solution;
+    Resistance resisting;
   };
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
@@ -341,8 +361,13 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
     }
     out.patches = own.patches;
     out.product = dot(out.patches, out.g, out.r);
-    subtract(out.g, 0.3, out.r, out.difference);
+    out.difference = out.g;
+    subtract(std::vector{out.r, out.u}, std::array{0.3, -0.7}, out.difference);
+    std::vector<PatchVector> last = out.u;
+    out.step.resize(kPatches);
+    take_difference(out.g, last, out.step);
     add_impulses(out.patches, {}, out.added);
+    add_resistance(own, out.resisting, true);
     Chain factor = chain;
     factorise(factor.shape, factor.below, factor.diagonal, factor.scratch);
     solve(factor.shape, factor.below, factor.diagonal, factor.right);
@@ -364,6 +389,9 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
     CHECK(same_bits(out.g, first.g));
     CHECK(same_bits(out.r, first.r));
     CHECK(same_bits(out.difference, first.difference));
+    CHECK(same_bits(out.step, first.step));
+    CHECK(same_bits(out.resisting.diagonal, first.resisting.diagonal));
+    CHECK(same_bits(out.resisting.below, first.resisting.below));
     CHECK(same_bits(out.below, first.below));
     CHECK(same_bits(out.diagonal, first.diagonal));
     CHECK(same_bits(out.solution, first.solution));
@@ -393,20 +421,65 @@ TEST_CASE("kernels: an iteration leads from x = y - R z to g = x + r", "[core][k
 TEST_CASE("kernels: products and differences of impulses are what they are point by point", "[core][kernels]") {
   Contacts contacts = random_contacts(51);
   const Sweep swept(contacts, false);
-  std::vector<PatchVector> difference(kPatches);
-  subtract(swept.g, 0.3, swept.r, difference);
+  std::vector<PatchVector> difference = swept.g, last = swept.u, step(kPatches);
+  subtract(std::vector{swept.r, swept.u}, std::array{0.3, -0.7}, difference);
+  take_difference(swept.g, last, step);
   double product = 0.0, worst = 0.0;
   for (std::size_t p = 0; p < kPatches; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const double g = swept.g[p].row[i][lane];
         const double r = swept.r[p].row[i][lane];
+        const double u = swept.u[p].row[i][lane];
         product += g * r * contacts.patches[p].compliance[i > 0][lane];
-        worst = std::max(worst, std::abs(difference[p].row[i][lane] - (g - 0.3 * r)));
+        worst = std::max(worst, std::abs(difference[p].row[i][lane] - (g - 0.3 * r + 0.7 * u)));
+        worst = std::max(worst, std::abs(step[p].row[i][lane] - (g - u)));
+        CHECK(last[p].row[i][lane] == g);
       }
     }
   }
   CAPTURE(product, worst);
   CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
-  CHECK(worst < 1e-15);
+  CHECK(worst < 1e-14);
+}
+
+TEST_CASE("kernels: what contacts resist is the sum over their points of J R J transposed", "[core][kernels]") {
+  const bool with_mid_arms = GENERATE(false, true);
+  const Contacts contacts = random_contacts(61);
+  Resistance resistance;
+  add_resistance(contacts, resistance, with_mid_arms);
+
+  constexpr Eigen::Index kRows = kBodyRows * (kBodies + 1);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(kRows, kRows);
+  for (std::size_t p = 0; p < kPatches; ++p) {
+    const Patch& patch = contacts.patches[p];
+    const Arms& arms = with_mid_arms ? contacts.mid_arms[p] : patch.arms;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        const Vec3 along(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(kRows);
+        row.segment<3>(kBodyRows * patch.a) -= along;
+        row.segment<3>(kBodyRows * patch.a + 3) -= arm_of(arms.a, lane).cross(along);
+        row.segment<3>(kBodyRows * patch.b) += along;
+        row.segment<3>(kBodyRows * patch.b + 3) += arm_of(arms.b, lane).cross(along);
+        expected += patch.resistance[d > 0][lane] * row * row.transpose();
+      }
+    }
+  }
+  double worst = 0.0;
+  for (std::size_t i = 0; i < kBodies; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const BodyBlock& block = i == j ? resistance.diagonal[i] : resistance.below[i * kBodies + j];
+      for (std::size_t c = 0; c < kBodyRows; ++c) {
+        // Of blocks on the diagonal only the lower triangle is used.
+        for (std::size_t r = i == j ? c : 0; r < kBodyRows; ++r) {
+          worst =
+              std::max(worst, std::abs(block.column[c][r] - expected(static_cast<Eigen::Index>(kBodyRows * i + r),
+                                                                     static_cast<Eigen::Index>(kBodyRows * j + c))));
+        }
+      }
+    }
+  }
+  CAPTURE(with_mid_arms, worst);
+  CHECK(worst < 1e-12);
 }
