@@ -70,6 +70,13 @@ class Handed {
   T take() { return std::move(item_); }
 
  private:
+  /// Memory that TBB takes from one thread's items and gives to another's.
+  struct Place {
+    Place() { see_from(this); }
+    ~Place() { leave_at(this); }
+  };
+
+  [[maybe_unused]] Place place_;  // first: there before the item, gone after it
   T item_;
 };
 
