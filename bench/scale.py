@@ -7,6 +7,7 @@ undisturbed one, times aside.
 Example: bench/scale.py 10000 --boxes 90 110 --kills 2
 """
 import argparse
+import heapq
 import json
 import os
 import random
@@ -108,6 +109,35 @@ def undisturbed(options, folder, results):
     if watch.assembling is not None:  # shorter than a look, it is not seen
         tell("assembling", seconds - watch.assembling, "s", f"{size / MIB / (seconds - watch.assembling):.0f} MiB/s")
     return size
+
+
+IN_FLIGHT = 8  # worlds that a run has in flight a thread: kUnitsInFlight of src/parallel/ordered_run.hpp
+
+
+def replayed(costs, threads, window):
+    """When worlds of these costs are done by so many threads, and when the first thread finds none left, s."""
+    free = [0.0] * threads  # when each thread is free again
+    written = []  # when each world has been written: in order, after those before it
+    for index, cost in enumerate(costs):
+        begin = heapq.heappop(free)
+        if index >= window:
+            begin = max(begin, written[index - window])
+        heapq.heappush(free, begin + cost)
+        written.append(max(begin + cost, written[-1] if written else 0.0))
+    return written[-1], free[0]
+
+
+def tell_tail(options, results):
+    """How evenly the threads were at work, by the processor time that each world took: no other load disturbs that."""
+    with h5py.File(results) as file:
+        costs = file["worlds/cpu_seconds"][:].tolist()
+    threads = options.threads or os.cpu_count()
+    end, first_idle = replayed(costs, threads, IN_FLIGHT * threads)
+    tell("largest share of a world in all", 100 * max(costs) / sum(costs), "%", f"{max(costs):.2f} s; "
+         f"median {statistics.median(costs):.3f} s")
+    tell("threads at work, replayed", sum(costs) / end, "", f"of {threads}")
+    tell("replayed: from the first idle thread on", end - first_idle, "s", f"{100 * (end - first_idle) / end:.1f} % of "
+         "the time")
 
 
 def measure_disk(folder, size):
@@ -219,6 +249,7 @@ def main():
         begin = time.monotonic()
         size = undisturbed(options, folder, results)
         seconds = time.monotonic() - begin
+        tell_tail(options, results)
         measure_disk(folder, size)
         measure_reading(options, folder, results)
         if options.kills:

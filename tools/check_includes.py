@@ -19,6 +19,7 @@ LIBRARIES = {
     "TBB": r"(tbb|oneapi)/",
     "OpenMP": r"omp\.h$",
     "OpenCL": r"CL/",
+    "ThreadSanitizer": r"sanitizer/tsan_interface\.h$",
     "Bullet": r"bullet/|bt\w+\.h$|(Bullet(Collision|Dynamics)|LinearMath)/",
     "Bullet3OpenCL": r"Bullet3\w+/",
     "CLI11": r"CLI/",
@@ -32,13 +33,13 @@ RULES = {
     "core": ({"core"}, {"Eigen", "Highway"}),
     "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
-    "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "POSIX"}),
+    "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),
     "app": ({"core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
 }
 
 # Libraries that are kept to one file of their folder, so that they can be replaced there.
-ONE_FILE = {"Highway", "Bullet3OpenCL"}
+ONE_FILE = {"Highway", "Bullet3OpenCL", "ThreadSanitizer"}
 
 # Core knows no file, thread, clock, environment or printing.
 NOT_IN_CORE = {"cstdio", "filesystem", "fstream", "iostream", "syncstream", "chrono", "ctime", "thread", "mutex",

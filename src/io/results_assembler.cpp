@@ -2,7 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
-#include <memory>
+#include <utility>
 #include <vector>
 
 #include "io/durable_file.hpp"
@@ -16,21 +16,19 @@ namespace holdfast {
 
 namespace {
 
-/// The finished parts, opened when needed; so many are kept open that usually each is opened once.
+/// The finished parts.
 class Parts {
  public:
   Parts(const std::string& path, const std::string& fingerprint, const std::atomic<bool>* stop)
-      : path_(path), ranges_(check_parts(path, fingerprint)), kept_(ranges_.size()), stop_(stop) {}
+      : path_(path), ranges_(check_parts(path, fingerprint)), stop_(stop) {}
 
   const std::vector<PartRange>& ranges() const { return ranges_; }
   AxisCounts end() const { return ranges_.empty() ? AxisCounts{} : ranges_.back().end; }
 
-  std::shared_ptr<h5::File> open(std::size_t part) {
-    if (kept_[part]) return kept_[part];
-    auto file = std::make_shared<h5::File>(h5::File::open(part_path(path_, part + 1)));
-    constexpr std::size_t kMostKept = 64;
-    if (part < kMostKept) kept_[part] = file;
-    return file;
+  /// Opens one; fails when the user wants no more.
+  h5::File open(std::size_t part) const {
+    check_stop();
+    return h5::File::open(part_path(path_, part + 1));
   }
 
   /// Fails when the user wants no more.
@@ -39,15 +37,11 @@ class Parts {
   }
 
   /// Removes them from the disk.
-  void remove() {
-    kept_.clear();
-    remove_parts(path_);
-  }
+  void remove() const { remove_parts(path_); }
 
  private:
   std::string path_;
   std::vector<PartRange> ranges_;
-  std::vector<std::shared_ptr<h5::File>> kept_;
   const std::atomic<bool>* stop_;
 };
 
@@ -66,29 +60,65 @@ std::vector<std::byte> repad(std::span<const std::byte> stored, std::size_t from
   return padded;
 }
 
-void assemble_table(const h5::File& file, const DatasetSpec& spec, Parts& parts) {
+/// A part's entries of a table column, as they are stored.
+struct Piece {
+  std::vector<std::byte> stored;
+  std::size_t number_bytes = 1;
+};
+
+Piece read_piece(const h5::File& source, const DatasetSpec& spec, const PartRange& range) {
+  const h5::Dataset dataset = h5::Dataset::open(source, spec);
+  if (dataset.length() != at(range.end, spec.axis) - at(range.begin, spec.axis))
+    source.fail("has a column of another length than its table (" + std::string(spec.path) + ")");
+  Piece piece{dataset.read(0, dataset.length()), dataset.number_bytes()};
+  if (spec.refers_to != spec.axis) shift_indices(piece.stored, at(range.begin, spec.refers_to));
+  return piece;
+}
+
+void write_pieces(const h5::File& file, const DatasetSpec& spec, std::uint64_t length,
+                  const std::vector<Piece>& pieces) {
   const bool text = spec.type == ElementType::text;
   std::size_t text_size = 1;
-  for (std::size_t part = 0; text && part < parts.ranges().size(); ++part)
-    text_size = std::max(text_size, h5::Dataset::open(*parts.open(part), spec).number_bytes());
-
-  TableWriter writer(file, spec, at(parts.end(), spec.axis), text_size);
-  for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
-    parts.check_stop();
-    const auto source = parts.open(part);
-    const h5::Dataset dataset = h5::Dataset::open(*source, spec);
-    if (dataset.length() != at(parts.ranges()[part].end, spec.axis) - at(parts.ranges()[part].begin, spec.axis))
-      source->fail("has a column of another length than its table (" + std::string(spec.path) + ")");
-    std::vector<std::byte> stored = dataset.read(0, dataset.length());
-    if (spec.refers_to != spec.axis) shift_indices(stored, at(parts.ranges()[part].begin, spec.refers_to));
-    if (text) stored = repad(stored, dataset.number_bytes(), text_size);
-    writer.append(stored);
-  }
+  for (const Piece& piece : pieces) text_size = std::max(text_size, piece.number_bytes);
+  TableWriter writer(file, spec, length, text_size);
+  for (const Piece& piece : pieces)
+    writer.append(text ? repad(piece.stored, piece.number_bytes, text_size) : piece.stored);
   writer.finish();
 }
 
+/// Table columns to be read together and written one after the other: finding a column in a file takes longer than
+/// reading a small one, and there may be thousands of parts.
+class TableGroup {
+ public:
+  /// False when it has enough to hold in memory without this one.
+  bool take(const DatasetSpec& spec, const Parts& parts) {
+    constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
+    constexpr std::uint64_t kTextBytes = 64;  // about
+    const std::uint64_t entry_bytes = (spec.type == ElementType::text ? kTextBytes : size_of(spec.type)) * spec.width;
+    bytes_ += at(parts.end(), spec.axis) * entry_bytes;
+    if (!specs_.empty() && bytes_ > kMostBytes) return false;
+    specs_.push_back(&spec);
+    return true;
+  }
+
+  void assemble(const h5::File& file, const Parts& parts) const {
+    std::vector<std::vector<Piece>> columns(specs_.size());
+    for (std::size_t part = 0; part < parts.ranges().size() && !specs_.empty(); ++part) {
+      const h5::File source = parts.open(part);
+      for (std::size_t i = 0; i < specs_.size(); ++i)
+        columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
+    }
+    for (std::size_t i = 0; i < specs_.size(); ++i)
+      write_pieces(file, *specs_[i], at(parts.end(), specs_[i]->axis), std::exchange(columns[i], {}));
+  }
+
+ private:
+  std::vector<const DatasetSpec*> specs_;
+  std::uint64_t bytes_ = 0;
+};
+
 /// Copies compressed chunks as they are. The chunk at a cut is in both parts; the later one has all of it.
-void assemble_series(const h5::File& file, const DatasetSpec& spec, Parts& parts) {
+void assemble_series(const h5::File& file, const DatasetSpec& spec, const Parts& parts) {
   const auto& ranges = parts.ranges();
   h5::Dataset target = h5::Dataset::create(file, spec, at(parts.end(), spec.axis), 1);
   for (std::size_t part = 0; part < ranges.size(); ++part) {
@@ -97,8 +127,8 @@ void assemble_series(const h5::File& file, const DatasetSpec& spec, Parts& parts
                                   ? at(ranges[part + 1].begin, spec.axis) / kChunkEntries
                                   : (at(ranges[part].end, spec.axis) + kChunkEntries - 1) / kChunkEntries;
     if (begin == end) continue;
-    const auto source = parts.open(part);
-    const h5::Dataset dataset = h5::Dataset::open(*source, spec);
+    const h5::File source = parts.open(part);
+    const h5::Dataset dataset = h5::Dataset::open(source, spec);
     for (std::uint64_t chunk = begin; chunk < end; ++chunk) {
       parts.check_stop();
       target.write_chunk(chunk, dataset.read_chunk(chunk - begin));
@@ -106,19 +136,29 @@ void assemble_series(const h5::File& file, const DatasetSpec& spec, Parts& parts
   }
 }
 
-void assemble_recorded(const h5::File& file, const RunDescription& run, Parts& parts) {
+void assemble_recorded(const h5::File& file, const RunDescription& run, const Parts& parts) {
   ColumnSet of_run;
   append_accelerations(of_run, run.accelerations);
+  TableGroup tables;
+  const auto assemble_tables = [&] { std::exchange(tables, {}).assemble(file, parts); };
   for (const DatasetSpec& spec : kSchema) {
     if (spec.origin == Origin::derived) continue;
-    if (spec.axis == Axis::accelerations || spec.axis == Axis::segments) {
+    const bool is_of_run = spec.axis == Axis::accelerations || spec.axis == Axis::segments;
+    if (!is_of_run && !is_series(spec)) {
+      if (tables.take(spec, parts)) continue;
+      assemble_tables();
+      tables.take(spec, parts);
+      continue;
+    }
+    // The file's bytes go by the order of the schema, wherever its parts were cut.
+    assemble_tables();
+    if (is_of_run) {
       write_column(file, of_run[spec.path]);
-    } else if (is_series(spec)) {
-      assemble_series(file, spec, parts);
     } else {
-      assemble_table(file, spec, parts);
+      assemble_series(file, spec, parts);
     }
   }
+  assemble_tables();
 }
 
 void check_whole(const std::string& path, const RunDescription& run, const Parts& parts) {
@@ -131,7 +171,7 @@ void check_whole(const std::string& path, const RunDescription& run, const Parts
                           .accepted = "--resume simulates the missing ones"});
 }
 
-void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
+void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
   write_run(file, run);
   write_range_begin(file, AxisCounts{});
   assemble_recorded(file, run, parts);
@@ -150,7 +190,7 @@ void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
 std::optional<Error> assemble(const std::string& path, const RunDescription& run, const std::atomic<bool>* stop) {
   const std::string temporary = temporary_name(path);
   const auto error = h5::caught(path, [&] {
-    Parts parts(path, fingerprint(run), stop);
+    const Parts parts(path, fingerprint(run), stop);
     check_whole(path, run, parts);
     h5::File file = h5::File::create(temporary);
     write_file(file, run, parts);

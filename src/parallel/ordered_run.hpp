@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "parallel/scheduler.hpp"
+#include "parallel/told_order.hpp"
 
 namespace holdfast {
 
@@ -53,25 +54,40 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
     tbb::task_arena arena(threads);
     std::atomic<bool> more = true;
     std::size_t next = 0;
+    RunOrder order;
+    leave_at(&order.begin);
     arena.execute([&] {
       tbb::parallel_pipeline(
           kUnitsInFlight * static_cast<std::size_t>(threads),
           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                               [&](tbb::flow_control& control) -> std::size_t {
+                                                const StageOrder stage(order, &next);
                                                 if (next < count && more) return next++;
                                                 control.stop();
                                                 return 0;
                                               }) &
-              tbb::make_filter<std::size_t, A>(tbb::filter_mode::parallel,
-                                               [&](std::size_t unit) { return work(unit); }) &
-              tbb::make_filter<A, B>(tbb::filter_mode::serial_in_order,
-                                     [&](A item) { return place_in_order(std::move(item)); }) &
-              tbb::make_filter<B, C>(tbb::filter_mode::parallel, [&](B item) { return pack_one(std::move(item)); }) &
-              tbb::make_filter<C, void>(tbb::filter_mode::serial_in_order, [&](C item) {
-                write_in_order(std::move(item));
+              tbb::make_filter<std::size_t, Handed<A>>(tbb::filter_mode::parallel,
+                                                       [&](std::size_t unit) -> Handed<A> {
+                                                         const StageOrder stage(order);
+                                                         return work(unit);
+                                                       }) &
+              tbb::make_filter<Handed<A>, Handed<B>>(tbb::filter_mode::serial_in_order,
+                                                     [&](Handed<A> item) -> Handed<B> {
+                                                       const StageOrder stage(order, &placing);
+                                                       return place_in_order(item.take());
+                                                     }) &
+              tbb::make_filter<Handed<B>, Handed<C>>(tbb::filter_mode::parallel,
+                                                     [&](Handed<B> item) -> Handed<C> {
+                                                       const StageOrder stage(order);
+                                                       return pack_one(item.take());
+                                                     }) &
+              tbb::make_filter<Handed<C>, void>(tbb::filter_mode::serial_in_order, [&](Handed<C> item) {
+                const StageOrder stage(order, &writing);
+                write_in_order(item.take());
                 if (!writing) more = false;
               }));
     });
+    see_from(&order.end);
     return;
   }
 

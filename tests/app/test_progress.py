@@ -69,10 +69,10 @@ class Progress(CliTest):
 
     def test_plain_lines_in_a_pipe(self):
         self.write_layouts(2)
-        process = start(*self.arguments("--accelerations", "long.txt", "endless.txt"), cwd=self.folder)
+        process = start(*self.arguments("--accelerations", "long.txt", "endless.txt", "--json"), cwd=self.folder)
         self.addCleanup(process.kill)
         self.assertIn("4 worlds", process.stderr.readline())
-        time.sleep(0.5)
+        self.assertIn("long.txt", process.stdout.readline(), "a world has finished")
         # A line comes every ten seconds; stopped meanwhile, the program leaves the processor to other tests.
         process.send_signal(signal.SIGSTOP)
         time.sleep(10)
