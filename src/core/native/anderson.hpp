@@ -27,8 +27,8 @@ class Anderson {
 
   bool weigh(double (&weight)[kDepth]) const;
 
-  int pause_ = 0;  ///< iterations until it acts again
-  int next_pause_ = 0;
+  int pause_ = 0;           ///< iterations until it acts again
+  int next_pause_ = 0;      ///< how many the next time
   std::size_t stored_ = 0;  ///< differences that are kept
   std::size_t next_ = 0;    ///< the place that is written next
   double last_square_ = 0.0;
