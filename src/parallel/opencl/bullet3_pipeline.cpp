@@ -30,7 +30,9 @@ int b3OpenCLUtils_clewInit();
 using CreateProgram = cl_program(cl_context, cl_uint, const char**, const std::size_t*, cl_int*);
 using BuildProgram = cl_int(cl_program, cl_uint, const cl_device_id*, const char*, void (*)(cl_program, void*), void*);
 extern "C" CreateProgram* __clewCreateProgramWithSource;
+using GetProgramInfo = cl_int(cl_program, cl_program_info, std::size_t, void*, std::size_t*);
 extern "C" BuildProgram* __clewBuildProgram;
+extern "C" GetProgramInfo* __clewGetProgramInfo;
 // NOLINTEND(readability-identifier-naming)
 
 namespace holdfast {
@@ -62,6 +64,7 @@ struct LibraryHooks {
   KernelPatcher* patcher = nullptr;
   CreateProgram* create_program = nullptr;
   BuildProgram* build_program = nullptr;
+  GetProgramInfo* get_program_info = nullptr;
 };
 LibraryHooks& hooks() {
   static LibraryHooks instance;
@@ -88,6 +91,14 @@ cl_int build_silently(cl_program program, cl_uint count, const cl_device_id* dev
                       void (*done)(cl_program, void*), void* data) {
   const std::string silent = std::string(options == nullptr ? "" : options) + " -w";
   return hooks().build_program(program, count, devices, silent.c_str(), done, data);
+}
+
+/// A program that is built for no device: Bullet asks when it is about to leave the binary in the folder `cache`, if
+/// there is one, under a name that any other program of Bullet's takes for its own.
+cl_int hide_binaries(cl_program program, cl_program_info what, std::size_t size, void* value, std::size_t* written) {
+  const cl_int code = hooks().get_program_info(program, what, size, value, written);
+  if (what == CL_PROGRAM_NUM_DEVICES && value != nullptr) *static_cast<cl_uint*>(value) = 0;
+  return code;
 }
 
 /// Finds the pairs of each world by itself: sorted along x, swept. Their order is that of the world alone.
@@ -270,8 +281,10 @@ Result<std::unique_ptr<Bullet3Pipeline>> Bullet3Pipeline::create(cl_context cont
       return Error{.what = "Bullet cannot load libOpenCL.so.1", .value = library.error};
     library.create_program = __clewCreateProgramWithSource;
     library.build_program = __clewBuildProgram;
+    library.get_program_info = __clewGetProgramInfo;
     __clewCreateProgramWithSource = create_patched_program;
     __clewBuildProgram = build_silently;
+    __clewGetProgramInfo = hide_binaries;
   }
   KernelPatcher patcher(kernel_patches());
   library.patcher = &patcher;
