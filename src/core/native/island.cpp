@@ -17,9 +17,6 @@ constexpr double kTouch = 1e-7;
 constexpr double kOverlap = 5e-6;
 constexpr double kOverlapShare = 0.01;
 
-/// Overlap that bodies may come to within a step without having been in contact before it, m.
-constexpr double kDeepOverlap = 2e-4;
-
 /// Impacts below this share of |g − a| h are never located in time: they close at the end of their step.
 constexpr double kFastShare = 0.25;
 
@@ -89,8 +86,8 @@ bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodi
 
 }  // namespace
 
-bool is_deep(const ContactSet& contact, const ContactSet& before) {
-  return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - kDeepOverlap;
+bool overlaps_unseen(const ContactSet& contact, const ContactSet& before, double deep) {
+  return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
 }
 
 double least_overlap(const StepTerms& terms) {
@@ -517,7 +514,7 @@ bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
     double reach = terms.reach;
     for (int i = 0; i < manifold.contact.count; ++i) reach = std::max(reach, manifold.contact.points[at(i)].gap);
     const ContactSet contact = contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach);
-    deep = deep || is_deep(contact, manifold.contact);
+    deep = deep || overlaps_unseen(contact, manifold.contact, options_.deep_overlap);
     renew_contact(manifold, contact);
   }
   return deep;

@@ -38,12 +38,12 @@ struct IslandView {
 struct IslandReport {
   std::uint64_t iterations = 0;
   double residual = 0.0;  ///< worst of its solves, m/s
-  bool met_deep = false;  ///< bodies overlap deeply where the last contact of theirs showed nothing, see `is_deep`
+  bool met_deep = false;  ///< bodies overlap where their last contact did not show it, see `overlaps_unseen`
 };
 
-/// True when a contact overlaps so much more than the one before it that it should have been seen earlier: corners that
-/// approach across two directions at once show none until they overlap.
-bool is_deep(const ContactSet& contact, const ContactSet& before);
+/// True when a contact overlaps by `deep`, m, more than the one before it: it should have been seen earlier. Corners
+/// that approach across two directions at once show no contact until they overlap.
+bool overlaps_unseen(const ContactSet& contact, const ContactSet& before, double deep);
 
 /// Overlap at the end of a step that calls for a contact to be solved, m: what no one sees, and little beside what a
 /// body falls in the step.

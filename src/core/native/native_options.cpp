@@ -16,6 +16,7 @@ NativeOptions native_options(const Settings& settings) {
       options.impact_cuts = 0;
       options.impact_length = 2e-3;
       options.overlap = 2e-4;
+      options.deep_overlap = 5e-4;
       options.stop_cuts = 0;
       break;
     case Accuracy::standard:

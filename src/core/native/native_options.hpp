@@ -15,6 +15,7 @@ struct NativeOptions {
   int impact_cuts = 8;              ///< times that impacts may cut a step of an island
   double impact_length = 2e-4;      ///< impacts that move a body less than this within a step are not located, m
   double overlap = 1e-5;            ///< from which positions are corrected, m
+  double deep_overlap = 2e-4;       ///< that bodies meet with unseen and still go on, instead of in half the step, m
   int stop_cuts = 2;                ///< times that the end of a slip may cut a step of an island
   bool jump = true;                 ///< go to the end of the phase when all is at rest
   bool freeze = true;               ///< leave islands at rest alone until something touches them

@@ -94,7 +94,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     fresh.b = b;
   }
   const ContactSet contact = contact_now(manifold, bodies, scene_.sides, reach);
-  if (is_deep(contact, manifold.contact)) met_deep_ = true;
+  if (overlaps_unseen(contact, manifold.contact, options_.deep_overlap)) met_deep_ = true;
   if (contact.count > 0 && slot >= 0) {
     renew_contact(manifold, contact);
   } else if (contact.count > 0) {
