@@ -64,7 +64,7 @@ constexpr Golden kGolden[] = {
     {"brake", brake, 0x2ca9330d164aa219},
     {"lean", lean, 0x522d346959ff92f6},
     {"tumble", tumble, 0xdaab0a0e03f06955},
-    {"drop", drop, 0x7c2208b38097599a},
+    {"drop", drop, 0xad3969e1f6ee21cb},
 };
 
 }  // namespace
