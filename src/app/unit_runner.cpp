@@ -44,7 +44,7 @@ UnitLayout read_unit_layout(const std::string& path, const Settings& settings) {
 std::string describe(Status status) {
   if (has(status, Status::non_finite)) return "a state became infinite or undefined; try a smaller step";
   if (has(status, Status::not_converged)) return "the solver did not converge; try more iterations";
-  if (has(status, Status::capacity)) return "contacts were lost; try smaller batches";
+  if (has(status, Status::capacity)) return "the device had no room for all contacts, or failed; try another engine";
   return "";
 }
 

@@ -13,7 +13,7 @@ enum class Status : std::uint32_t {
   bad_acceleration = 1U << 1U,  ///< the acceleration could not be used. Cure: see status_text
   non_finite = 1U << 2U,        ///< a state became infinite or undefined; the samples end before. Cure: a smaller step
   not_converged = 1U << 3U,     ///< the solver's residual stayed above its bound. Cure: more iterations or accuracy
-  capacity = 1U << 4U,          ///< a fixed capacity overflowed and contacts were lost. Cure: smaller batches
+  capacity = 1U << 4U,          ///< a device had no room for all contacts, or failed. Cure: another engine
 };
 
 constexpr Status operator|(Status a, Status b) {

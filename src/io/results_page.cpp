@@ -117,7 +117,7 @@ constexpr std::array<StatusMeaning, 6> kStatusMeanings = {{
     {Status::bad_acceleration, "the acceleration could not be used; not simulated. See `status_text`"},
     {Status::non_finite, "a state became infinite or undefined; the samples end before. Use a smaller step"},
     {Status::not_converged, "the solver's residual stayed above its bound. Allow more iterations or accuracy"},
-    {Status::capacity, "a fixed capacity overflowed and contacts were lost. Use smaller batches"},
+    {Status::capacity, "a device had no room for all contacts of the world, or failed. Use another engine"},
 }};
 
 std::string length_of(const DatasetSpec& spec) {

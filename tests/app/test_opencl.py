@@ -45,6 +45,14 @@ class WithDevice(unittest.TestCase):
         self.assertRegex(self.done.stdout, r"\n +(CPU|GPU|accelerator) .+compute units, \d+ MiB")
         self.assertEqual(self.done.stderr, "")
 
+    def test_nothing_is_left_in_a_folder_named_cache(self):
+        # Where there is one, Bullet leaves the binaries of its kernels there.
+        with tempfile.TemporaryDirectory() as folder:
+            cache = pathlib.Path(folder, "cache")
+            cache.mkdir()
+            done = subprocess.run([HOLDFAST, "engines"], capture_output=True, cwd=folder, check=False)
+            self.assertEqual((done.returncode, done.stderr, list(cache.iterdir())), (0, b"", []))
+
     def test_a_real_load_under_two_accelerations_agrees_with_bullet(self):
         found = {}
         with tempfile.TemporaryDirectory() as folder:

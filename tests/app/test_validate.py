@@ -8,7 +8,7 @@ import unittest
 
 import pandas as pd
 
-from cli import run, start
+from cli import SOURCE, run, start
 
 MEMBERS = {"case", "engine", "setting", "metric", "value", "expected", "error", "tolerance", "pass", "cpu_seconds"}
 
@@ -48,6 +48,27 @@ class Validate(unittest.TestCase):
                 self.assertNotIn(link, page)
             table = pd.read_csv(pathlib.Path(folder, "measurements.csv"))
             self.assertEqual(len(table), len(json.loads(pathlib.Path(folder, "measurements.json").read_text())))
+
+    def test_report_says_where_a_device_is_worse(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            done = run("validate", "--quick", "--case", "slide_path", "--engine", "bullet", "-o", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("On a device", (folder / "index.html").read_text())
+            # Bullet's own numbers as those of a device, one of them three times as large.
+            rows = pd.read_csv(folder / "measurements.csv")
+            rows = rows[rows["setting"] == "240 Hz, 50 it"]
+            device = rows.assign(engine="bullet-opencl", setting="240 Hz, 20 it")
+            self.assertEqual(device["metric"].iloc[0], "displacement (m)")
+            device.loc[device.index[0], "error"] *= 3
+            pd.concat([rows, device]).to_csv(folder / "measurements.csv", index=False)
+            script = SOURCE / "tools/validation_report.py"
+            subprocess.run(["/usr/bin/python3", script, folder], check=True)
+            page = (folder / "index.html").read_text()
+            section = page[page.index("On a device"):page.index("<h2>Thresholds")]
+            self.assertIn("<summary>1 of them</summary>", section)
+            self.assertIn("displacement (m)", section)
+            self.assertNotIn("velocity (m/s)", section)
 
     def test_an_error_above_its_bound_fails_and_is_named(self):
         with tempfile.TemporaryDirectory() as folder:

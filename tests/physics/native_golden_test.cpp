@@ -62,9 +62,9 @@ struct Golden {
 };
 constexpr Golden kGolden[] = {
     {"brake", brake, 0x2ca9330d164aa219},
-    {"lean", lean, 0x522d346959ff92f6},
-    {"tumble", tumble, 0xdaab0a0e03f06955},
-    {"drop", drop, 0xad3969e1f6ee21cb},
+    {"lean", lean, 0x6052c7e2bc36bb20},
+    {"tumble", tumble, 0x544cc57d2288044f},
+    {"drop", drop, 0x8b3680c482982848},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/native/rotated_contact.hpp"
 #include "core/native/separating_axis.hpp"
@@ -93,6 +94,12 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
 }
 
 }  // namespace
+
+double ContactSet::nearest_gap() const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count; ++i) nearest = std::min(nearest, points[static_cast<std::size_t>(i)].gap);
+  return nearest;
+}
 
 ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin, const ContactAxis& previous) {
   if (a.aligned && b.aligned) return aligned_contact(a, b, margin, previous);

@@ -28,6 +28,9 @@ struct ContactSet {
   ContactAxis axis;
   int count = 0;  ///< of the points that are used
   std::array<ContactPoint, 8> points;
+
+  /// Least gap of the points, m; infinite without any.
+  double nearest_gap() const;
 };
 
 /// Contact of two boxes: the points whose gap is at most `margin`, m.

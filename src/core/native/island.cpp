@@ -13,8 +13,12 @@ namespace {
 /// Surfaces this near are in touch, m: rounding of positions is far below, what a scene shows far above.
 constexpr double kTouch = 1e-7;
 
-/// Overlap at the end of a step that calls for a contact to be solved, m.
+/// Overlap at the end of a step that calls for a contact to be solved: at most this, m, and this share of |g − a| h².
 constexpr double kOverlap = 5e-6;
+constexpr double kOverlapShare = 0.01;
+
+/// Overlap that bodies may come to within a step without having been in contact before it, m.
+constexpr double kDeepOverlap = 2e-4;
 
 /// Impacts below this share of |g − a| h are never located in time: they close at the end of their step.
 constexpr double kFastShare = 0.25;
@@ -84,6 +88,14 @@ double parting(const Bodies& bodies, const Manifold& manifold, const ContactPoin
 bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
 
 }  // namespace
+
+bool is_deep(const ContactSet& contact, const ContactSet& before) {
+  return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - kDeepOverlap;
+}
+
+double least_overlap(const StepTerms& terms) {
+  return std::max(kTouch, std::min(kOverlap, kOverlapShare * terms.velocity_unit * terms.step));
+}
 
 double contact_reach(const StepTerms& terms, double approach) {
   // What bodies fall in a step, what they approach, and a little for what rounding may hide.
@@ -395,6 +407,8 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
       scene.manifolds[index].idle_steps = 0;
     }
     load(scene, island, terms, Purpose::impact, step);
+    // What a contact carries is measured by the blow: by the weight in a step, R would be far too large.
+    solver_.load_unit = unit;
     const SplittingResult result = solver_.solve(options, unit);
     report.iterations += static_cast<std::uint64_t>(result.iterations);
     if (strike_more(scene, island, terms, step)) continue;
@@ -431,6 +445,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
                                                  double step) const {
   Event event;
   const Bodies& bodies = scene.bodies;
+  const double overlap = least_overlap(terms);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
@@ -441,7 +456,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const double u1 = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
                                                     end_velocity(bodies, manifold.a, point.on_a));
       const double gap_end = point.gap + 0.5 * step * (u0 + u1);
-      if (gap_end >= -kOverlap) continue;
+      if (gap_end >= -overlap) continue;
       // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.
       const double curvature = (u1 - u0) / step;
       const double root = std::sqrt(std::max(0.0, u0 * u0 - 2.0 * curvature * point.gap));
@@ -493,14 +508,19 @@ void IslandStepper::move(Scene& scene, const IslandView& island, const StepTerms
   }
 }
 
-void IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerms& terms) {
+/// Finds the contacts of the island anew. True when bodies have met deeply.
+bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  bool deep = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     scene.undo.emplace_back(index, manifold);
     double reach = terms.reach;
     for (int i = 0; i < manifold.contact.count; ++i) reach = std::max(reach, manifold.contact.points[at(i)].gap);
-    renew_contact(manifold, contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach));
+    const ContactSet contact = contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach);
+    deep = deep || is_deep(contact, manifold.contact);
+    renew_contact(manifold, contact);
   }
+  return deep;
 }
 
 void IslandStepper::project(Scene& scene, const IslandView& island, const StepTerms& terms) {
@@ -568,7 +588,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     const double share = event.time < step ? event.time / step : 1.0;
     move(scene, island, terms, step, share);
     if (share == 1.0 && step == remaining) return;
-    renew(scene, island, terms);
+    if (renew(scene, island, terms)) report.met_deep = true;
     remaining -= share * step;
     // What is left is rounding: divided by it, velocities would be anything.
     if (remaining <= kLeastStep * terms.step) return;

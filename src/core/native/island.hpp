@@ -38,7 +38,16 @@ struct IslandView {
 struct IslandReport {
   std::uint64_t iterations = 0;
   double residual = 0.0;  ///< worst of its solves, m/s
+  bool met_deep = false;  ///< bodies overlap deeply where the last contact of theirs showed nothing, see `is_deep`
 };
+
+/// True when a contact overlaps so much more than the one before it that it should have been seen earlier: corners that
+/// approach across two directions at once show none until they overlap.
+bool is_deep(const ContactSet& contact, const ContactSet& before);
+
+/// Overlap at the end of a step that calls for a contact to be solved, m: what no one sees, and little beside what a
+/// body falls in the step.
+double least_overlap(const StepTerms& terms);
 
 /// How far apart two bodies may be that could meet within a step, m.
 /// @param approach bound of the speed at which their surfaces near each other, m/s
@@ -74,7 +83,7 @@ class IslandStepper {
   bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
   double fast_approach(const StepTerms& terms) const;
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
-  void renew(Scene& scene, const IslandView& island, const StepTerms& terms);
+  bool renew(Scene& scene, const IslandView& island, const StepTerms& terms);
   void project(Scene& scene, const IslandView& island, const StepTerms& terms);
   SplittingResult run(const SplittingOptions& options, const StepTerms& terms, double step, IslandReport& report);
   std::int32_t local(std::int32_t body) const { return body < 0 ? fixed_ : place_[static_cast<std::size_t>(body)]; }

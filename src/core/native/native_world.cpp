@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/container_sides.hpp"
@@ -27,13 +26,6 @@ constexpr std::uint32_t kLongestWait = 16;
 /// Solved steps without load after which a manifold is no longer active.
 constexpr int kIdleSteps = 8;
 
-/// Overlap at the end of a step that calls for a contact between islands, m.
-constexpr double kOverlap = 5e-6;
-
-/// Overlap that bodies may come to within a step without having been in contact before it, m. Corners that approach
-/// across two directions at once show no contact until they overlap.
-constexpr double kDeepOverlap = 2e-4;
-
 /// Times that a step is halved to see such contacts in time, or to get on where a solve does not.
 constexpr int kHalvings = 4;
 
@@ -42,12 +34,6 @@ constexpr int kHalvings = 4;
 constexpr double kBadResidual = 0.5;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-double nearest_gap(const ContactSet& contact) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < contact.count; ++i) nearest = std::min(nearest, contact.points[at(i)].gap);
-  return nearest;
-}
 
 std::vector<Side> sides_of(const ContainerSettings& container) {
   std::vector<Side> sides;
@@ -108,8 +94,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     fresh.b = b;
   }
   const ContactSet contact = contact_now(manifold, bodies, scene_.sides, reach);
-  const double gap_before = slot < 0 ? 0.0 : std::min(0.0, nearest_gap(manifold.contact));
-  if (contact.count > 0 && nearest_gap(contact) < gap_before - kDeepOverlap) met_deep_ = true;
+  if (is_deep(contact, manifold.contact)) met_deep_ = true;
   if (contact.count > 0 && slot >= 0) {
     renew_contact(manifold, contact);
   } else if (contact.count > 0) {
@@ -294,6 +279,7 @@ void NativeWorld::save(const Island& island) {
 /// them first would be in vain.
 bool NativeWorld::activate_predicted() {
   const Bodies& bodies = scene_.bodies;
+  const double overlap = least_overlap(terms_);
   const auto speed = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);
@@ -307,7 +293,7 @@ bool NativeWorld::activate_predicted() {
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
-      if (point.gap + terms_.step * u >= -kOverlap) continue;
+      if (point.gap + terms_.step * u >= -overlap) continue;
       manifold.active = true;
       manifold.idle_steps = 0;
       any = true;
@@ -320,6 +306,7 @@ bool NativeWorld::activate_predicted() {
 /// back to the start of the step.
 bool NativeWorld::merge_overlapping() {
   Bodies& bodies = scene_.bodies;
+  const double overlap = least_overlap(terms_);
   std::vector<std::uint8_t> again(islands_.size(), 0);
   bool any = false;
   const auto shift = [&](std::int32_t body, const Vec3& point) -> Vec3 {
@@ -339,7 +326,7 @@ bool NativeWorld::merge_overlapping() {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double gap =
           point.gap + manifold.contact.normal.dot(shift(manifold.b, point.on_b) - shift(manifold.a, point.on_a));
-      if (gap >= -kOverlap) continue;
+      if (gap >= -overlap) continue;
       manifold.active = true;
       manifold.idle_steps = 0;
       again[of_a] = again[of_b] = 1;
@@ -386,6 +373,7 @@ double NativeWorld::step_moving() {
     counters_.solve_iterations += report.iterations;
     // In units of a whole step, also where it is halved.
     worst = std::max(worst, report.residual / whole_step_unit_);
+    met_deep_ = met_deep_ || report.met_deep;
   };
   for (const Island& island : islands_)
     if (moving_[members_[island.body_begin]] != 0) advance(island);
@@ -420,8 +408,8 @@ void NativeWorld::take_step(double step, int halvings) {
     find_islands();
     spread_motion();
   }
-  const double residual = step_moving();
   met_deep_ = false;
+  const double residual = step_moving();
   find_contacts(moving_);
   if ((!met_deep_ && residual <= kBadResidual) || halvings == kHalvings) {
     counters_.max_residual = std::max(counters_.max_residual, residual);
@@ -448,7 +436,7 @@ void NativeWorld::finish_step() {
     bool loaded = false;
     for (int i = 0; i < manifold.contact.count; ++i)
       loaded = loaded || manifold.memory[at(i)].force.dot(manifold.contact.normal) > 0.0;
-    const double nearest = nearest_gap(manifold.contact);
+    const double nearest = manifold.contact.nearest_gap();
     counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     manifold.idle_steps = loaded ? 0 : manifold.idle_steps + 1;
     if (manifold.idle_steps > kIdleSteps || (!loaded && nearest > kStartTouch)) manifold.active = false;

@@ -26,12 +26,17 @@ double step_up(double ratio) {
 }  // namespace
 
 bool Splitting::choose_resistance(double sticking, double sliding) {
+  // A point carries at most the whole island on a patch's four: what is more is a blow's impulse, not mass.
+  double heaviest = 0.0;
+  for (const SolverBody& body : bodies) heaviest += body.mass;
+  heaviest /= static_cast<double>(kLanes);
   bool changed = false;
   for (Patch& patch : patches) {
     const double unit = patch.base * load_unit;
+    const double most = heaviest / patch.base;
     for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
       const double normal = patch.impulse.row[0][i];
-      const double carried = patch.base * step_up(std::max(normal, patch.load[i]) / unit);
+      const double carried = patch.base * step_up(std::min(most, std::max(normal, patch.load[i]) / unit));
       double rn = patch.base;
       double rt = patch.base;
       if (normal > 0.0 || (begun_ && patch.load[i] > 0.0)) {

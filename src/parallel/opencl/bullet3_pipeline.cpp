@@ -10,9 +10,12 @@
 #include <Bullet3OpenCL/RigidBody/b3GpuNarrowPhaseInternalData.h>
 #include <Bullet3OpenCL/RigidBody/b3GpuRigidBodyPipeline.h>
 #include <Bullet3OpenCL/RigidBody/b3GpuRigidBodyPipelineInternalData.h>
+#include <Bullet3OpenCL/RigidBody/b3Solver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "parallel/opencl/contact_constants.hpp"
@@ -27,7 +30,9 @@ int b3OpenCLUtils_clewInit();
 using CreateProgram = cl_program(cl_context, cl_uint, const char**, const std::size_t*, cl_int*);
 using BuildProgram = cl_int(cl_program, cl_uint, const cl_device_id*, const char*, void (*)(cl_program, void*), void*);
 extern "C" CreateProgram* __clewCreateProgramWithSource;
+using GetProgramInfo = cl_int(cl_program, cl_program_info, std::size_t, void*, std::size_t*);
 extern "C" BuildProgram* __clewBuildProgram;
+extern "C" GetProgramInfo* __clewGetProgramInfo;
 // NOLINTEND(readability-identifier-naming)
 
 namespace holdfast {
@@ -44,6 +49,7 @@ constexpr std::size_t kPairsPerBody = 16;
 
 /// Bullet's sort of contacts writes up to the next multiple of 512 into a buffer for 512 Ki of them.
 constexpr std::size_t kMostContacts = 512 * 1024;
+static_assert(kPairsPerBody * kBodiesAtOnce == kMostContacts && kWorldsAtOnce == B3_SOLVER_N_CELLS);
 
 /// Vertices of a clipped face that the narrow phase keeps room for, a pair.
 constexpr std::size_t kFaceVertices = 64;
@@ -58,6 +64,7 @@ struct LibraryHooks {
   KernelPatcher* patcher = nullptr;
   CreateProgram* create_program = nullptr;
   BuildProgram* build_program = nullptr;
+  GetProgramInfo* get_program_info = nullptr;
 };
 LibraryHooks& hooks() {
   static LibraryHooks instance;
@@ -86,10 +93,19 @@ cl_int build_silently(cl_program program, cl_uint count, const cl_device_id* dev
   return hooks().build_program(program, count, devices, silent.c_str(), done, data);
 }
 
+/// A program that is built for no device: Bullet asks when it is about to leave the binary in the folder `cache`, if
+/// there is one, under a name that any other program of Bullet's takes for its own.
+cl_int hide_binaries(cl_program program, cl_program_info what, std::size_t size, void* value, std::size_t* written) {
+  const cl_int code = hooks().get_program_info(program, what, size, value, written);
+  if (what == CL_PROGRAM_NUM_DEVICES && value != nullptr) *static_cast<cl_uint*>(value) = 0;
+  return code;
+}
+
 /// Finds the pairs of each world by itself: sorted along x, swept. Their order is that of the world alone.
 class WorldBroadphase final : public b3DynamicBvhBroadphase {
  public:
-  WorldBroadphase() : b3DynamicBvhBroadphase(1) {}
+  /// @param room for pairs; where there are more, that is an error, and none are passed on
+  explicit WorldBroadphase(std::size_t room) : b3DynamicBvhBroadphase(1), room_(room) {}
 
   void set_bodies(std::span<const DeviceBody> bodies) {
     boxes_.resize(bodies.size());
@@ -99,13 +115,20 @@ class WorldBroadphase final : public b3DynamicBvhBroadphase {
   void set_ranges(std::span<const BodyRange> ranges) { ranges_ = ranges; }
 
   void setAabb(int body, const b3Vector3& low, const b3Vector3& high, b3Dispatcher*) override {
-    boxes_[static_cast<std::size_t>(body)] = {low, high};
+    // A body that is nowhere has no place in an order: it comes last and meets nothing.
+    const float far = std::numeric_limits<float>::max();
+    const bool somewhere = std::isfinite(low.x + low.y + low.z + high.x + high.y + high.z);
+    boxes_[static_cast<std::size_t>(body)] =
+        somewhere ? Box{low, high} : Box{b3MakeVector3(far, far, far), b3MakeVector3(-far, -far, -far)};
   }
   void calculateOverlappingPairs(b3Dispatcher*) override {
     b3BroadphasePairArray& pairs = cache_.getOverlappingPairArray();
     pairs.resizeNoInitialize(0);
     for (const BodyRange& range : ranges_)
-      if (range.stepping) sweep(range, pairs);
+      if (range.stepping && static_cast<std::size_t>(pairs.size()) < room_) sweep(range, pairs);
+    if (static_cast<std::size_t>(pairs.size()) < room_) return;
+    keep_error("more pairs of boxes than there is room for");
+    pairs.resizeNoInitialize(0);
   }
   b3OverlappingPairCache* getOverlappingPairCache() override { return &cache_; }
   const b3OverlappingPairCache* getOverlappingPairCache() const override { return &cache_; }
@@ -142,6 +165,7 @@ class WorldBroadphase final : public b3DynamicBvhBroadphase {
   const Box& box(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
   bool is_fixed(int body) const { return fixed_[static_cast<std::size_t>(body)]; }
 
+  std::size_t room_;
   b3HashedOverlappingPairCache cache_;
   std::vector<Box> boxes_;
   std::vector<bool> fixed_;
@@ -176,27 +200,18 @@ class Pipeline final : public Bullet3Pipeline {
   Pipeline(cl_context context, cl_device_id device, cl_command_queue queue, std::size_t body_capacity)
       : config_(config_for(body_capacity)),
         narrow_phase_(context, device, queue, config_),
+        broad_phase_(static_cast<std::size_t>(config_.m_maxBroadphasePairs)),
         pipeline_(context, device, queue, &narrow_phase_, nullptr, &broad_phase_, config_) {
     // Every force comes from our own kernel.
     const float none[3] = {0.0F, 0.0F, 0.0F};
     pipeline_.setGravity(none);
   }
 
-  void clear() override {
+  void set_shapes(std::span<const DeviceShape> shapes) override {
     narrow_phase_.reset();
     pipeline_.reset();
-  }
-
-  int add_shape(const Vec3& half_extents, const Vec3& centre) override {
-    float vertices[8][4] = {};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      for (unsigned axis = 0; axis < 3; ++axis) {
-        const double side = (corner >> axis & 1U) != 0 ? 1.0 : -1.0;
-        vertices[corner][axis] = static_cast<float>(centre[axis] + side * (half_extents[axis] + kShapeMargin));
-      }
-    }
-    const float scale[3] = {1.0F, 1.0F, 1.0F};
-    return narrow_phase_.registerConvexHullShape(&vertices[0][0], sizeof(vertices[0]), 8, scale);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (add(shapes[i]) != static_cast<int>(i)) keep_error("a shape was not taken");
   }
 
   void upload(std::span<const DeviceBody> bodies, std::span<const DeviceInertia> inertias) override {
@@ -216,10 +231,8 @@ class Pipeline final : public Bullet3Pipeline {
   void solve(std::span<const BodyRange> ranges) override {
     broad_phase_.set_ranges(ranges);
     pipeline_.stepSimulation(0.0F);
-    const auto pairs = static_cast<std::size_t>(broad_phase_.getOverlappingPairCache()->getNumOverlappingPairs());
-    const auto room = static_cast<std::size_t>(config_.m_maxBroadphasePairs);
-    if (pairs >= room) keep_error("more pairs of boxes than there is room for");
-    if (pairs > 0 && static_cast<std::size_t>(narrow_phase_.getNumContactsGpu()) >= room)
+    const bool any = broad_phase_.getOverlappingPairCache()->getNumOverlappingPairs() > 0;
+    if (any && narrow_phase_.getNumContactsGpu() >= config_.m_maxContactCapacity)
       keep_error("more contacts than there is room for");
   }
 
@@ -229,6 +242,19 @@ class Pipeline final : public Bullet3Pipeline {
   std::size_t body_capacity() const override { return static_cast<std::size_t>(config_.m_maxConvexBodies); }
 
  private:
+  int add(const DeviceShape& shape) {
+    float vertices[8][4] = {};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const double side = (corner >> axis & 1U) != 0 ? 1.0 : -1.0;
+        vertices[corner][axis] =
+            static_cast<float>(shape.centre[axis] + side * (shape.half_extents[axis] + kShapeMargin));
+      }
+    }
+    const float scale[3] = {1.0F, 1.0F, 1.0F};
+    return narrow_phase_.registerConvexHullShape(&vertices[0][0], sizeof(vertices[0]), 8, scale);
+  }
+
   b3Config config_;
   b3GpuNarrowPhase narrow_phase_;
   WorldBroadphase broad_phase_;
@@ -255,8 +281,10 @@ Result<std::unique_ptr<Bullet3Pipeline>> Bullet3Pipeline::create(cl_context cont
       return Error{.what = "Bullet cannot load libOpenCL.so.1", .value = library.error};
     library.create_program = __clewCreateProgramWithSource;
     library.build_program = __clewBuildProgram;
+    library.get_program_info = __clewGetProgramInfo;
     __clewCreateProgramWithSource = create_patched_program;
     __clewBuildProgram = build_silently;
+    __clewGetProgramInfo = hide_binaries;
   }
   KernelPatcher patcher(kernel_patches());
   library.patcher = &patcher;

@@ -21,25 +21,34 @@ struct BodyRange {
   bool stepping = false;  ///< false: no contacts are looked for
 };
 
+/// Worlds that Bullet's contact solver has a cell for. More would share cells, and the order of a world's contacts
+/// would depend on its company.
+inline constexpr std::size_t kWorldsAtOnce = 256;
+
+/// Bodies that have full room for pairs and contacts, 16 a body; where more are uploaded, they share it.
+inline constexpr std::size_t kBodiesAtOnce = 32 * 1024;
+
+/// A box of which bodies are made.
+struct DeviceShape {
+  Vec3 half_extents = Vec3::Zero();  ///< m
+  Vec3 centre = Vec3::Zero();        ///< of the box in the body's frame, m
+};
+
 /// Bullet's rigid-body pipeline on one OpenCL device, patched. All worlds stand in the same place, in their own range
 /// of bodies: pairs of two worlds are never looked for. The library keeps global state: one at a time in a process.
 class Bullet3Pipeline {
  public:
   /// Builds all of the pipeline's kernels. An error names what failed: the library, the build, or patches that do not
   /// fit because the library is of another version.
-  /// @param body_capacity most bodies of a batch
+  /// @param body_capacity most bodies that are uploaded together, and most shapes
   static Result<std::unique_ptr<Bullet3Pipeline>> create(cl_context context, cl_device_id device,
                                                          cl_command_queue queue, std::size_t body_capacity);
   virtual ~Bullet3Pipeline() = default;
 
-  /// Forgets all shapes and bodies.
-  virtual void clear() = 0;
+  /// Forgets all shapes and bodies, and takes these shapes as convex hulls; `DeviceBody::shape` is an index into them.
+  virtual void set_shapes(std::span<const DeviceShape> shapes) = 0;
 
-  /// Adds a box as a convex hull. @param centre of the box in the body's frame, m
-  /// @return its index for `DeviceBody::shape`
-  virtual int add_shape(const Vec3& half_extents, const Vec3& centre) = 0;
-
-  /// Writes all bodies to the device. No more than the capacity.
+  /// Writes bodies to the device, in place of those that are there. No more than the capacity.
   virtual void upload(std::span<const DeviceBody> bodies, std::span<const DeviceInertia> inertias) = 0;
 
   /// Finds contacts and changes velocities so that they hold; moves nothing.

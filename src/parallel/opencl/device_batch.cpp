@@ -1,8 +1,10 @@
 #include "parallel/opencl/device_batch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/contact_law.hpp"
 #include "core/container_panels.hpp"
@@ -48,7 +50,26 @@ struct Body {
   double restitution = 0.0;
 };
 
-void append(DeviceBatch& device, const Body& body, std::size_t world, int sweeps) {
+/// Numbers the shapes of a batch.
+class ShapeNumbers {
+ public:
+  explicit ShapeNumbers(std::vector<DeviceShape>& shapes) : shapes_(shapes) {}
+
+  int of(const DeviceShape& shape) {
+    const Vec3& half = shape.half_extents;
+    const Vec3& centre = shape.centre;
+    const auto [entry, is_new] = numbers_.try_emplace(
+        {half.x(), half.y(), half.z(), centre.x(), centre.y(), centre.z()}, static_cast<int>(shapes_.size()));
+    if (is_new) shapes_.push_back(shape);
+    return entry->second;
+  }
+
+ private:
+  std::vector<DeviceShape>& shapes_;
+  std::map<std::array<double, 6>, int> numbers_;
+};
+
+void append(DeviceBatch& device, ShapeNumbers& shapes, const Body& body, std::size_t world, int sweeps) {
   const bool fixed = !std::isfinite(body.mass);
   const Rotation& q = body.orientation;
   DeviceBody& out = device.bodies.emplace_back();
@@ -56,6 +77,7 @@ void append(DeviceBatch& device, const Body& body, std::size_t world, int sweeps
   out.orientation = {narrow(q.x()), narrow(q.y()), narrow(q.z()), narrow(q.w())};
   out.velocity = column_of(body.velocity);
   out.angular_velocity = column_of(body.angular_velocity);
+  out.shape = shapes.of({body.half_extents, body.shape_centre});
   out.inverse_mass = fixed ? 0.0F : narrow(1.0 / body.mass);
   out.world = static_cast<float>(world);
   out.sweeps = static_cast<float>(sweeps);
@@ -67,21 +89,20 @@ void append(DeviceBatch& device, const Body& body, std::size_t world, int sweeps
   inertia.setup[2][3] = narrow(body.friction);
 
   device.body_inertia.push_back(column_of(fixed ? Vec3(Vec3::Ones()) : body.inertia));
-  device.half_extents.push_back(body.half_extents);
-  device.shape_centre.push_back(body.shape_centre);
 }
 
 }  // namespace
 
 DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps) {
   DeviceBatch device;
+  ShapeNumbers shapes(device.shapes);
   const FrictionSides friction(settings.contact);
   const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
     const std::size_t begin = device.bodies.size();
     const std::size_t first = batch.worlds[world].box_begin;
     for (std::size_t i = first; i < first + batch.worlds[world].box_count; ++i) {
-      append(device,
+      append(device, shapes,
              {.position = batch.state.position[i],
               .orientation = batch.state.orientation[i],
               .velocity = batch.state.velocity[i],
@@ -96,7 +117,7 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
     }
     for (const Panel& panel : panels) {
       // The smaller restitution of two counts: that of the box.
-      append(device,
+      append(device, shapes,
              {.position = panel.centre,
               .half_extents = panel.half_extents,
               .friction = friction.of(panel.kind, settings.container.friction),

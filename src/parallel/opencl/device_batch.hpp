@@ -14,8 +14,7 @@ struct DeviceBatch {
   std::vector<DeviceBody> bodies;
   std::vector<DeviceInertia> inertias;
   std::vector<Float4Column> body_inertia;  ///< principal moments, body axes, kg m²
-  std::vector<Vec3> half_extents;          ///< of a body's shape, m
-  std::vector<Vec3> shape_centre;          ///< of a body's shape in the body's frame, m
+  std::vector<DeviceShape> shapes;         ///< each once, in the order of the first body of that shape
   std::vector<BodyRange> ranges;           ///< a world's bodies
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// Bytes of the device's memory a body of the capacity takes, of which faces being clipped take most (measured).
 constexpr std::uint64_t kBytesPerBody = 24 * 1024;
 
-/// Bodies that the first session has room for; a larger batch doubles it.
+/// Bodies that the first session has room for; it is doubled as often as needed.
 constexpr std::size_t kFirstCapacity = 4096;
 
 std::string build_log(cl_program program, cl_device_id device) {
@@ -42,11 +42,10 @@ Result<DeviceSession*> fit(const std::string& wanted_device, std::size_t body_co
   if (same && session->pipeline().body_capacity() >= body_count) return session.get();
   std::size_t capacity = same ? session->pipeline().body_capacity() : kFirstCapacity;
   while (capacity < body_count) capacity *= 2;
+  capacity = std::min(capacity, std::max(body_count, bodies_at_once(*device)));
   if (capacity * kBytesPerBody > device->memory) {
-    return Error{
-        .what = "the OpenCL device has too little memory for a batch of " + std::to_string(body_count) + " bodies",
-        .value = device->name,
-        .accepted = "a smaller LayoutsPerBatch in [OpenCL]"};
+    return Error{.what = "the OpenCL device has too little memory for " + std::to_string(body_count) + " bodies",
+                 .value = device->name};
   }
   session.reset();
   Result<std::unique_ptr<DeviceSession>> opened = DeviceSession::open(*device, capacity);
@@ -165,7 +164,9 @@ std::string DeviceSession::take_error() {
   return error.empty() ? reported : error;
 }
 
-std::size_t bodies_on(const OpenClDevice& device) { return static_cast<std::size_t>(device.memory / kBytesPerBody); }
+std::size_t bodies_at_once(const OpenClDevice& device) {
+  return std::min<std::size_t>(kBodiesAtOnce, device.memory / kBytesPerBody);
+}
 
 Result<OpenClDevice> SessionLease::prepare(const std::string& wanted_device) {
   shared().free.acquire();

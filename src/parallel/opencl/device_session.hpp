@@ -22,22 +22,24 @@ struct WorldStep {
 /// A device with everything that runs on it: Bullet's pipeline, our own kernels, their buffers.
 class DeviceSession {
  public:
-  /// @param body_capacity most bodies of a batch
+  /// @param body_capacity most bodies that are uploaded together, and most shapes
   static Result<std::unique_ptr<DeviceSession>> open(const OpenClDevice& device, std::size_t body_capacity);
 
   const OpenClDevice& device() const { return device_; }
   Bullet3Pipeline& pipeline() { return *pipeline_; }
 
-  /// Writes a batch to the device.
+  /// Writes bodies to the device, in place of those that are there.
+  /// @param world_count more than the number of any body's world
   /// @param body_inertia principal moments of each body, kg m²; the fourth number is not used
   void upload(std::span<const DeviceBody> bodies, std::span<const DeviceInertia> inertias,
               std::span<const Float4Column> body_inertia, std::size_t world_count);
 
-  /// Takes every world of the batch one step of its own.
-  /// @param ranges a world's bodies; those that stand still are not stepping
+  /// Takes the worlds whose bodies are on the device one step of their own.
+  /// @param worlds of the bodies, by number
+  /// @param ranges a world's bodies among those on the device; those that stand still are not stepping
   void step(std::span<const WorldStep> worlds, std::span<const BodyRange> ranges);
 
-  /// Reads all bodies.
+  /// Reads all bodies that are on the device.
   void read(std::span<DeviceBody> bodies);
 
   /// What went wrong since the last call; empty when all is well.
@@ -62,8 +64,8 @@ class DeviceSession {
   std::string error_;
 };
 
-/// How many bodies the device has memory for.
-std::size_t bodies_on(const OpenClDevice& device);
+/// How many bodies may be on the device at the same time: as many as have full room, fewer where its memory is short.
+std::size_t bodies_at_once(const OpenClDevice& device);
 
 /// The one session of the process: Bullet's pipeline keeps global state, takes seconds to build, and never gives all of
 /// its memory back. It is built once, for a device and a number of bodies, and built anew only when these do not
@@ -74,7 +76,7 @@ class SessionLease {
   static Result<OpenClDevice> prepare(const std::string& wanted_device);
 
   /// Waits until nobody else uses the session, and has it until the end of its life.
-  /// @param body_count bodies of the batch
+  /// @param body_count most bodies that are uploaded together, and most shapes
   SessionLease(const std::string& wanted_device, std::size_t body_count);
   ~SessionLease();
   SessionLease(const SessionLease&) = delete;

@@ -1,10 +1,8 @@
 #include "parallel/opencl/opencl_engine.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <limits>
-#include <map>
 
 #include "core/step_plan.hpp"
 #include "parallel/opencl/contact_constants.hpp"
@@ -18,40 +16,49 @@ namespace {
 
 constexpr double kStepsPerSecond = 240.0;
 
-/// Bodies of a layout under all of its accelerations, when batches are made to fit the device: 10 worlds of 200.
-constexpr std::size_t kBodiesPerLayout = 2000;
+/// Boxes of a layout, when the layouts of a batch are made to fit the device, which keeps all of their shapes.
+constexpr std::size_t kBoxesPerLayout = 200;
 
-/// Worlds of a batch, stepped together on the device. Holds the process's session for as long as it lives.
+/// Worlds that are on the device at the same time: a range of the batch's.
+struct Part {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  std::size_t world_count() const { return end - begin; }
+};
+
+/// Cuts the worlds, whose bodies are `ranges`, into parts of at most `most` bodies, or of one world.
+std::vector<Part> parts_of(std::span<const BodyRange> ranges, std::size_t most) {
+  std::vector<Part> parts;
+  for (std::size_t world = 0; world < ranges.size(); ++world) {
+    const bool fits = !parts.empty() && parts.back().world_count() < kWorldsAtOnce &&
+                      ranges[world].end - ranges[parts.back().begin].begin <= most;
+    if (!fits) parts.push_back({world, world});
+    parts.back().end = world + 1;
+  }
+  return parts;
+}
+
+/// Worlds of a batch, stepped together on the device, in parts where they are more than fit. Holds the process's
+/// session for as long as it lives.
 class OpenClSimulation final : public Simulation {
  public:
-  OpenClSimulation(const WorldBatch& batch, const Settings& settings)
+  OpenClSimulation(const WorldBatch& batch, const Settings& settings, std::size_t bodies_at_once)
       : batch_(batch),
         gravity_(0.0, 0.0, -settings.gravity),
         steps_per_second_(settings.steps_per_second.value_or(kStepsPerSecond)),
         device_(make_device_batch(batch, settings, (settings.opencl.iterations + kOuterSweeps - 1) / kOuterSweeps)),
         start_(device_.bodies),
         start_position_(batch.state.position),
-        lease_(settings.opencl.device, device_.bodies.size()),
+        parts_(parts_of(device_.ranges, bodies_at_once)),
+        lease_(settings.opencl.device, room_needed()),
         worlds_(batch.worlds.size()),
         steps_(batch.worlds.size()) {
     sweeps_ = std::uint64_t{kOuterSweeps} * static_cast<std::uint64_t>(device_.bodies.front().sweeps);
-    if (lease_.session() == nullptr) {
-      lost_ = true;
-      return;
-    }
-    Bullet3Pipeline& pipeline = lease_.session()->pipeline();
-    pipeline.clear();
-    std::map<std::array<double, 6>, int> shapes;
-    for (std::size_t i = 0; i < device_.bodies.size(); ++i) {
-      const Vec3& half = device_.half_extents[i];
-      const Vec3& centre = device_.shape_centre[i];
-      const auto [entry, is_new] =
-          shapes.try_emplace({half.x(), half.y(), half.z(), centre.x(), centre.y(), centre.z()}, 0);
-      if (is_new) entry->second = pipeline.add_shape(half, centre);
-      device_.bodies[i].shape = entry->second;
-    }
-    lease_.session()->upload(device_.bodies, device_.inertias, device_.body_inertia, batch.worlds.size());
-    lost_ = !lease_.session()->take_error().empty();
+    DeviceSession* session = lease_.session();
+    if (session != nullptr) session->pipeline().set_shapes(device_.shapes);
+    const bool ready = session != nullptr && session->take_error().empty();
+    for (ClockedWorld& world : worlds_) world.lost = !ready;
   }
 
   double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) override {
@@ -68,18 +75,18 @@ class OpenClSimulation final : public Simulation {
     for (const Stride& stride : strides) {
       ClockedWorld& world = worlds_[stride.world];
       if (!world.begun || stride.phase.begin != world.phase_begin)
-        world = {.begun = true, .phase_begin = stride.phase.begin, .step = 0, .counters = world.counters};
+        world = {true, world.lost, stride.phase.begin, 0, world.counters};
       const StepPlan plan(stride.phase, steps_per_second_);
       count = std::min(count, steps_to_stop(plan, world.step, stride.watch));
       const Vec3 field = gravity_ - stride.phase.acceleration;
       steps_[stride.world].field_and_step = {static_cast<float>(field.x()), static_cast<float>(field.y()),
                                              static_cast<float>(field.z()), static_cast<float>(plan.step())};
-      device_.ranges[stride.world].stepping = true;
+      device_.ranges[stride.world].stepping = !world.lost;
     }
 
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = processor_seconds();
-    if (!lost_) take_steps(count);
+    take_steps(count);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     const double waited = std::max(0.0, wall.count() - (processor_seconds() - cpu_begin));
 
@@ -109,11 +116,12 @@ class OpenClSimulation final : public Simulation {
   }
 
   Counters counters(std::size_t world) const override { return worlds_[world].counters; }
-  Status status(std::size_t /*world*/) const override { return lost_ ? Status::capacity : Status::ok; }
+  Status status(std::size_t world) const override { return worlds_[world].lost ? Status::capacity : Status::ok; }
 
  private:
   struct ClockedWorld {
     bool begun = false;
+    bool lost = false;         ///< the device has no room for it, or failed
     double phase_begin = 0.0;  ///< of the phase that the world is in, s
     std::uint64_t step = 0;    ///< steps taken in that phase
     Counters counters;
@@ -130,27 +138,81 @@ class OpenClSimulation final : public Simulation {
     return count;
   }
 
+  /// Bodies of the largest part, or shapes if there are more.
+  std::size_t room_needed() const {
+    std::size_t room = device_.shapes.size();
+    for (const Part& part : parts_) room = std::max(room, bodies_of(part).end - bodies_of(part).begin);
+    return room;
+  }
+
+  BodyRange bodies_of(const Part& part) const {
+    return {device_.ranges[part.begin].begin, device_.ranges[part.end - 1].end};
+  }
+
+  /// Takes all worlds `count` steps. A part that overflows the device is halved, and goes again from where it was.
   void take_steps(std::uint64_t count) {
-    DeviceSession& session = *lease_.session();
-    for (std::uint64_t i = 0; i < count && !lost_; ++i) {
-      session.step(steps_, device_.ranges);
-      lost_ = !session.take_error().empty();
+    for (std::size_t i = 0; i < parts_.size();) {
+      const Part part = parts_[i];
+      if (step_part(part, count)) {
+        ++i;
+      } else if (part.world_count() > 1) {
+        parts_[i].end = part.begin + part.world_count() / 2;
+        parts_.insert(parts_.begin() + static_cast<std::ptrdiff_t>(i) + 1, {parts_[i].end, part.end});
+      } else {
+        worlds_[part.begin].lost = true;
+        ++i;
+      }
     }
-    session.read(device_.bodies);
-    lost_ = lost_ || !session.take_error().empty();
+  }
+
+  /// False, and nothing has changed, when the device reports or loses anything.
+  bool step_part(const Part& part, std::uint64_t count) {
+    std::vector<BodyRange> ranges;
+    const BodyRange all = bodies_of(part);
+    bool stepping = false;
+    for (std::size_t world = part.begin; world < part.end; ++world) {
+      const BodyRange& range = device_.ranges[world];
+      ranges.push_back({range.begin - all.begin, range.end - all.begin, range.stepping});
+      stepping = stepping || range.stepping;
+    }
+    if (!stepping) return true;
+
+    DeviceSession& session = *lease_.session();
+    const std::span bodies = std::span(device_.bodies).subspan(all.begin, all.end - all.begin);
+    if (on_device_.begin != part.begin || on_device_.end != part.end) {
+      session.upload(bodies, std::span(device_.inertias).subspan(all.begin, bodies.size()),
+                     std::span(device_.body_inertia).subspan(all.begin, bodies.size()), worlds_.size());
+      on_device_ = part;
+    }
+    bool well = session.take_error().empty();
+    for (std::uint64_t i = 0; i < count && well; ++i) {
+      session.step(steps_, ranges);
+      well = session.take_error().empty();
+    }
+    after_.resize(bodies.size());
+    if (well) session.read(after_);
+    well = well && session.take_error().empty();
+    if (well) {
+      std::copy(after_.begin(), after_.end(), bodies.begin());
+    } else {
+      on_device_ = {};
+    }
+    return well;
   }
 
   const WorldBatch& batch_;
   Vec3 gravity_;
   double steps_per_second_;
   std::uint64_t sweeps_ = 0;
-  DeviceBatch device_;
+  DeviceBatch device_;                ///< bodies as they were when last read
   std::vector<DeviceBody> start_;     ///< as the device rounded it
   std::vector<Vec3> start_position_;  ///< as given, m
+  std::vector<Part> parts_;           ///< which take turns on the device
   SessionLease lease_;
   std::vector<ClockedWorld> worlds_;
   std::vector<WorldStep> steps_;
-  bool lost_ = false;
+  Part on_device_;
+  std::vector<DeviceBody> after_;  ///< a part as it is read
 };
 
 std::vector<Error> unsupported(const Settings& settings) {
@@ -165,9 +227,9 @@ std::vector<Error> unsupported(const Settings& settings) {
 }  // namespace
 
 OpenClEngine::OpenClEngine(const std::string& name, const Settings& settings, const OpenClDevice& device)
-    : settings_(settings) {
+    : settings_(settings), bodies_at_once_(bodies_at_once(device)) {
   traits_.name = name;
-  const std::size_t fitting = std::max<std::size_t>(1, bodies_on(device) / kBodiesPerLayout);
+  const std::size_t fitting = std::max<std::size_t>(1, bodies_at_once_ / kBoxesPerLayout);
   traits_.layouts_per_unit = std::min(static_cast<std::size_t>(settings.opencl.layouts_per_batch), fitting);
   traits_.all_together = true;
 }
@@ -181,7 +243,7 @@ Result<std::unique_ptr<Engine>> OpenClEngine::make(const std::string& name, cons
 }
 
 std::unique_ptr<Simulation> OpenClEngine::build(const WorldBatch& batch) const {
-  return std::make_unique<OpenClSimulation>(batch, settings_);
+  return std::make_unique<OpenClSimulation>(batch, settings_, bodies_at_once_);
 }
 
 }  // namespace holdfast

@@ -26,6 +26,7 @@ class OpenClEngine final : public Engine {
 
   EngineTraits traits_;
   Settings settings_;
+  std::size_t bodies_at_once_;
 };
 
 }  // namespace holdfast

@@ -217,6 +217,36 @@ TEST_CASE("native_engine: boxes that approach across their edges do not pass int
   }
 }
 
+// Expected: the impact keeps the moment of momentum about the point at the kerb's height above the edge that slides on,
+// K w = v (h/2 - k) with K = l^2/4 + (h/2 - k)^2 + (l^2 + h^2)/12; the box falls over when K w^2 / 2 lifts its centre
+// above that edge.
+TEST_CASE("native_engine: a kerb throws over what is fast enough, and nothing slower", "[core][native_engine]") {
+  const double kerb = 0.2, length = 0.5, height = 1.0, gap = 0.1037;
+  const double lever = 0.5 * height - kerb;
+  const double inertia = 0.25 * length * length + lever * lever + (length * length + height * height) / 12.0;
+  const double lift = 0.5 * std::hypot(length, height) - 0.5 * height;
+  const double critical = std::sqrt(2.0 * kGravity * lift * inertia) / lever;
+  const Layout layout =
+      layout_of({box({4 - gap - length, 3.75, 0}, {length, 0.5, height}), box({4, 3, 0}, {1, 2, kerb})});
+  for (const Accuracy accuracy : {Accuracy::standard, Accuracy::reference}) {
+    for (const double share : {0.8, 0.95, 0.99, 1.01, 1.05}) {
+      const Settings settings = with(accuracy, open_floor(0.0));
+      double tilt = 0.0;
+      watch(
+          NativeEngine(settings), layout, constant(0, 0.8), settings,
+          [&](WorldBatch& batch) {
+            fix(batch, 1);
+            batch.state.velocity[0].x() = share * critical;
+          },
+          [&](const WorldBatch& batch, const Phase&) {
+            tilt = std::max(tilt, 2.0 * std::asin(std::min(1.0, Vec3(batch.state.orientation[0].vec()).norm())));
+          });
+      CAPTURE(static_cast<int>(accuracy), share, tilt);
+      CHECK((tilt > std::atan2(length, height) + 0.1) == (share > 1.0));
+    }
+  }
+}
+
 // Expected: an oblique elastic impact does not depend on the step.
 TEST_CASE("native_engine: an oblique elastic impact is the same at every accuracy", "[.][core][native_engine]") {
   Settings settings = open_floor(0.0);
