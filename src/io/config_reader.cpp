@@ -127,7 +127,7 @@ class ConfigReader {
     const std::vector<std::string_view> sections = setting_sections();
     for (const std::string_view known : sections)
       if (known == name) section_ = {std::string(name), known, 0};
-    if (section_->table.empty())
+    if (section_->table.empty() && !counted_only())
       add_error(column_of(line), "unknown section", shown(in_brackets(name)), suggestion(name, sections, true));
   }
 
@@ -168,6 +168,7 @@ class ConfigReader {
   }
 
   void add_unknown_key(long column, const std::string& name) {
+    if (counted_only()) return;
     std::vector<std::string_view> names;
     std::string accepted;
     for (const SettingKey& key : setting_table()) {
@@ -200,6 +201,13 @@ class ConfigReader {
         add_warning(found->second,
                     key.second + " has no effect while FrictionModel is " + (pairs ? "pairs" : "product"), "");
     if (given_.empty()) add_warning({}, "sets no key, all defaults hold", "");
+  }
+
+  /// Whether an error is only counted because there are so many: looking for what was meant would cost time for
+  /// nothing.
+  bool counted_only() {
+    if (errors_.full()) errors_.count_more();
+    return errors_.full();
   }
 
   /// Column of a part of the current line.

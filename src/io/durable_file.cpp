@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "io/hdf5_file.hpp"
 
@@ -17,17 +18,6 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const char* what) {
   throw h5::Failure(Error{.file = path, .what = what, .value = std::strerror(errno)});
 }
-
-/// Owner of a file descriptor.
-struct Descriptor {
-  int number = -1;
-  explicit Descriptor(int opened) : number(opened) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
 
 void write_all(int descriptor, std::span<const std::byte> bytes, const std::string& path) {
   while (!bytes.empty()) {
@@ -44,6 +34,27 @@ void sync_file(const std::string& path, int flags) {
 }
 
 }  // namespace
+
+Descriptor::~Descriptor() {
+  if (number >= 0) ::close(number);
+}
+
+BytesOfFile::BytesOfFile(std::string path)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (file_.number < 0) fail(path_, "cannot be opened");
+}
+
+std::vector<std::byte> BytesOfFile::read(std::uint64_t begin, std::uint64_t count) const {
+  std::vector<std::byte> bytes(count);
+  for (std::uint64_t done = 0; done < count;) {
+    const ssize_t some = ::pread(file_.number, bytes.data() + done, count - done, static_cast<off_t>(begin + done));
+    if (some < 0 && errno == EINTR) continue;
+    if (some < 0) fail(path_, "cannot be read");
+    if (some == 0) throw h5::Failure(Error{.file = path_, .what = "lacks a part of its data"});
+    done += static_cast<std::uint64_t>(some);
+  }
+  return bytes;
+}
 
 void commit_temporary(const std::string& path) {
   const std::string temporary = temporary_name(path);

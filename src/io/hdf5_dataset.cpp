@@ -54,16 +54,17 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
   dataset.length_ = length;
   dataset.number_bytes_ = spec.type == ElementType::text ? std::max<std::size_t>(text_size, 1) : size_of(spec.type);
   const std::uint64_t most = std::max<std::uint64_t>(kTableChunkBytes / dataset.entry_bytes(), 1);
-  dataset.chunk_entries_ = is_series(spec) ? kChunkEntries : std::clamp<std::uint64_t>(length, 1, most);
+  dataset.chunk_entries_ =
+      is_long(spec) ? holdfast::chunk_entries(spec.axis) : std::clamp<std::uint64_t>(length, 1, most);
 
   const int rank = spec.width == 1 ? 1 : 2;
   const std::array<hsize_t, 2> extent = {length, spec.width};
-  // A series may end inside its chunk, and a part does not know its length before; only an open end allows both.
-  const std::array<hsize_t, 2> limit = {is_series(spec) ? H5S_UNLIMITED : length, spec.width};
+  // A long one may end inside its chunk, and a part does not know its length before; only an open end allows both.
+  const std::array<hsize_t, 2> limit = {is_long(spec) ? H5S_UNLIMITED : length, spec.width};
   const std::array<hsize_t, 2> chunk = {dataset.chunk_entries_, spec.width};
   const Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  if (length > 0 || is_series(spec)) {
+  if (length > 0 || is_long(spec)) {
     H5Pset_chunk(creation, rank, chunk.data());
     if (dataset.number_bytes_ > 1) H5Pset_shuffle(creation);
     H5Pset_deflate(creation, 1);
@@ -106,7 +107,6 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
   const std::uint64_t most_entries = H5Dget_storage_size(dataset.id_) * kMostInflation / dataset.entry_bytes();
   if (dataset.length_ > most_entries || dataset.number_bytes_ > kMostTextBytes)
     dataset.fail("has a dataset that is larger than what it holds");
-  if (is_series(spec) && chunk[0] != kChunkEntries) dataset.fail("has a dataset of another chunk size than it should");
   return dataset;
 }
 
@@ -137,15 +137,17 @@ void Dataset::write_chunk(std::uint64_t index, std::span<const std::byte> bytes)
   file_->check_disk("cannot be written (" + std::string(spec_->path) + ")");
 }
 
-std::vector<std::byte> Dataset::read_chunk(std::uint64_t index) const {
+ChunkPlace Dataset::chunk_place(std::uint64_t index) const {
+  if (chunk_entries_ != holdfast::chunk_entries(spec_->axis))
+    fail("has a dataset of another chunk size than it should");
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
+  unsigned filter_mask = 0;
+  haddr_t begin = HADDR_UNDEF;
   hsize_t size = 0;
-  if (H5Dget_chunk_storage_size(id_, at.data(), &size) < 0 || size == 0) fail("lacks a part of its data");
-  std::vector<std::byte> bytes(size);
-  std::uint32_t filter_mask = 0;
-  if (H5Dread_chunk(id_, H5P_DEFAULT, at.data(), &filter_mask, bytes.data()) < 0 || filter_mask != 0)
-    fail("cannot be read");
-  return bytes;
+  if (H5Dget_chunk_info_by_coord(id_, at.data(), &filter_mask, &begin, &size) < 0 || begin == HADDR_UNDEF)
+    fail("lacks a part of its data");
+  if (filter_mask != 0 || size > 2 * chunk_entries_ * entry_bytes()) fail("has a chunk that is not as it was written");
+  return {begin, size};
 }
 
 }  // namespace holdfast::h5

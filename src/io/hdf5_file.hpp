@@ -131,6 +131,12 @@ double read_number_attribute(const File& file, const std::string& object, const 
 /// A single text as a dataset, for texts that are pages long.
 void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description);
 
+/// Where the compressed bytes of a chunk are in their file.
+struct ChunkPlace {
+  std::uint64_t begin = 0;
+  std::uint64_t bytes = 0;
+};
+
 /// An open dataset of the schema. Its file must outlive it.
 class Dataset {
  public:
@@ -149,11 +155,12 @@ class Dataset {
 
   /// Entries [begin, begin + count), as they are stored.
   std::vector<std::byte> read(std::uint64_t begin, std::uint64_t count) const;
-  /// Lengthens a series dataset; never shorter.
+  /// Lengthens a long dataset; never shorter.
   void extend(std::uint64_t length);
   /// Compressed bytes of a whole chunk.
   void write_chunk(std::uint64_t index, std::span<const std::byte> bytes);
-  std::vector<std::byte> read_chunk(std::uint64_t index) const;
+  /// Where a chunk of a long dataset is; fails when it is not as `write_chunk` wrote it.
+  ChunkPlace chunk_place(std::uint64_t index) const;
 
  private:
   Dataset(const File& file, const DatasetSpec& spec) : file_(&file), spec_(&spec) {}

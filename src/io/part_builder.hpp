@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results_columns.hpp"
+#include "io/chunk_grid.hpp"
 #include "io/results_part.hpp"
 #include "io/results_writer.hpp"
 
@@ -16,33 +16,33 @@ namespace holdfast {
 class PartBuilder {
  public:
   /// @param begin entries of the run before this part, an axis each
-  PartBuilder(const std::string& path, const RunDescription& run, const AxisCounts& begin);
+  /// @param tail those of them in the incomplete chunks, which the part repeats
+  PartBuilder(const std::string& path, const RunDescription& run, const AxisCounts& begin, LongEntries tail);
 
   void add(PackedUnit&& unit);
 
   std::size_t world_count() const { return columns_.columns()[dataset_index("/worlds/layout")].count(); }
-  /// Bytes of compressed series so far.
+  /// Bytes of full chunks so far.
   std::size_t bytes() const { return bytes_; }
   std::chrono::steady_clock::time_point opened() const { return opened_; }
 
-  /// Writes the part to disk. Afterwards only `end` may be called.
+  /// Writes the part to disk. Afterwards only `end` and `tail` may be called.
   void close();
 
-  /// Entries of the run up to the end of this part.
+  /// Entries of the run up to the end of this part, and those of them in the incomplete chunks.
   const AxisCounts& end() const { return end_; }
+  const LongEntries& tail() const { return tail_; }
 
  private:
-  void append_world(const WorldRecord& world, std::uint64_t sample_count);
   void write_tail();
 
   std::string path_;
-  std::string engine_;
   h5::File file_;
-  AxisCounts begin_;  ///< those of the series at a chunk's start
+  AxisCounts begin_;  ///< those of the long datasets at a chunk's start
   AxisCounts end_;
-  ColumnSet columns_;
-  std::vector<h5::Dataset> series_;
-  std::array<std::vector<std::byte>, kSeriesColumns> tail_;  ///< raw, after the last full chunk
+  ColumnSet columns_;                 ///< the short ones
+  std::vector<h5::Dataset> chunked_;  ///< the long datasets
+  LongEntries tail_;
   std::size_t bytes_ = 0;
   std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
 };

@@ -9,7 +9,6 @@
 #include "io/results_columns.hpp"
 #include "io/results_inputs.hpp"
 #include "io/results_part.hpp"
-#include "io/summary_tables.hpp"
 #include "io/table_writer.hpp"
 
 namespace holdfast {
@@ -25,16 +24,12 @@ class Parts {
   const std::vector<PartRange>& ranges() const { return ranges_; }
   AxisCounts end() const { return ranges_.empty() ? AxisCounts{} : ranges_.back().end; }
 
-  /// Opens one; fails when the user wants no more.
-  h5::File open(std::size_t part) const {
-    check_stop();
-    return h5::File::open(part_path(path_, part + 1));
-  }
-
-  /// Fails when the user wants no more.
-  void check_stop() const {
+  /// Path of one that is to be read now; fails when the user wants no more.
+  std::string path(std::size_t part) const {
     if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
+    return part_path(path_, part + 1);
   }
+  h5::File open(std::size_t part) const { return h5::File::open(path(part)); }
 
   /// Removes them from the disk.
   void remove() const { remove_parts(path_); }
@@ -44,13 +39,6 @@ class Parts {
   std::vector<PartRange> ranges_;
   const std::atomic<bool>* stop_;
 };
-
-/// Makes indices that count from the part's first entry count from the run's.
-void shift_indices(std::vector<std::byte>& stored, std::uint64_t begin) {
-  std::vector<std::uint64_t> indices = values_of<std::uint64_t>(stored);
-  for (std::uint64_t& index : indices) index += begin;
-  if (!indices.empty()) std::memcpy(stored.data(), indices.data(), stored.size());
-}
 
 /// Texts padded to `from` bytes each, padded to `to` instead.
 std::vector<std::byte> repad(std::span<const std::byte> stored, std::size_t from, std::size_t to) {
@@ -70,9 +58,7 @@ Piece read_piece(const h5::File& source, const DatasetSpec& spec, const PartRang
   const h5::Dataset dataset = h5::Dataset::open(source, spec);
   if (dataset.length() != at(range.end, spec.axis) - at(range.begin, spec.axis))
     source.fail("has a column of another length than its table (" + std::string(spec.path) + ")");
-  Piece piece{dataset.read(0, dataset.length()), dataset.number_bytes()};
-  if (spec.refers_to != spec.axis) shift_indices(piece.stored, at(range.begin, spec.refers_to));
-  return piece;
+  return {dataset.read(0, dataset.length()), dataset.number_bytes()};
 }
 
 void write_pieces(const h5::File& file, const DatasetSpec& spec, std::uint64_t length,
@@ -86,7 +72,10 @@ void write_pieces(const h5::File& file, const DatasetSpec& spec, std::uint64_t l
   writer.finish();
 }
 
-/// Table columns to be read together and written one after the other: finding a column in a file takes longer than
+/// The same for all parts, and in none of them but in the description of the run.
+bool is_of_run(const DatasetSpec& spec) { return spec.axis == Axis::accelerations || spec.axis == Axis::segments; }
+
+/// Short columns to be read together and written one after the other: finding a column in a file takes longer than
 /// reading a small one, and there may be thousands of parts.
 class TableGroup {
  public:
@@ -103,7 +92,7 @@ class TableGroup {
 
   void assemble(const h5::File& file, const Parts& parts) const {
     std::vector<std::vector<Piece>> columns(specs_.size());
-    for (std::size_t part = 0; part < parts.ranges().size() && !specs_.empty(); ++part) {
+    for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
       const h5::File source = parts.open(part);
       for (std::size_t i = 0; i < specs_.size(); ++i)
         columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
@@ -117,48 +106,62 @@ class TableGroup {
   std::uint64_t bytes_ = 0;
 };
 
-/// Copies compressed chunks as they are. The chunk at a cut is in both parts; the later one has all of it.
-void assemble_series(const h5::File& file, const DatasetSpec& spec, const Parts& parts) {
+/// Where the chunks of the long datasets are in the parts: by dataset, then by part. 16 bytes a chunk.
+using ChunkPlaces = std::array<std::vector<std::vector<h5::ChunkPlace>>, kLongDatasets>;
+
+/// The chunk at a cut is in both parts; the later one has all of it.
+ChunkPlaces find_chunks(const Parts& parts) {
+  ChunkPlaces places;
   const auto& ranges = parts.ranges();
-  h5::Dataset target = h5::Dataset::create(file, spec, at(parts.end(), spec.axis), 1);
   for (std::size_t part = 0; part < ranges.size(); ++part) {
-    const std::uint64_t begin = at(ranges[part].begin, spec.axis) / kChunkEntries;
-    const std::uint64_t end = part + 1 < ranges.size()
-                                  ? at(ranges[part + 1].begin, spec.axis) / kChunkEntries
-                                  : (at(ranges[part].end, spec.axis) + kChunkEntries - 1) / kChunkEntries;
-    if (begin == end) continue;
     const h5::File source = parts.open(part);
-    const h5::Dataset dataset = h5::Dataset::open(source, spec);
-    for (std::uint64_t chunk = begin; chunk < end; ++chunk) {
-      parts.check_stop();
-      target.write_chunk(chunk, dataset.read_chunk(chunk - begin));
+    for (std::size_t column = 0; column < kLongDatasets; ++column) {
+      const DatasetSpec& spec = kSchema[long_datasets()[column]];
+      const std::uint64_t entries = chunk_entries(spec.axis);
+      const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
+      const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
+                                                         : (at(ranges[part].end, spec.axis) + entries - 1) / entries;
+      std::vector<h5::ChunkPlace>& found = places[column].emplace_back();
+      if (begin == end) continue;
+      const h5::Dataset dataset = h5::Dataset::open(source, spec);
+      for (std::uint64_t chunk = begin; chunk < end; ++chunk) found.push_back(dataset.chunk_place(chunk - begin));
     }
+  }
+  return places;
+}
+
+/// Copies compressed chunks as they are.
+void copy_chunks(const h5::File& file, const DatasetSpec& spec, const Parts& parts,
+                 const std::vector<std::vector<h5::ChunkPlace>>& places) {
+  h5::Dataset target = h5::Dataset::create(file, spec, at(parts.end(), spec.axis), 1);
+  std::uint64_t chunk = 0;
+  for (std::size_t part = 0; part < places.size(); ++part) {
+    if (places[part].empty()) continue;
+    const BytesOfFile source(parts.path(part));
+    for (const h5::ChunkPlace& place : places[part]) target.write_chunk(chunk++, source.read(place.begin, place.bytes));
   }
 }
 
-void assemble_recorded(const h5::File& file, const RunDescription& run, const Parts& parts) {
+void assemble_tables(const h5::File& file, const Parts& parts) {
+  TableGroup tables;
+  for (const DatasetSpec& spec : kSchema) {
+    if (is_long(spec) || is_of_run(spec) || tables.take(spec, parts)) continue;
+    std::exchange(tables, {}).assemble(file, parts);
+    tables.take(spec, parts);
+  }
+  tables.assemble(file, parts);
+}
+
+/// The file's bytes go by the order in which its datasets are written, wherever its parts were cut.
+void assemble_datasets(const h5::File& file, const RunDescription& run, const Parts& parts) {
   ColumnSet of_run;
   append_accelerations(of_run, run.accelerations);
-  TableGroup tables;
-  const auto assemble_tables = [&] { std::exchange(tables, {}).assemble(file, parts); };
-  for (const DatasetSpec& spec : kSchema) {
-    if (spec.origin == Origin::derived) continue;
-    const bool is_of_run = spec.axis == Axis::accelerations || spec.axis == Axis::segments;
-    if (!is_of_run && !is_series(spec)) {
-      if (tables.take(spec, parts)) continue;
-      assemble_tables();
-      tables.take(spec, parts);
-      continue;
-    }
-    // The file's bytes go by the order of the schema, wherever its parts were cut.
-    assemble_tables();
-    if (is_of_run) {
-      write_column(file, of_run[spec.path]);
-    } else {
-      assemble_series(file, spec, parts);
-    }
-  }
-  assemble_tables();
+  for (const Column& column : of_run.columns())
+    if (is_of_run(column.spec())) write_column(file, column);
+  assemble_tables(file, parts);
+  const ChunkPlaces places = find_chunks(parts);
+  for (std::size_t column = 0; column < kLongDatasets; ++column)
+    copy_chunks(file, kSchema[long_datasets()[column]], parts, places[column]);
 }
 
 void check_whole(const std::string& path, const RunDescription& run, const Parts& parts) {
@@ -174,12 +177,7 @@ void check_whole(const std::string& path, const RunDescription& run, const Parts
 void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
   write_run(file, run);
   write_range_begin(file, AxisCounts{});
-  assemble_recorded(file, run, parts);
-  {
-    Result<ResultsReader> results = ResultsReader::attach(file);
-    if (!results) throw h5::Failure(results.error());
-    write_summary_tables(file, *results, run.thresholds);
-  }
+  assemble_datasets(file, run, parts);
   // Last, so that a file has it only when all the rest is there.
   h5::write_attribute(file, "/", "complete", std::uint64_t{1});
   file.close();

@@ -9,9 +9,9 @@
 
 namespace holdfast {
 
-/// Makes the results file `path` of the finished parts under `<path>.parts/`, derives its summary, and removes
-/// the parts. The file appears under its name when all of it is safe on disk; on an error the parts stay.
-/// The same worlds give the same bytes wherever the parts were cut.
+/// Makes the results file `path` of the finished parts under `<path>.parts/`, and removes the parts. The file appears
+/// under its name when all of it is safe on disk; on an error the parts stay. The same worlds give the same bytes
+/// wherever the parts were cut.
 /// @param stop looked at now and then, if given; when set, all is left as it was, with an error
 std::optional<Error> assemble(const std::string& path, const RunDescription& run,
                               const std::atomic<bool>* stop = nullptr);

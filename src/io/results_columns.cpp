@@ -1,8 +1,22 @@
 #include "io/results_columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace holdfast {
+
+void Column::append(const Column& other) {
+  assert(spec_ == other.spec_);
+  bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
+  texts_.insert(texts_.end(), other.texts_.begin(), other.texts_.end());
+  count_ += other.count_;
+}
+
+std::vector<std::byte> Column::take() {
+  assert(spec_->type != ElementType::text);
+  count_ = 0;
+  return std::exchange(bytes_, {});
+}
 
 std::size_t Column::text_size() const {
   std::size_t size = 1;
@@ -23,6 +37,10 @@ std::vector<std::byte> Column::stored(std::size_t text_size) const {
 
 ColumnSet::ColumnSet() {
   for (const DatasetSpec& spec : kSchema) columns_.emplace_back(spec);
+}
+
+void ColumnSet::append(const ColumnSet& other) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i].append(other.columns_[i]);
 }
 
 std::vector<std::string> texts_of(std::span<const std::byte> stored, std::size_t text_size) {

@@ -127,6 +127,11 @@ class Column {
     ++count_;
   }
 
+  /// Adds the entries of another column of the dataset.
+  void append(const Column& other);
+  /// Takes all entries out, as they are stored; not of a text.
+  std::vector<std::byte> take();
+
   const DatasetSpec& spec() const { return *spec_; }
   std::uint64_t count() const { return count_; }
   /// Bytes that the longest text takes; at least 1.
@@ -141,12 +146,14 @@ class Column {
   std::vector<std::string> texts_;
 };
 
-/// A column for every dataset of the schema; those of the series stay empty.
+/// A column for every dataset of the schema.
 class ColumnSet {
  public:
   ColumnSet();
   Column& operator[](std::string_view path) { return columns_[dataset_index(path)]; }
   const std::vector<Column>& columns() const { return columns_; }
+  /// Adds the entries of another set.
+  void append(const ColumnSet& other);
 
  private:
   std::vector<Column> columns_;

@@ -52,11 +52,11 @@ void append_accelerations(ColumnSet& columns, const std::vector<Motion>& acceler
   }
 }
 
-void append_layout(ColumnSet& columns, const Layout& layout) {
+void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_begin) {
   columns["/inputs/layouts/name"].append(layout.name);
   columns["/inputs/layouts/sha256"].append(layout.sha256);
   columns["/inputs/layouts/header"].append(layout.header);
-  columns["/inputs/layouts/box_begin"].append(columns["/inputs/layouts/material"].count());
+  columns["/inputs/layouts/box_begin"].append(box_begin);
   columns["/inputs/layouts/box_count"].append(static_cast<std::uint32_t>(layout.boxes.size()));
   for (const Box& box : layout.boxes) {
     columns["/inputs/layouts/corner_min"].append(box.corner_min);

@@ -20,6 +20,7 @@ Thresholds read_thresholds(const h5::File& file);
 void append_accelerations(ColumnSet& columns, const std::vector<Motion>& accelerations);
 
 /// Adds a layout to /inputs/layouts.
-void append_layout(ColumnSet& columns, const Layout& layout);
+/// @param box_begin index of its first box in the run
+void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_begin);
 
 }  // namespace holdfast

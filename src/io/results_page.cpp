@@ -94,10 +94,12 @@ if config, settings, engine, layouts
 and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor
 seconds aside).
 
-A part is a results file without summary tables: `box_begin`, `sample_begin`, `row_begin` and `/boxes/world` count
-from the part's own first entries, while `/worlds/layout` is the index in the run: subtract `layouts_begin`. A layout
-is described in the part that holds its first world. The series of a part begin at a multiple of 16384 entries and
-may so repeat the end of the part before.
+A part is a results file of its worlds, with their summary. All its indices count in the run: `box_begin`, `sample_begin`
+and `row_begin` are rows of the part's datasets after subtracting the attributes `boxes_begin`, `samples_begin` and
+`rows_begin`, `/worlds/layout` after subtracting `layouts_begin`. A layout is described in the part that holds its first world.
+What is long is cut into the same chunks in parts and file, so that putting them together copies them packed as they are:
+the series of a part begin at a multiple of 16384 entries, its boxes and those of its layouts at a multiple of 4096, and may
+so repeat the end of the part before.
 
 ## Datasets
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,11 +9,6 @@
 
 /// Part files: where they are and what range of the run they hold. For src/io only; throws `h5::Failure`.
 namespace holdfast {
-
-/// A number an axis.
-using AxisCounts = std::array<std::uint64_t, kAxisCount>;
-inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
-inline std::uint64_t at(const AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
 
 /// What of a run a file holds. Accelerations are whole in every part.
 struct PartRange {
@@ -36,13 +30,11 @@ void remove_parts(const std::string& results_path);
 void remove_temporaries(const std::string& results_path);
 
 void write_range_begin(const h5::File& file, const AxisCounts& begin);
+AxisCounts read_range_begin(const h5::File& file);
 PartRange read_range(const h5::File& file);
 
 /// Ranges of all finished parts. A failure when a part is missing, damaged, does not follow on the one before, or
 /// belongs to a run of another fingerprint (it says what differs).
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint);
-
-/// Start of the chunk that an entry of a series lies in.
-inline std::uint64_t chunk_begin(std::uint64_t entry) { return entry / kChunkEntries * kChunkEntries; }
 
 }  // namespace holdfast

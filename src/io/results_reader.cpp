@@ -8,6 +8,7 @@
 #include "io/hdf5_file.hpp"
 #include "io/results_columns.hpp"
 #include "io/results_inputs.hpp"
+#include "io/results_part.hpp"
 
 namespace holdfast {
 
@@ -42,6 +43,7 @@ struct ResultsReader::State {
   std::unique_ptr<h5::File> owned;  ///< absent when attached
   const h5::File* file = nullptr;
   ResultsInfo info;
+  AxisCounts before{};                               ///< entries of the run before those of the file
   std::map<std::string_view, h5::Dataset> datasets;  ///< open ones: their chunk caches serve the next world
 
   const h5::Dataset& dataset(std::string_view path) {
@@ -74,8 +76,9 @@ struct ResultsReader::State {
     // A file that is being assembled has all but this.
     if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
-    info.world_begin = h5::read_count_attribute(*file, "/", "worlds_begin");
-    info.layout_begin = h5::read_count_attribute(*file, "/", "layouts_begin");
+    before = read_range_begin(*file);
+    info.world_begin = at(before, Axis::worlds);
+    info.layout_begin = at(before, Axis::layouts);
     info.world_count = dataset("/worlds/layout").length();
     info.box_count = dataset("/boxes/world").length();
     info.layouts = texts("/inputs/layouts/name", 0, dataset("/inputs/layouts/name").length());
@@ -127,6 +130,9 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
         }
       };
       visit_world(take, rows[i]);
+      rows[i].box_begin -= at(state_->before, Axis::boxes);
+      rows[i].sample_begin -= at(state_->before, Axis::samples);
+      rows[i].row_begin -= at(state_->before, Axis::rows);
     }
     return rows;
   });

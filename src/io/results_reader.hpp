@@ -31,7 +31,7 @@ struct ResultsInfo {
   std::vector<std::string> accelerations;  ///< names
 };
 
-/// One row of /worlds.
+/// One row of /worlds. What begins where counts in the file, of a part too.
 struct WorldRow {
   std::uint64_t layout = 0;
   std::uint64_t acceleration = 0;

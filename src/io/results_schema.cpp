@@ -14,7 +14,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/inputs/layouts/header", ElementType::text, 1, Axis::layouts, "none",
      "first line of the layout file, not interpreted"},
     {"/inputs/layouts/box_begin", ElementType::u64, 1, Axis::layouts, "1",
-     "first box of the layout: row of corner_min, corner_max and material", Origin::recorded, Axis::layout_boxes},
+     "first box of the layout: row of corner_min, corner_max and material"},
     {"/inputs/layouts/box_count", ElementType::u32, 1, Axis::layouts, "1",
      "boxes of the layout; 0 when it could not be used"},
     {"/inputs/layouts/corner_min", ElementType::f64, 3, Axis::layout_boxes, "m",
@@ -44,14 +44,13 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/worlds/stop_reason", ElementType::u8, 1, Axis::worlds, "1",
      "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed"},
     {"/worlds/box_begin", ElementType::u64, 1, Axis::worlds, "1",
-     "first box of the world: row of /boxes and /summary/boxes", Origin::recorded, Axis::boxes},
+     "first box of the world: row of /boxes and /summary/boxes"},
     {"/worlds/box_count", ElementType::u32, 1, Axis::worlds, "1", "boxes of the world; 0 when it was not run"},
     {"/worlds/sample_begin", ElementType::u64, 1, Axis::worlds, "1",
-     "first sample of the world: entry of /series/time and its like", Origin::recorded, Axis::samples},
+     "first sample of the world: entry of /series/time and its like"},
     {"/worlds/sample_count", ElementType::u32, 1, Axis::worlds, "1", "samples of the world; 0 without series"},
     {"/worlds/row_begin", ElementType::u64, 1, Axis::worlds, "1",
-     "first row of the world in /series/displacement and its like: row = row_begin + sample * box_count + box",
-     Origin::recorded, Axis::rows},
+     "first row of the world in /series/displacement and its like: row = row_begin + sample * box_count + box"},
     {"/worlds/end_time", ElementType::f64, 1, Axis::worlds, "s", "simulated time at which the world ended"},
     {"/worlds/steps", ElementType::u64, 1, Axis::worlds, "1", "steps that the simulated time was cut into"},
     {"/worlds/steps_skipped", ElementType::u64, 1, Axis::worlds, "1",
@@ -69,8 +68,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      "hash of the bits of the final state: equal hashes, equal results"},
     {"/worlds/engine", ElementType::text, 1, Axis::worlds, "none", "name of the engine"},
     // boxes: a row a box, world after world
-    {"/boxes/world", ElementType::u64, 1, Axis::boxes, "1", "world of the box: row of /worlds", Origin::recorded,
-     Axis::worlds},
+    {"/boxes/world", ElementType::u64, 1, Axis::boxes, "1", "world of the box: row of /worlds"},
     {"/boxes/id", ElementType::u32, 1, Axis::boxes, "1", "place among the boxes of the layout file, from 1"},
     {"/boxes/material", ElementType::i32, 1, Axis::boxes, "1", "material id of the layout file"},
     {"/boxes/mass", ElementType::f32, 1, Axis::boxes, "kg", "mass"},
@@ -175,9 +173,16 @@ std::size_t dataset_index(std::string_view path) {
   return 0;
 }
 
-std::size_t first_series_dataset() {
-  static const std::size_t kFirst = dataset_index("/series/time");
-  return kFirst;
+const std::array<std::size_t, kLongDatasets>& long_datasets() {
+  static const std::array<std::size_t, kLongDatasets> kPlaces = [] {
+    std::array<std::size_t, kLongDatasets> places{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kSchema.size(); ++i)
+      if (is_long(kSchema[i])) places.at(count++) = i;
+    assert(count == kLongDatasets);
+    return places;
+  }();
+  return kPlaces;
 }
 
 }  // namespace holdfast

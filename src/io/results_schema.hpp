@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,14 @@ inline constexpr std::size_t kAxisCount = 8;
 /// Name of the axis as above.
 std::string_view to_string(Axis axis);
 
+/// The axes that grow with boxes and samples, not with worlds and layouts alone.
+inline constexpr std::array<Axis, 4> kLongAxes = {Axis::boxes, Axis::samples, Axis::rows, Axis::layout_boxes};
+
+/// A number an axis.
+using AxisCounts = std::array<std::uint64_t, kAxisCount>;
+inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
+inline std::uint64_t at(const AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
+
 /// Type of the numbers of a dataset. Text is UTF-8 of fixed length, as long as the longest value needs, padded with
 /// zero bytes.
 enum class ElementType : std::uint8_t { u8, u32, u64, i32, f32, f64, text };
@@ -38,7 +47,7 @@ std::size_t size_of(ElementType type);
 /// Name as in numpy: "float32"; "text".
 std::string_view to_string(ElementType type);
 
-/// When a dataset is written: with the worlds, or derived from them at the end.
+/// Where a dataset comes from: what was simulated, or a judgement of that by thresholds.
 enum class Origin : std::uint8_t { recorded, derived };
 
 /// One dataset of the results file.
@@ -50,13 +59,14 @@ struct DatasetSpec {
   std::string_view units;  ///< "1": a number without unit; "none": text
   std::string_view description;
   Origin origin = Origin::recorded;
-  /// For a column of indices into another axis, that axis; else its own. In a part such indices count from the
-  /// part's first entry.
-  Axis refers_to = axis;
 };
 
-/// Entries a chunk of a series dataset holds: 64 KiB of one float32 column, 192 KiB of a vector.
-inline constexpr std::uint64_t kChunkEntries = 16384;
+/// Entries a chunk of a long axis holds: 64 KiB of one float32 column of a series, 192 KiB of a vector. Less of the
+/// boxes, for every part repeats what is in its first chunks.
+constexpr std::uint64_t chunk_entries(Axis axis) { return axis == Axis::samples || axis == Axis::rows ? 16384 : 4096; }
+
+/// Start of the chunk that an entry of a long axis lies in.
+constexpr std::uint64_t chunk_begin(Axis axis, std::uint64_t entry) { return entry - entry % chunk_entries(axis); }
 
 /// Most bytes of a chunk of any other dataset.
 inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
@@ -78,11 +88,14 @@ std::size_t dataset_index(std::string_view path);
 /// The dataset of that path, which must be one of the table.
 inline const DatasetSpec& dataset_spec(std::string_view path) { return kSchema[dataset_index(path)]; }
 
-/// True for the datasets under /series, which are cut into chunks of `kChunkEntries`.
-inline bool is_series(const DatasetSpec& spec) { return spec.axis == Axis::samples || spec.axis == Axis::rows; }
+/// True for the datasets of a long axis, which are cut into chunks of `chunk_entries`.
+inline bool is_long(const DatasetSpec& spec) {
+  return std::find(kLongAxes.begin(), kLongAxes.end(), spec.axis) != kLongAxes.end();
+}
 
-/// Place in `kSchema` of the first dataset under /series; the others follow it.
-std::size_t first_series_dataset();
+/// Places in `kSchema` of the long datasets, rising.
+inline constexpr std::size_t kLongDatasets = 36;
+const std::array<std::size_t, kLongDatasets>& long_datasets();
 
 /// Element type and width as which a C++ type is stored.
 template <class T>

@@ -6,21 +6,20 @@
 
 #include "io/chunk_codec.hpp"
 #include "io/part_builder.hpp"
+#include "io/unit_columns.hpp"
 
 namespace holdfast {
 
 namespace {
 
-using SeriesTail = std::array<std::vector<std::byte>, kSeriesColumns>;
-
-/// Entries of the incomplete chunk at the end of the last finished part.
-SeriesTail read_tail(const std::string& path, const Progress& resume) {
-  SeriesTail tail;
+/// Entries of the incomplete chunks at the end of the last finished part.
+LongEntries read_tail(const std::string& path, const Progress& resume) {
+  LongEntries tail;
   if (resume.part_count == 0) return tail;
   const h5::File file = h5::File::open(part_path(path, resume.part_count));
-  for (std::size_t column = 0; column < kSeriesColumns; ++column) {
-    const h5::Dataset dataset = h5::Dataset::open(file, kSchema[first_series_dataset() + column]);
-    const std::uint64_t begin = chunk_begin(dataset.length());
+  for (std::size_t column = 0; column < kLongDatasets; ++column) {
+    const h5::Dataset dataset = h5::Dataset::open(file, kSchema[long_datasets()[column]]);
+    const std::uint64_t begin = chunk_begin(dataset.spec().axis, dataset.length());
     tail[column] = dataset.read(begin, dataset.length() - begin);
   }
   return tail;
@@ -62,18 +61,21 @@ struct ResultsWriter::State {
   std::string path;
   RunDescription run;
   PartLimits limits;
-  SeriesGrid grid;  ///< of `place` alone
+  ChunkGrid grid;       ///< of `place` alone, as the next
+  AxisCounts placed{};  ///< entries of the run so far
 
   std::mutex mutex;  ///< guards what follows
   std::unique_ptr<PartBuilder> part;
   std::uint64_t finished_parts = 0;
   AxisCounts end{};  ///< of the finished parts
+  LongEntries tail;  ///< their entries in the incomplete chunks
   std::optional<Error> error;
 
   void close_part() {
     if (!part) return;
     part->close();
     end = part->end();
+    tail = part->tail();
     ++finished_parts;
     part.reset();
   }
@@ -104,25 +106,28 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& pa
     state->path = path;
     state->run = std::move(run);
     state->limits = limits;
-    state->grid = SeriesGrid(resume.sample_count, resume.row_count, read_tail(path, resume));
     state->finished_parts = resume.part_count;
     state->end = counts_of(resume);
+    state->tail = read_tail(path, resume);
+    state->placed = state->end;
+    state->grid = ChunkGrid(state->end, state->tail);
     return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(state)));
   });
 }
 
 PlacedUnit ResultsWriter::place(UnitRecord&& unit) {
-  PlacedUnit placed{.record = std::move(unit)};
-  if (!state_->run.record_series)
-    for (WorldRecord& world : placed.record.worlds) world.series = {};
-  placed.series = state_->grid.add(placed.record.worlds);
+  PlacedUnit placed;
+  placed.record = std::move(unit);
+  placed.columns = columns_of(placed.record, state_->run, state_->placed);
+  placed.end = state_->placed;
+  placed.piece = state_->grid.add(placed.columns);
   return placed;
 }
 
 PackedUnit ResultsWriter::pack(PlacedUnit&& unit) {
-  PackedUnit packed{.record = std::move(unit.record), .series = std::move(unit.series)};
-  for (SeriesChunk& chunk : packed.series.chunks)
-    chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[first_series_dataset() + chunk.column].type));
+  PackedUnit packed{std::move(unit)};
+  for (GridChunk& chunk : packed.piece.chunks)
+    chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[long_datasets()[chunk.column]].type));
   return packed;
 }
 
@@ -130,8 +135,8 @@ std::optional<Error> ResultsWriter::write(PackedUnit&& unit) {
   return state_->guarded([&] {
     std::unique_ptr<PartBuilder>& part = state_->part;
     if (!part) {
-      part =
-          std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run, state_->end);
+      part = std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run,
+                                           state_->end, std::move(state_->tail));
     }
     part->add(std::move(unit));
     const PartLimits& limits = state_->limits;

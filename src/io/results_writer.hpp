@@ -11,9 +11,10 @@
 #include "core/layout.hpp"
 #include "core/result.hpp"
 #include "core/world_record.hpp"
+#include "io/chunk_grid.hpp"
+#include "io/results_columns.hpp"
 #include "io/results_resume.hpp"
 #include "io/run_description.hpp"
-#include "io/series_grid.hpp"
 
 namespace holdfast {
 
@@ -33,14 +34,13 @@ struct UnitRecord {
 /// A unit whose place in the file is fixed.
 struct PlacedUnit {
   UnitRecord record;  ///< without its series
-  SeriesPiece series;
+  AxisCounts end{};   ///< entries of the run, with the unit
+  ColumnSet columns;  ///< its entries of the short datasets
+  GridPiece piece;    ///< and of the long ones
 };
 
 /// A unit whose chunks are compressed as the file will hold them.
-struct PackedUnit {
-  UnitRecord record;  ///< without its series
-  SeriesPiece series;
-};
+struct PackedUnit : PlacedUnit {};
 
 /// When the open part is closed: at the first limit reached.
 struct PartLimits {
@@ -65,7 +65,7 @@ class ResultsWriter {
   /// Drops the open part; call `finish` first.
   ~ResultsWriter();
 
-  /// Gives the unit's samples and rows their place in the file.
+  /// Judges the unit's worlds and gives them their place in the file.
   PlacedUnit place(UnitRecord&& unit);
 
   /// Compresses the unit's full chunks. Pure.

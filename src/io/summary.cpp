@@ -30,24 +30,26 @@ EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
           cut(end.peak_kinetic_energy), cut(end.settling_displacement)};
 }
 
-std::vector<float> first_moves(ResultsReader& results, const WorldRow& row, const EndTable& end,
-                               const Thresholds& thresholds) {
+/// When the boxes of a world first moved. One that never went beyond the threshold has no such time: most worlds are
+/// spared looking into their series.
+/// @param times called for the others
+template <class Times>
+void append_first_moves(const EndTable& end, const Thresholds& thresholds, BoxSummary& boxes, Times&& times) {
   const auto& peak = end.peak_displacement;
   const bool any =
       std::any_of(peak.begin(), peak.end(), [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
-  // A box that never went beyond the threshold has no first time; most worlds are spared reading their series.
-  if (!any || row.sample_count == 0) return std::vector<float>(row.box_count, std::numeric_limits<float>::quiet_NaN());
-  const Series series = value_of(results.path_of(row));
-  return first_move_times(series.time, series.displacement, row.box_count, thresholds);
+  const std::vector<float> found =
+      any ? times() : std::vector<float>(peak.size(), std::numeric_limits<float>::quiet_NaN());
+  boxes.first_move_time.insert(boxes.first_move_time.end(), found.begin(), found.end());
 }
 
-void append_world(const WorldRow& row, const WorldVerdict& verdict, WorldSummary& worlds) {
+void append_world(double peak_total_kinetic_energy, const WorldVerdict& verdict, WorldSummary& worlds) {
   worlds.fallen_boxes.push_back(verdict.fallen_boxes);
   worlds.unstable_boxes.push_back(verdict.unstable_boxes);
   worlds.moved_boxes.push_back(verdict.moved_boxes);
   worlds.tilted_boxes.push_back(verdict.tilted_boxes);
   worlds.total_kinetic_energy.push_back(verdict.total_kinetic_energy);
-  worlds.peak_kinetic_energy.push_back(row.peak_total_kinetic_energy);
+  worlds.peak_kinetic_energy.push_back(peak_total_kinetic_energy);
   worlds.max_displacement.push_back(verdict.max_displacement);
   worlds.peak_displacement.push_back(verdict.peak_displacement);
 }
@@ -104,21 +106,32 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
   const EndTable ends = value_of(results.ends(slice.box_begin, box_count));
   for (const WorldRow& row : slice.rows) {
     const EndTable end = part_of(ends, row.box_begin - slice.box_begin, row.box_count);
-    append_world(row, judge_world(end, thresholds), slice.worlds);
+    append_world(row.peak_total_kinetic_energy, judge_world(end, thresholds), slice.worlds);
     append_boxes(end, thresholds, slice.boxes);
-    const std::vector<float> times = first_moves(results, row, end, thresholds);
-    slice.boxes.first_move_time.insert(slice.boxes.first_move_time.end(), times.begin(), times.end());
+    append_first_moves(end, thresholds, slice.boxes, [&] {
+      const Series series = value_of(results.path_of(row));
+      return first_move_times(series.time, series.displacement, row.box_count, thresholds);
+    });
   }
   return slice;
 }
 
 }  // namespace
 
+void append_summary(const WorldRecord& world, const Thresholds& thresholds, WorldSummary& worlds, BoxSummary& boxes) {
+  append_world(world.peak_total_kinetic_energy, judge_world(world.end, thresholds), worlds);
+  append_boxes(world.end, thresholds, boxes);
+  append_first_moves(world.end, thresholds, boxes, [&] {
+    return first_move_times(world.series.time, world.series.displacement, world.end.displacement.size(), thresholds);
+  });
+}
+
 std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit) {
   return h5::caught("", [&] {
     const ResultsInfo& info = results.info();
-    std::uint64_t box = 0;
+    // A part may repeat boxes of worlds before its own.
+    std::uint64_t box = info.complete || info.world_count == 0 ? 0 : value_of(results.worlds(0, 1)).front().box_begin;
     for (std::uint64_t world = 0; world < info.world_count;) {
       const SummarySlice slice = derive_slice(results, thresholds, world, box);
       if (const auto error = visit(slice)) throw h5::Failure(*error);

@@ -48,14 +48,17 @@ struct SummarySlice {
   BoxSummary boxes;
 };
 
+/// Adds a world and its boxes to the summary.
+void append_summary(const WorldRecord& world, const Thresholds& thresholds, WorldSummary& worlds, BoxSummary& boxes);
+
 /// Derives the summary of all worlds in slices, in the order of the file; memory does not grow with the file.
-/// The one way: for the results file itself, for other thresholds, and for printing.
+/// For other thresholds, and for printing; the results file's own is judged world by world, when they finish.
 /// @param visit returns an error to stop
 std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit);
 
 /// Writes the summary under other thresholds into a new HDF5 file, with the names that it takes to read it, and
-/// the results file named in attributes. Never writes over a file.
+/// the results file named in attributes. Never writes over a file; refuses a part, whose boxes repeat others.
 std::optional<Error> write_summary(const std::string& results_path, const Thresholds& thresholds,
                                    const std::string& path);
 

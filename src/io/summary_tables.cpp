@@ -31,6 +31,9 @@ void write_file(const h5::File& source, const std::string& path, const Threshold
   Result<ResultsReader> results = ResultsReader::attach(source);
   if (!results) throw h5::Failure(results.error());
   const ResultsInfo& info = results->info();
+  if (!info.complete)
+    throw h5::Failure(
+        Error{.file = source.path(), .what = "is a part of an unfinished run", .accepted = "a whole one"});
   h5::File file = h5::File::create(temporary_name(path));
   h5::write_attribute(file, "/", "format", std::string_view("holdfast summary"));
   h5::write_attribute(file, "/", "format_version", kFormatVersion);

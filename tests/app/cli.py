@@ -18,7 +18,8 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 HOLDFAST = str(pathlib.Path(os.environ.get("HOLDFAST", SOURCE / "build/release/bin/holdfast")).resolve())
 SEED_LAYOUT = SOURCE / "configs/layouts/seed_example.txt"
 SEED_ACCELERATION = SOURCE / "configs/accelerations/seed_example.txt"
-PATIENCE = 60  # s that a program may take before a test gives it up
+SANITIZED = bool(os.environ.get("HOLDFAST_SANITIZED"))
+PATIENCE = 600 if SANITIZED else 60  # s that a program may take before a test gives it up
 
 CONFIG = """\
 [Physics Engine]

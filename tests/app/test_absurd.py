@@ -7,7 +7,7 @@ import unittest
 import h5py
 import pandas as pd
 
-from cli import CONFIG, SEED, CliTest, datasets, layout_text
+from cli import CONFIG, SANITIZED, SEED, CliTest, datasets, layout_text
 
 MOST_MEMORY = 900 << 20  # byte: several times what the largest input that is read takes
 
@@ -18,7 +18,7 @@ class Sizes(CliTest):
             resource.setrlimit(resource.RLIMIT_DATA, (MOST_MEMORY, MOST_MEMORY))
 
         # A sanitizer reserves terabytes of addresses that it never uses.
-        limited = {} if os.environ.get("HOLDFAST_SANITIZED") else {"preexec_fn": limit}
+        limited = {} if SANITIZED else {"preexec_fn": limit}
         return self.run_here(*arguments, **limited)
 
     def write_inputs(self):

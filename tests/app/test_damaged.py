@@ -2,7 +2,6 @@
 
 Whatever is in the file, `summary` and `--resume` answer: with tables, or with a message that names the file.
 """
-import os
 import random
 import shutil
 import unittest
@@ -10,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, SEED, TOWER, CliTest, datasets, layout_text, start, wait_for
+from cli import CONFIG, SANITIZED, SEED, TOWER, CliTest, datasets, layout_text, start, wait_for
 
 DAMAGE = ["is damaged", "lacks a dataset", "has a dataset", "ends before", "has no", "cannot be", "is not", "later format"]
 
@@ -134,7 +133,7 @@ class Damaged(CliTest):
 
     def test_single_wrong_bytes(self):
         """Where the library itself is led astray, the program still answers."""
-        if os.environ.get("HOLDFAST_SANITIZED"):
+        if SANITIZED:
             self.skipTest("the sanitizer ends the program where the library goes astray, as it should")
         self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
         whole = (self.folder / "results.h5").read_bytes()

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-from cli import HOLDFAST, PATIENCE, SOURCE, CliTest, layout_text, TOWER
+from cli import HOLDFAST, PATIENCE, SANITIZED, SOURCE, CliTest, layout_text, TOWER
 
 NOT_HERE = ("make", "git", "sudo", "apt", "apt-get", "cd")  # what builds or installs
 
@@ -58,6 +58,8 @@ class Readme(CliTest):
         lines = commands("README.md")
         self.assertGreater(len(lines), 0, "the README shows no command")
         for line in lines:
+            if SANITIZED and "validate" in line:
+                continue  # takes minutes, and tests nothing that the tests of the engines do not
             with self.subTest(command=line):
                 self.run_command(["bash", "-c", line])
         self.assertTrue(any("holdfast screen" in line for line in lines))

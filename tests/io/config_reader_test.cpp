@@ -121,6 +121,20 @@ TEST_CASE("config_reader: a misspelt key or section is named with a suggestion",
   CHECK(errors_of("[X]\n").front().starts_with("in/c.ini:1:1: unknown section: [X]; one of [Physics Engine], "));
 }
 
+TEST_CASE("config_reader: of many unknown keys and sections the first are named, and the others counted",
+          "[io][config_reader]") {
+  std::string text = "[Contact]\n";
+  for (int i = 0; i < 19; ++i) text += "BoxBox" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 30; ++i) text += "[Containers " + std::to_string(i) + "]\n";
+  text += "[Contact]\n";
+  for (int i = 0; i < 40; ++i) text += "BoxWall" + std::to_string(i) + " = 1\n";
+  const Messages errors = errors_of(text);
+  REQUIRE(errors.size() == 21);
+  CHECK(errors[18] == "in/c.ini:20:1: unknown key in [Contact]: BoxBox18; did you mean BoxBox?");
+  CHECK(errors[19].starts_with("in/c.ini:21:1: unknown section: [Containers 0]"));
+  CHECK(errors[20] == "in/c.ini: further errors: 69");
+}
+
 TEST_CASE("config_reader: a key given twice names the first line", "[io][config_reader]") {
   CHECK(errors_of("[Contact]\nBoxBox = 0.5\n[Container]\n[Contact]\nBoxBox = 0.5\n") ==
         Messages{"in/c.ini:5:1: the key is given twice: BoxBox; its first value is on line 2"});

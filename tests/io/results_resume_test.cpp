@@ -1,5 +1,7 @@
 #include "io/results_resume.hpp"
 
+#include <hdf5.h>
+
 #include <fstream>
 
 #include "io/results_fixture.hpp"
@@ -82,6 +84,34 @@ TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results
     std::filesystem::copy_file(path + ".parts/part-000001.h5", second,
                                std::filesystem::copy_options::overwrite_existing);
     CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "does not go on where"));
+  }
+  SECTION("with chunks that cannot be copied as they are") {
+    const auto change = [](const char* part) {
+      const hid_t file = H5Fopen(part, H5F_ACC_RDWR, H5P_DEFAULT);
+      REQUIRE(H5Ldelete(file, "/boxes/world", H5P_DEFAULT) >= 0);
+      const hsize_t length = 6 + 4 + 10;
+      const hid_t space = H5Screate_simple(1, &length, nullptr);
+      const std::vector<std::uint64_t> worlds(length);
+      const hid_t dataset =
+          H5Dcreate2(file, "/boxes/world", H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+      REQUIRE(H5Dwrite(dataset, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, worlds.data()) >= 0);
+      H5Dclose(dataset);
+      H5Sclose(space);
+      H5Fclose(file);
+    };
+    change((path + ".parts/part-000003.h5").c_str());
+    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))),
+                   "part-000003.h5: has a dataset of another chunk size than it should (/boxes/world)"));
+  }
+  SECTION("cut off inside the data") {
+    // HDF5 finds no fault with a part whose chunks end beyond it as long as its end is where it says.
+    const std::string first = path + ".parts/part-000001.h5";
+    const auto size = std::filesystem::file_size(first);
+    std::string bytes = file_bytes(first);
+    std::ofstream(first, std::ios::binary) << bytes.substr(0, size / 2);
+    CHECK_FALSE(find_finished(path, fingerprint(run.description)));
+    CHECK(assemble(path, run.description));
+    CHECK_FALSE(std::filesystem::exists(path));
   }
   SECTION("the last worlds missing") {
     std::filesystem::remove(path + ".parts/part-000003.h5");

@@ -43,10 +43,18 @@ TEST_CASE("results_schema: the file has no dataset that the table lacks", "[io][
   CHECK(found == expected);
 }
 
-TEST_CASE("results_schema: all that the datasets of /series need to share a list holds", "[io][results]") {
-  const std::size_t first = first_series_dataset();
+TEST_CASE("results_schema: long datasets are those of boxes and samples, and hold numbers", "[io][results]") {
+  const auto& places = long_datasets();
+  CHECK(std::is_sorted(places.begin(), places.end()));
   for (std::size_t i = 0; i < kSchema.size(); ++i) {
-    CHECK(is_series(kSchema[i]) == kSchema[i].path.starts_with("/series/"));
-    CHECK(is_series(kSchema[i]) == (i >= first && i < first + kSeriesColumns));
+    const std::string_view path = kSchema[i].path;
+    CAPTURE(path);
+    const bool of_layout_boxes =
+        path.ends_with("/corner_min") || path.ends_with("/corner_max") || path == "/inputs/layouts/material";
+    const bool expected = path.starts_with("/series/") || path.starts_with("/boxes/") ||
+                          path.starts_with("/summary/boxes/") || of_layout_boxes;
+    CHECK(is_long(kSchema[i]) == expected);
+    CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
+    CHECK_FALSE((expected && kSchema[i].type == ElementType::text));
   }
 }

@@ -7,7 +7,10 @@
 #include <cstring>
 #include <thread>
 
+#include "io/hdf5_file.hpp"
+#include "io/results_columns.hpp"
 #include "io/results_fixture.hpp"
+#include "io/summary.hpp"
 
 using namespace results_fixture;
 
@@ -137,6 +140,50 @@ TEST_CASE("results_writer: a part is a readable file by itself", "[io][results]"
     ResultsReader reader = require_value(ResultsReader::open(part));
     CHECK_FALSE(reader.info().complete);
     CHECK(reader.info().world_begin == 2 * unit);
+  }
+}
+
+TEST_CASE("results_writer: indices in a part count in the run", "[io][results]") {
+  const Run run = make_run({{3, 4}, {600, 31}, {5, 2}});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const auto writer = require_value(ResultsWriter::open(path, run.description, {}, every_unit()));
+  write_units(*writer, run, 0, run.units.size());
+  const h5::File file = h5::File::open(path + ".parts/part-000003.h5");
+  const auto first = [&](std::string_view name) {
+    return values_of<std::uint64_t>(h5::Dataset::open(file, dataset_spec(name)).read(0, 1)).front();
+  };
+  CHECK(first("/worlds/box_begin") == 2 * 603);
+  CHECK(first("/worlds/sample_begin") == 2 * 35);
+  CHECK(first("/worlds/row_begin") == 2 * (3 * 4 + 600 * 31));
+  CHECK(first("/inputs/layouts/box_begin") == 603);
+  // All boxes of the run fit into one chunk, which the part repeats from its beginning.
+  CHECK(h5::read_count_attribute(file, "/", "boxes_begin") == 0);
+  const auto worlds = h5::Dataset::open(file, dataset_spec("/boxes/world"));
+  REQUIRE(worlds.length() == 2 * 608);
+  CHECK(values_of<std::uint64_t>(worlds.read(0, 4)) == std::vector<std::uint64_t>{0, 0, 0, 1});
+  CHECK(values_of<std::uint64_t>(worlds.read(2 * 608 - 6, 6)) == std::vector<std::uint64_t>{4, 5, 5, 5, 5, 5});
+}
+
+TEST_CASE("results_writer: the summary in the file is what its records are judged as", "[io][results]") {
+  const bool series = GENERATE(true, false);
+  Run run = make_run(mixed_shapes(), series);
+  run.description.thresholds.move = 0.3;
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  // Derived again from what the file holds of the worlds, as for other thresholds.
+  require_ok(write_summary(path, run.description.thresholds, folder / "again.h5"));
+  const h5::File file = h5::File::open(path);
+  const h5::File again = h5::File::open(folder / "again.h5");
+  for (const DatasetSpec& spec : kSchema) {
+    if (spec.origin != Origin::derived) continue;
+    CAPTURE(spec.path);
+    const auto in = h5::Dataset::open(file, spec);
+    const auto derived = h5::Dataset::open(again, spec);
+    REQUIRE(in.length() > 0);
+    REQUIRE(in.length() == derived.length());
+    CHECK((in.read(0, in.length()) == derived.read(0, in.length())));
   }
 }
 

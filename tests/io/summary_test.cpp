@@ -1,5 +1,6 @@
 #include "io/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/hdf5_file.hpp"
@@ -75,6 +76,22 @@ TEST_CASE("summary: other thresholds go into another file, which names its sourc
   const auto again = write_summary(path, {}, other);
   REQUIRE(again);
   CHECK(again->message().find("exists already") != std::string::npos);
+}
+
+TEST_CASE("summary: a part is refused, whose boxes repeat those of the part before", "[io][results]") {
+  const Run run = make_run({{3, 4}, {5, 2}});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const auto writer = require_value(ResultsWriter::open(path, run.description, {}, every_unit()));
+  write_units(*writer, run, 0, run.units.size());
+  const auto error = write_summary(path + ".parts/part-000002.h5", {}, folder / "out.h5");
+  REQUIRE(error);
+  CHECK(error->message().find("is a part of an unfinished run") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder / "out.h5"));
+  // As a table it can be seen: its own worlds and boxes, and no others.
+  require_ok(write_summary_csv(path + ".parts/part-000002.h5", {}, folder / "csv"));
+  const std::string boxes = file_bytes(folder / "csv/boxes.csv");
+  CHECK(std::count(boxes.begin(), boxes.end(), '\n') == 1 + 2 * 5);
 }
 
 TEST_CASE("summary: CSV has a line a world and a line a box, quoted where needed", "[io][results]") {

@@ -64,7 +64,7 @@ constexpr Golden kGolden[] = {
     {"brake", brake, 0x2ca9330d164aa219},
     {"lean", lean, 0x6052c7e2bc36bb20},
     {"tumble", tumble, 0x544cc57d2288044f},
-    {"drop", drop, 0xfafcc358dd72439b},
+    {"drop", drop, 0x8b3680c482982848},
 };
 
 }  // namespace

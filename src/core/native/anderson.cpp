@@ -16,6 +16,9 @@ constexpr double kGrowth = 4.0;
 /// as they still slid leads past rest, and at once applied again back to sliding, for ever.
 constexpr int kPause = 3;
 
+/// The longest pause: longer than any solve, which may well grow beyond what an int holds.
+constexpr int kLongestPause = 1 << 20;
+
 /// Share of its own square that a direction must have beside the others to be used.
 constexpr double kIndependent = 1e-8;
 
@@ -37,7 +40,7 @@ void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVecto
     stored_ = next_ = 0;
     if (known) {
       pause_ = next_pause_;
-      next_pause_ *= 2;
+      next_pause_ = std::min(2 * next_pause_, kLongestPause);
     }
   } else {
     const std::size_t place = next_;
