@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -68,7 +69,12 @@ class IslandStepper {
 
  private:
   enum class Purpose { smooth, impact, rest, projection };
-  struct Event;
+
+  /// The first overlap that a step would bring.
+  struct Event {
+    bool activated = false;                                 ///< manifolds became active: the step must be solved again
+    double time = std::numeric_limits<double>::infinity();  ///< of the first fast impact, s from the step's start
+  };
 
   void load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose, double step);
   void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
