@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/container_sides.hpp"
 #include "core/step_plan.hpp"
@@ -154,69 +153,6 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
       update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
 }
 
-void NativeWorld::find_islands() {
-  const Bodies& bodies = scene_.bodies;
-  const std::size_t count = bodies.count();
-  std::vector<std::uint32_t> root(count);
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
-  for (const Manifold& manifold : scene_.manifolds) {
-    if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
-    const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
-    const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
-    root[std::max(of_a, of_b)] = std::min(of_a, of_b);
-  }
-  // Islands by their first body, bodies and manifolds in their own order.
-  constexpr std::uint32_t kNone = ~0U;
-  island_of_.assign(count, kNone);
-  islands_.clear();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (bodies.fixed[i] != 0) continue;
-    const std::uint32_t first = find(i);
-    if (first == i) {
-      island_of_[i] = static_cast<std::uint32_t>(islands_.size());
-      islands_.emplace_back();
-    } else {
-      island_of_[i] = island_of_[first];
-    }
-    ++islands_[island_of_[i]].body_end;
-  }
-  const auto island_of_manifold = [&](const Manifold& manifold) {
-    const std::uint32_t of_a = free(manifold.a) ? island_of_[at(manifold.a)] : kNone;
-    const std::uint32_t of_b = free(manifold.b) ? island_of_[at(manifold.b)] : kNone;
-    if (of_a == kNone) return of_b;
-    return of_b == kNone || of_a == of_b ? of_a : kNone;
-  };
-  for (const Manifold& manifold : scene_.manifolds) {
-    const std::uint32_t island = island_of_manifold(manifold);
-    if (island != kNone) ++islands_[island].manifold_end;
-  }
-  std::size_t bodies_before = 0, manifolds_before = 0;
-  for (Island& island : islands_) {
-    island.body_begin = bodies_before;
-    island.manifold_begin = manifolds_before;
-    bodies_before += std::exchange(island.body_end, bodies_before);
-    manifolds_before += std::exchange(island.manifold_end, manifolds_before);
-  }
-  members_.resize(bodies_before);
-  inside_.resize(manifolds_before);
-  for (std::uint32_t i = 0; i < count; ++i)
-    if (island_of_[i] != kNone) members_[islands_[island_of_[i]].body_end++] = i;
-  for (std::uint32_t m = 0; m < scene_.manifolds.size(); ++m) {
-    const std::uint32_t island = island_of_manifold(scene_.manifolds[m]);
-    if (island != kNone) inside_[islands_[island].manifold_end++] = m;
-  }
-}
-
-IslandView NativeWorld::view_of(const Island& island) const {
-  return {std::span(members_).subspan(island.body_begin, island.body_end - island.body_begin),
-          std::span(inside_).subspan(island.manifold_begin, island.manifold_end - island.manifold_begin)};
-}
-
 void NativeWorld::begin_phase(const Phase& phase) {
   if (phase_set_ && phase.begin == phase_begin_) return;
   phase_set_ = true;
@@ -231,8 +167,7 @@ void NativeWorld::begin_phase(const Phase& phase) {
   std::fill(patience_.begin(), patience_.end(), 0);
 }
 
-bool NativeWorld::try_rest(const Island& island) {
-  const IslandView view = view_of(island);
+bool NativeWorld::try_rest(const IslandView& view) {
   const Bodies& bodies = scene_.bodies;
   bool due = true;
   for (const std::uint32_t body : view.bodies) {
@@ -256,8 +191,8 @@ bool NativeWorld::try_rest(const Island& island) {
   return false;
 }
 
-void NativeWorld::set_at_rest(const Island& island) {
-  for (const std::uint32_t body : view_of(island).bodies) {
+void NativeWorld::set_at_rest(const IslandView& island) {
+  for (const std::uint32_t body : island.bodies) {
     resting_[body] = 1;
     patience_[body] = 0;
     wait_[body] = 0;
@@ -268,9 +203,9 @@ void NativeWorld::set_at_rest(const Island& island) {
   }
 }
 
-void NativeWorld::save(const Island& island) {
+void NativeWorld::save(const IslandView& island) {
   const StateColumns& state = scene_.bodies.state;
-  for (const std::uint32_t body : view_of(island).bodies) {
+  for (const std::uint32_t body : island.bodies) {
     for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, state, before_);
   }
 }
@@ -319,8 +254,8 @@ bool NativeWorld::merge_overlapping() {
   for (Manifold& manifold : scene_.manifolds) {
     if (manifold.active || manifold.a < 0 || bodies.fixed[at(manifold.a)] != 0 || bodies.fixed[at(manifold.b)] != 0)
       continue;
-    const std::uint32_t of_a = island_of_[at(manifold.a)];
-    const std::uint32_t of_b = island_of_[at(manifold.b)];
+    const std::uint32_t of_a = islands_.of(at(manifold.a));
+    const std::uint32_t of_b = islands_.of(at(manifold.b));
     if (of_a == of_b || (moving_[at(manifold.a)] == 0 && moving_[at(manifold.b)] == 0)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
@@ -337,7 +272,7 @@ bool NativeWorld::merge_overlapping() {
   std::vector<std::uint8_t> restored(bodies.count(), 0);
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     if (again[i] == 0) continue;
-    for (const std::uint32_t body : view_of(islands_[i]).bodies) {
+    for (const std::uint32_t body : islands_[i].bodies) {
       if (moving_[body] == 0) save(islands_[i]);
       restored[body] = 1;
       resting_[body] = 0;
@@ -364,26 +299,26 @@ bool NativeWorld::merge_overlapping() {
 double NativeWorld::step_moving() {
   double worst = 0.0;
   scene_.undo.clear();
-  for (const Island& island : islands_) {
-    if (moving_[members_[island.body_begin]] != 0) save(island);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (moving_[islands_[i].bodies.front()] != 0) save(islands_[i]);
   }
-  const auto advance = [&](const Island& island) {
+  const auto advance = [&](const IslandView& island) {
     IslandReport report;
-    stepper_.advance(scene_, view_of(island), terms_, report);
+    stepper_.advance(scene_, island, terms_, report);
     counters_.solve_iterations += report.iterations;
     // In units of a whole step, also where it is halved.
     worst = std::max(worst, report.residual / whole_step_unit_);
     met_deep_ = met_deep_ || report.met_deep;
   };
-  for (const Island& island : islands_)
-    if (moving_[members_[island.body_begin]] != 0) advance(island);
+  for (std::size_t i = 0; i < islands_.size(); ++i)
+    if (moving_[islands_[i].bodies.front()] != 0) advance(islands_[i]);
   while (merge_overlapping()) {
-    find_islands();
-    for (const Island& island : islands_) {
-      const IslandView view = view_of(island);
+    islands_.find(scene_.bodies, scene_.manifolds);
+    for (std::size_t i = 0; i < islands_.size(); ++i) {
+      const IslandView view = islands_[i];
       if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] == 2; })) continue;
       for (const std::uint32_t body : view.bodies) moving_[body] = 1;
-      advance(island);
+      advance(view);
     }
   }
   return worst;
@@ -391,8 +326,8 @@ double NativeWorld::step_moving() {
 
 /// An island with a body that moves moves as a whole.
 void NativeWorld::spread_motion() {
-  for (const Island& island : islands_) {
-    const IslandView view = view_of(island);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const IslandView view = islands_[i];
     if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] != 0; })) continue;
     for (const std::uint32_t body : view.bodies) {
       moving_[body] = 1;
@@ -405,7 +340,7 @@ void NativeWorld::take_step(double step, int halvings) {
   terms_.step = step;
   terms_.velocity_unit = terms_.pull.norm() * step;
   if (activate_predicted() || halvings > 0) {
-    find_islands();
+    islands_.find(scene_.bodies, scene_.manifolds);
     spread_motion();
   }
   met_deep_ = false;
@@ -449,14 +384,14 @@ double NativeWorld::advance(const Phase& phase) {
   terms_.step = plan.step();
   terms_.velocity_unit = terms_.pull.norm() * terms_.step;
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
-  find_islands();
+  islands_.find(scene_.bodies, scene_.manifolds);
   bool any_moving = false;
-  for (const Island& island : islands_) {
-    const IslandView view = view_of(island);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const IslandView view = islands_[i];
     const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(),
                                                       [&](std::uint32_t body) { return resting_[body] != 0; });
-    const bool rests = known || try_rest(island);
-    if (rests) set_at_rest(island);
+    const bool rests = known || try_rest(view);
+    if (rests) set_at_rest(view);
     for (const std::uint32_t body : view.bodies) moving_[body] = rests ? 0 : 1;
     any_moving = any_moving || !rests;
   }

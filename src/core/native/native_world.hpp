@@ -6,6 +6,7 @@
 #include "core/engine.hpp"
 #include "core/native/broad_phase.hpp"
 #include "core/native/island.hpp"
+#include "core/native/islands.hpp"
 
 namespace holdfast::native {
 
@@ -24,21 +25,13 @@ class NativeWorld {
   Status status() const { return status_; }
 
  private:
-  /// Bodies of one island as a range of `members_`, manifolds inside as a range of `inside_`.
-  struct Island {
-    std::size_t body_begin = 0, body_end = 0;
-    std::size_t manifold_begin = 0, manifold_end = 0;
-  };
-
   void begin_phase(const Phase& phase);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
   void end_manifold(std::size_t index);
-  void find_islands();
-  IslandView view_of(const Island& island) const;
-  bool try_rest(const Island& island);
-  void set_at_rest(const Island& island);
-  void save(const Island& island);
+  bool try_rest(const IslandView& view);
+  void set_at_rest(const IslandView& island);
+  void save(const IslandView& island);
   bool activate_predicted();
   bool merge_overlapping();
   void spread_motion();
@@ -58,9 +51,7 @@ class NativeWorld {
   std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
   std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step
   std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
-  std::vector<Island> islands_;
-  std::vector<std::uint32_t> members_, inside_;
-  std::vector<std::uint32_t> island_of_;  ///< a body
+  Islands islands_;
   BroadPhase broad_phase_;
   std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
   double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
