@@ -4,13 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/native/island_motion.hpp"
+
 namespace holdfast::native {
-
-namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
   const std::size_t count = bodies.count();

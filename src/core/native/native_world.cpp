@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/container_sides.hpp"
+#include "core/native/island_motion.hpp"
 #include "core/step_plan.hpp"
 
 namespace holdfast::native {
@@ -31,8 +32,6 @@ constexpr int kHalvings = 4;
 /// A residual above this, over |g − a| h, is reported with the world: it moves a box by half of what it falls freely
 /// in a step.
 constexpr double kBadResidual = 0.5;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 std::vector<Side> sides_of(const ContainerSettings& container) {
   std::vector<Side> sides;
