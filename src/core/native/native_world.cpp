@@ -166,10 +166,10 @@ void NativeWorld::begin_phase(const Phase& phase) {
   std::fill(patience_.begin(), patience_.end(), 0);
 }
 
-bool NativeWorld::try_rest(const IslandView& view) {
+bool NativeWorld::try_rest(const IslandView& island) {
   const Bodies& bodies = scene_.bodies;
   bool due = true;
-  for (const std::uint32_t body : view.bodies) {
+  for (const std::uint32_t body : island.bodies) {
     const double speed =
         bodies.state.velocity[body].norm() + bodies.radius[body] * bodies.state.angular_velocity[body].norm();
     if (speed > kRestShare * terms_.velocity_unit) return false;
@@ -180,10 +180,10 @@ bool NativeWorld::try_rest(const IslandView& view) {
   }
   if (!due) return false;
   IslandReport report;
-  const bool rests = stepper_.rests(scene_, view, terms_, report);
+  const bool rests = stepper_.rests(scene_, island, terms_, report);
   counters_.solve_iterations += report.iterations;
   if (rests) return true;
-  for (const std::uint32_t body : view.bodies) {
+  for (const std::uint32_t body : island.bodies) {
     patience_[body] = std::min(kLongestWait, std::max(1U, 2 * patience_[body]));
     wait_[body] = patience_[body];
   }

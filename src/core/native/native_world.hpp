@@ -29,7 +29,7 @@ class NativeWorld {
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
   void end_manifold(std::size_t index);
-  bool try_rest(const IslandView& view);
+  bool try_rest(const IslandView& island);
   void set_at_rest(const IslandView& island);
   void save(const IslandView& island);
   bool activate_predicted();
