@@ -62,9 +62,9 @@ struct Golden {
 };
 constexpr Golden kGolden[] = {
     {"brake", brake, 0x2ca9330d164aa219},
-    {"lean", lean, 0x6052c7e2bc36bb20},
-    {"tumble", tumble, 0x544cc57d2288044f},
-    {"drop", drop, 0x8b3680c482982848},
+    {"lean", lean, 0x52e9498e35bc7da5},
+    {"tumble", tumble, 0x5e4c7d2a798b49fd},
+    {"drop", drop, 0x1971b96bf7defd27},
 };
 
 }  // namespace

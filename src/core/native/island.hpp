@@ -84,7 +84,7 @@ class IslandStepper {
                        IslandReport& report);
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
-  bool strike_more(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
+  bool pass_on(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   double first_stop(const Scene& scene, const StepTerms& terms, double step) const;
   bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
   double fast_approach(const StepTerms& terms) const;
@@ -107,7 +107,8 @@ class IslandStepper {
     std::array<std::uint8_t, kLanes> point;
   };
   std::vector<Source> sources_;
-  std::vector<std::uint8_t> struck_;  ///< a manifold of the scene: its points that take part in an impact, a bit each
+  /// A manifold of the scene: its points that take part in an impact, and those that could, a bit each.
+  std::vector<std::uint8_t> struck_, touching_;
   bool captures_ = false;  ///< a contact of the solve closes too fast for the step and too slow to be located
   bool may_cut_ = true;    ///< impacts that lie ahead may cut the step; else they are solved at its end
 };

@@ -59,9 +59,10 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   options.tolerance = options_.tolerance;
   options.accelerate = true;
   const double unit = std::max(fastest, terms.velocity_unit);
-  // An impact acts where surfaces meet, and from there where it would push others into each other: a contact that
-  // need not answer it has no impulse, and no friction.
-  for (int round = 0; round < kRounds; ++round) {
+  // An impact acts where surfaces meet. Where that would push others into each other, all that touch answer it: passed
+  // on contact by contact, it would take as many solves as a crowd has layers. A contact that need not answer has no
+  // impulse, and no friction.
+  for (bool passed_on = true; passed_on;) {
     for (const std::uint32_t index : island.manifolds) {
       if (struck_[index] == 0) continue;
       scene.manifolds[index].active = true;
@@ -72,10 +73,9 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
     solver_.load_unit = unit;
     const SplittingResult result = solver_.solve(options, unit);
     report.iterations += static_cast<std::uint64_t>(result.iterations);
-    if (strike_more(scene, island, terms, step)) continue;
+    passed_on = pass_on(scene, island, terms, step);
     // In units of its own velocities, as that of other solves.
-    report.residual = std::max(report.residual, terms.velocity_unit / unit * result.residual);
-    break;
+    if (!passed_on) report.residual = std::max(report.residual, terms.velocity_unit / unit * result.residual);
   }
   for (const std::uint32_t body : island.bodies) {
     bodies.state.velocity[body] = linear(solver_.velocity[at(place_[body])]);
@@ -83,23 +83,27 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   }
 }
 
-/// Adds the points that the solved impact pushes into each other. False when there are none.
-bool IslandStepper::strike_more(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
+/// Has all points that touch take part in the impact, where as solved it pushes some that do not into each other. False
+/// when it pushes none.
+bool IslandStepper::pass_on(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
   const Bodies& bodies = scene.bodies;
-  bool more = false;
+  bool pushes = false;
+  touching_.assign(scene.manifolds.size(), 0);
   for (const std::uint32_t index : island.manifolds) {
     const Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      if ((struck_[index] >> i & 1) != 0 || !is_solved(point, parting(bodies, manifold, point), terms, step)) continue;
+      const auto bit = static_cast<std::uint8_t>(1U << i);
+      if ((struck_[index] & bit) != 0 || !is_solved(point, parting(bodies, manifold, point), terms, step)) continue;
+      touching_[index] |= bit;
       const double after = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
                                                        end_velocity(bodies, manifold.a, point.on_a));
-      if (std::max(0.0, point.gap) + step * after >= -kSlipShare * terms.velocity_unit * step) continue;
-      struck_[index] |= static_cast<std::uint8_t>(1U << i);
-      more = true;
+      pushes = pushes || std::max(0.0, point.gap) + step * after < -kSlipShare * terms.velocity_unit * step;
     }
   }
-  return more;
+  if (pushes)
+    for (const std::uint32_t index : island.manifolds) struck_[index] |= touching_[index];
+  return pushes;
 }
 
 IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
