@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/native/kernels.hpp"
+#include "core/native/contact_kernels.hpp"
 
 namespace holdfast::native {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/native/kernels.hpp"
+#include "core/native/factor_kernels.hpp"
 
 namespace holdfast::native {
 

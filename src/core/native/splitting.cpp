@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/native/contact_kernels.hpp"
+
 namespace holdfast::native {
 
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/native/kernels.hpp"
+#include "core/native/instruction_sets.hpp"
 
 namespace holdfast::native {
 

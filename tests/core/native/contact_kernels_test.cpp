@@ -1,71 +1,20 @@
-#include "core/native/kernels.hpp"
+#include "core/native/contact_kernels.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "core/native/each_instruction_set.hpp"
-#include "core/native/oriented_box.hpp"
-#include "random.hpp"
+#include "core/native/random_contacts.hpp"
+#include "core/native/same_bits.hpp"
 
 using namespace holdfast;
 using namespace holdfast::native;
 
 namespace {
 
-constexpr std::size_t kBodies = 7;
-constexpr std::size_t kPatches = 40;
 constexpr double kRelaxation = 1.6;
-
-/// Patches between random bodies and what is fixed, some with unused lanes, some frictionless, with random impulses.
-struct Contacts {
-  std::vector<Patch> patches = std::vector<Patch>(kPatches);
-  std::vector<Arms> mid_arms = std::vector<Arms>(kPatches);
-  std::vector<BodyVector> velocity = std::vector<BodyVector>(kBodies + 1);
-};
-
-Vec3 arm_of(const std::array<Lanes, 3>& arms, std::size_t lane) {
-  return {arms[0][lane], arms[1][lane], arms[2][lane]};
-}
-
-Contacts random_contacts(std::uint32_t seed) {
-  Random random(seed);
-  Contacts contacts;
-  for (std::size_t i = 0; i < kBodies; ++i)
-    for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[k] = random.between(-1, 1);
-  for (std::size_t p = 0; p < kPatches; ++p) {
-    Patch& patch = contacts.patches[p];
-    patch.b = static_cast<std::int32_t>(random.below(kBodies));
-    patch.a = static_cast<std::int32_t>(random.below(3) == 0 ? kBodies : random.below(kBodies));
-    if (patch.a == patch.b) patch.a = static_cast<std::int32_t>(kBodies);
-    patch.count = static_cast<std::int32_t>(1 + random.below(kLanes));
-    patch.friction = p % 5 == 0 ? 0.0 : random.between(0.1, 1.0);
-    const Mat3 axes = random.rotation().toRotationMatrix();
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t i = 0; i < 3; ++i)
-        patch.directions[d][i] = axes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        patch.impulse.row[i][lane] = random.between(i == 0 ? 0 : -2, 2);
-        patch.slip.row[i][lane] = random.between(-1, 1);
-        patch.allowance.row[i][lane] = random.between(-0.5, 0.5);
-        patch.arms.b[i][lane] = random.between(-1, 1);
-        contacts.mid_arms[p].b[i][lane] = patch.arms.b[i][lane] + random.between(-0.1, 0.1);
-        if (patch.a == static_cast<std::int32_t>(kBodies)) continue;
-        patch.arms.a[i][lane] = random.between(-1, 1);
-        contacts.mid_arms[p].a[i][lane] = patch.arms.a[i][lane] + random.between(-0.1, 0.1);
-      }
-      for (std::size_t k = 0; k < 2; ++k) {
-        patch.resistance[k][lane] = random.between(0.5, 3);
-        patch.compliance[k][lane] = 1.0 / patch.resistance[k][lane];
-      }
-    }
-  }
-  return contacts;
-}
 
 /// One iteration by the kernels: `aim`, then `project` of where it leads.
 struct Sweep {
@@ -78,25 +27,6 @@ struct Sweep {
     project(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, wrench);
   }
 };
-
-/// What contacts add to the matrix, with a block for every pair of bodies: row · kBodies + column.
-struct Resistance {
-  std::vector<BodyBlock> diagonal, below;
-};
-
-void add_resistance(const Contacts& contacts, Resistance& out, bool with_mid_arms) {
-  out.diagonal.resize(kBodies);
-  out.below.resize(kBodies * kBodies);
-  std::vector<std::uint32_t> pair, block;
-  for (const Patch& patch : contacts.patches) {
-    const auto [column, row] = std::minmax(patch.a, patch.b);
-    const bool with_fixed = row == static_cast<std::int32_t>(kBodies);
-    pair.push_back(with_fixed ? kNoPair : static_cast<std::uint32_t>(block.size()));
-    if (!with_fixed) block.push_back(static_cast<std::uint32_t>(row * static_cast<std::int32_t>(kBodies) + column));
-  }
-  native::add_resistance(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), pair, block,
-                         out.diagonal, out.below);
-}
 
 using Wrench = Eigen::Matrix<double, kBodyRows, 1>;
 
@@ -159,11 +89,6 @@ Wrench total(const LaneWrench& wrench) {
   return sum;
 }
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
 /// Impulses and slips only: a patch has padding.
 bool same_bits(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Patch& p, const Patch& q) {
@@ -172,66 +97,9 @@ bool same_bits(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   });
 }
 
-/// A chain of bodies with a coupling two further, in order of elimination: its structure has fill.
-struct Chain {
-  FactorShape shape;
-  std::vector<BodyBlock> below, diagonal, scratch;
-  std::vector<BodyVector> right;
-  Eigen::MatrixXd matrix;
-};
-
-Chain random_chain(std::uint32_t seed) {
-  constexpr std::uint32_t kColumns = 6;
-  Random random(seed);
-  Chain chain;
-  chain.shape.column_begin = {0};
-  chain.shape.update_begin = {0};
-  for (std::uint32_t j = 0; j < kColumns; ++j) {
-    for (std::uint32_t row = j + 1; row < std::min(j + 3, kColumns); ++row) chain.shape.block_row.push_back(row);
-    chain.shape.column_begin.push_back(static_cast<std::uint32_t>(chain.shape.block_row.size()));
-  }
-  const auto below_count = static_cast<std::uint32_t>(chain.shape.block_row.size());
-  for (std::uint32_t j = 0; j < kColumns; ++j) {
-    for (std::uint32_t k = chain.shape.column_begin[j]; k < chain.shape.column_begin[j + 1]; ++k) {
-      const std::uint32_t column = chain.shape.block_row[k];
-      chain.shape.updates.push_back({below_count + column, k, k});
-      // The two rows of a column are neighbours: their own block is the first of the earlier one's column.
-      if (k + 1 < chain.shape.column_begin[j + 1])
-        chain.shape.updates.push_back({chain.shape.column_begin[column], k + 1, k});
-    }
-    chain.shape.update_begin.push_back(static_cast<std::uint32_t>(chain.shape.updates.size()));
-  }
-  chain.below.resize(below_count);
-  chain.diagonal.resize(kColumns);
-  chain.scratch.resize(2);
-  chain.right.resize(kColumns);
-
-  const Eigen::Index rows = kColumns * kBodyRows;
-  Eigen::MatrixXd root(rows, rows);
-  for (double& number : root.reshaped()) number = random.between(-1, 1);
-  chain.matrix = root * root.transpose() / static_cast<double>(rows);
-  // Only the blocks of the structure are kept; twice the largest row sum keeps what is left positive definite.
-  for (Eigen::Index i = 0; i < rows; ++i)
-    for (Eigen::Index j = 0; j < rows; ++j)
-      if (std::abs(i / kBodyRows - j / kBodyRows) > 2) chain.matrix(i, j) = 0.0;
-  for (Eigen::Index i = 0; i < rows; ++i) chain.matrix(i, i) += 4.0;
-  const auto put = [&](Eigen::Index row, Eigen::Index column, BodyBlock& block) {
-    for (Eigen::Index c = 0; c < kBodyRows; ++c)
-      for (Eigen::Index r = 0; r < kBodyRows; ++r)
-        block.column[c][r] = chain.matrix(row * kBodyRows + r, column * kBodyRows + c);
-  };
-  for (std::uint32_t j = 0; j < kColumns; ++j) {
-    put(j, j, chain.diagonal[j]);
-    for (std::uint32_t k = chain.shape.column_begin[j]; k < chain.shape.column_begin[j + 1]; ++k)
-      put(chain.shape.block_row[k], j, chain.below[k]);
-    for (int k = 0; k < kBodyRows; ++k) chain.right[j].row[k] = random.between(-1, 1);
-  }
-  return chain;
-}
-
 }  // namespace
 
-TEST_CASE("kernels: a sweep does what its formulas say", "[core][kernels]") {
+TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact_kernels]") {
   for (const bool with_mid_arms : {false, true}) {
     Contacts contacts = random_contacts(11);
     Contacts copy = contacts;
@@ -257,7 +125,8 @@ TEST_CASE("kernels: a sweep does what its formulas say", "[core][kernels]") {
   }
 }
 
-TEST_CASE("kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing", "[core][kernels]") {
+TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing",
+          "[core][contact_kernels]") {
   Contacts contacts = random_contacts(12);
   const Sweep swept(contacts, false);
   int sticking = 0, sliding = 0, open = 0;
@@ -288,7 +157,7 @@ TEST_CASE("kernels: a sweep leaves every impulse in its cone, and unused lanes a
   CHECK(std::min({sticking, sliding, open}) > 5);
 }
 
-TEST_CASE("kernels: impulses add up to what they do to the bodies", "[core][kernels]") {
+TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[core][contact_kernels]") {
   Contacts contacts = random_contacts(13);
   std::vector<LaneWrench> wrench(kBodies + 1);
   add_impulses(contacts.patches, contacts.mid_arms, wrench);
@@ -314,38 +183,13 @@ TEST_CASE("kernels: impulses add up to what they do to the bodies", "[core][kern
   CHECK(worst < 1e-13);
 }
 
-TEST_CASE("kernels: what is factorised is solved", "[core][kernels]") {
-  for (const std::uint32_t seed : {21U, 22U, 23U}) {
-    Chain chain = random_chain(seed);
-    Eigen::VectorXd right(chain.matrix.rows());
-    for (std::size_t j = 0; j < chain.right.size(); ++j)
-      for (std::size_t k = 0; k < kBodyRows; ++k)
-        right[static_cast<Eigen::Index>(j * kBodyRows + k)] = chain.right[j].row[k];
-    const Eigen::VectorXd exact = chain.matrix.ldlt().solve(right);
-    factorise(chain.shape, chain.below, chain.diagonal, chain.scratch);
-    solve(chain.shape, chain.below, chain.diagonal, chain.right);
-    double worst = 0.0;
-    for (std::size_t j = 0; j < chain.right.size(); ++j)
-      for (std::size_t k = 0; k < kBodyRows; ++k)
-        worst = std::max(worst, std::abs(chain.right[j].row[k] - exact[static_cast<Eigen::Index>(j * kBodyRows + k)]));
-    CAPTURE(seed, worst);
-    CHECK(worst < 1e-13);
-    // Rows that only pad stay zero, or they would end up in the next sweep's vectors.
-    for (const BodyVector& x : chain.right) CHECK((x.row[6] == 0.0 && x.row[7] == 0.0));
-  }
-}
-
-TEST_CASE("kernels: every instruction set computes the same bits", "[core][kernels]") {
+TEST_CASE("contact_kernels: every instruction set computes the same bits", "[core][contact_kernels]") {
   const Contacts contacts = random_contacts(31);
-  const Chain chain = random_chain(32);
   struct Output {
     std::vector<Patch> patches;
     std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
     std::vector<PatchVector> u, g, r, difference, step;
     double mismatch = 0.0, product = 0.0;
-    std::vector<BodyBlock> below, diagonal;
-    std::vector<BodyVector> solution;
-    Resistance resisting;
   };
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
@@ -367,13 +211,6 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
     out.step.resize(kPatches);
     take_difference(out.g, last, out.step);
     add_impulses(out.patches, {}, out.added);
-    add_resistance(own, out.resisting, true);
-    Chain factor = chain;
-    factorise(factor.shape, factor.below, factor.diagonal, factor.scratch);
-    solve(factor.shape, factor.below, factor.diagonal, factor.right);
-    out.below = factor.below;
-    out.diagonal = factor.diagonal;
-    out.solution = factor.right;
   });
   REQUIRE_FALSE(outputs.empty());
   CHECK(outputs.front().mismatch > 0.0);
@@ -390,15 +227,10 @@ TEST_CASE("kernels: every instruction set computes the same bits", "[core][kerne
     CHECK(same_bits(out.r, first.r));
     CHECK(same_bits(out.difference, first.difference));
     CHECK(same_bits(out.step, first.step));
-    CHECK(same_bits(out.resisting.diagonal, first.resisting.diagonal));
-    CHECK(same_bits(out.resisting.below, first.resisting.below));
-    CHECK(same_bits(out.below, first.below));
-    CHECK(same_bits(out.diagonal, first.diagonal));
-    CHECK(same_bits(out.solution, first.solution));
   }
 }
 
-TEST_CASE("kernels: an iteration leads from x = y - R z to g = x + r", "[core][kernels]") {
+TEST_CASE("contact_kernels: an iteration leads from x = y - R z to g = x + r", "[core][contact_kernels]") {
   Contacts contacts = random_contacts(41);
   const std::vector<Patch> before = contacts.patches;
   const Sweep swept(contacts, false);
@@ -418,7 +250,8 @@ TEST_CASE("kernels: an iteration leads from x = y - R z to g = x + r", "[core][k
   CHECK(worst < 1e-14);
 }
 
-TEST_CASE("kernels: products and differences of impulses are what they are point by point", "[core][kernels]") {
+TEST_CASE("contact_kernels: products and differences of impulses are what they are point by point",
+          "[core][contact_kernels]") {
   Contacts contacts = random_contacts(51);
   const Sweep swept(contacts, false);
   std::vector<PatchVector> difference = swept.g, last = swept.u, step(kPatches);
@@ -441,45 +274,4 @@ TEST_CASE("kernels: products and differences of impulses are what they are point
   CAPTURE(product, worst);
   CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
   CHECK(worst < 1e-14);
-}
-
-TEST_CASE("kernels: what contacts resist is the sum over their points of J R J transposed", "[core][kernels]") {
-  const bool with_mid_arms = GENERATE(false, true);
-  const Contacts contacts = random_contacts(61);
-  Resistance resistance;
-  add_resistance(contacts, resistance, with_mid_arms);
-
-  constexpr Eigen::Index kRows = kBodyRows * (kBodies + 1);
-  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(kRows, kRows);
-  for (std::size_t p = 0; p < kPatches; ++p) {
-    const Patch& patch = contacts.patches[p];
-    const Arms& arms = with_mid_arms ? contacts.mid_arms[p] : patch.arms;
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
-      for (std::size_t d = 0; d < 3; ++d) {
-        const Vec3 along(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
-        Eigen::VectorXd row = Eigen::VectorXd::Zero(kRows);
-        row.segment<3>(kBodyRows * patch.a) -= along;
-        row.segment<3>(kBodyRows * patch.a + 3) -= arm_of(arms.a, lane).cross(along);
-        row.segment<3>(kBodyRows * patch.b) += along;
-        row.segment<3>(kBodyRows * patch.b + 3) += arm_of(arms.b, lane).cross(along);
-        expected += patch.resistance[d > 0][lane] * row * row.transpose();
-      }
-    }
-  }
-  double worst = 0.0;
-  for (std::size_t i = 0; i < kBodies; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      const BodyBlock& block = i == j ? resistance.diagonal[i] : resistance.below[i * kBodies + j];
-      for (std::size_t c = 0; c < kBodyRows; ++c) {
-        // Of blocks on the diagonal only the lower triangle is used.
-        for (std::size_t r = i == j ? c : 0; r < kBodyRows; ++r) {
-          worst =
-              std::max(worst, std::abs(block.column[c][r] - expected(static_cast<Eigen::Index>(kBodyRows * i + r),
-                                                                     static_cast<Eigen::Index>(kBodyRows * j + c))));
-        }
-      }
-    }
-  }
-  CAPTURE(with_mid_arms, worst);
-  CHECK(worst < 1e-12);
 }

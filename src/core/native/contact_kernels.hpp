@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/native/body_block.hpp"
+#include "core/native/patch.hpp"
+
+// The inner loops over contacts.
+
+namespace holdfast::native {
+
+/// First half of an iteration of the splitting: measures u = J v + allowance and finds where the iteration leads
+/// from x = y − R z, to g = x − α R (u − z).
+/// @param velocity   a body; the last entry, of what is fixed, is zero
+/// @param relaxation α: 1 plain, 1.6 over-relaxed
+/// @param u, g, r    a patch; r = g − x
+/// @return largest |u − z|, m/s
+double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+           std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
+
+/// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
+/// J_midᵀ (y + R (z − u)) to `wrench`.
+/// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the patches
+/// @param wrench   a body, added to
+void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
+             std::span<const PatchVector> u, std::span<LaneWrench> wrench);
+
+/// Σ a b / R over all points: an inner product of impulses.
+double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);
+
+/// step = now − last, last = now.
+void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step);
+
+/// x = x − Σ weight · history.
+void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
+              std::span<PatchVector> x);
+
+/// Adds J_midᵀ y to `wrench`.
+void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
+
+}  // namespace holdfast::native
