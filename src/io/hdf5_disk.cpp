@@ -13,12 +13,16 @@ namespace holdfast::h5 {
 
 namespace {
 
+/// Bytes after which the disk is told to write what there is, instead of all of it at the end.
+constexpr haddr_t kHandOverBytes = haddr_t{8} << 20U;
+
 /// An open file as HDF5 knows it: its own part comes first.
 struct DiskFile {
   H5FD_t common{};
   int descriptor = -1;
   haddr_t allocated_end = 0;
   haddr_t written_end = 0;
+  haddr_t handed_over_end = 0;
   DiskState* state = nullptr;
 };
 
@@ -73,6 +77,15 @@ herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t from, std::size_t size, voi
   return 0;
 }
 
+/// Has the disk begin to write. Whether it could is told when the file is made durable.
+void hand_over(DiskFile& file) {
+  const haddr_t size = file.written_end - file.handed_over_end;
+  if (size < kHandOverBytes) return;
+  ::sync_file_range(file.descriptor, static_cast<off_t>(file.handed_over_end), static_cast<off_t>(size),
+                    SYNC_FILE_RANGE_WRITE);
+  file.handed_over_end = file.written_end;
+}
+
 herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t to, std::size_t size, const void* buffer) {
   DiskState& state = *disk(file)->state;
   const auto* from = static_cast<const char*>(buffer);
@@ -88,6 +101,7 @@ herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t to, std::size_t size, cons
     to += static_cast<haddr_t>(count);
     size -= static_cast<std::size_t>(count);
   }
+  hand_over(*disk(file));
   return 0;
 }
 
