@@ -38,7 +38,7 @@ class Watch:
         self.process, self.results = process, results
         self.begin = time.monotonic()
         self.samples = []  # (s since the start, memory in MiB, processor s)
-        self.assembling = None
+        self.assembling = self.assembled = None  # s: when it began, when the results file was there
 
     def look(self):
         now = time.monotonic() - self.begin
@@ -51,6 +51,8 @@ class Watch:
             self.samples.append((now, resident / MIB, (int(fields[11]) + int(fields[12])) / TICK))
         if self.assembling is None and Path(f"{self.results}.tmp").exists():
             self.assembling = now
+        if self.assembled is None and self.results.exists():
+            self.assembled = now
 
     def follow(self):
         """Until the process ends; seconds it took."""
@@ -107,7 +109,9 @@ def undisturbed(options, folder, results):
     for stage, cpu_seconds in json.loads(costs.read_text()).items():
         tell(f"processor time: {stage}", cpu_seconds, "s")
     if watch.assembling is not None:  # shorter than a look, it is not seen
-        tell("assembling", seconds - watch.assembling, "s", f"{size / MIB / (seconds - watch.assembling):.0f} MiB/s")
+        took = (watch.assembled or seconds) - watch.assembling
+        tell("assembling", took, "s", f"{size / MIB / took:.0f} MiB/s")
+        tell("removing the parts, and the table of outcomes", seconds - watch.assembling - took, "s")
     return size
 
 
