@@ -51,7 +51,7 @@ class Watch:
             self.samples.append((now, resident / MIB, (int(fields[11]) + int(fields[12])) / TICK))
         if self.assembling is None and Path(f"{self.results}.tmp").exists():
             self.assembling = now
-        if self.assembled is None and self.results.exists():
+        elif self.assembled is None and self.results.exists():
             self.assembled = now
 
     def follow(self):
@@ -108,10 +108,10 @@ def undisturbed(options, folder, results):
     tell("results file", size / MIB, "MiB", f"{size / worlds / 1024:.1f} KiB a world")
     for stage, cpu_seconds in json.loads(costs.read_text()).items():
         tell(f"processor time: {stage}", cpu_seconds, "s")
-    if watch.assembling is not None:  # shorter than a look, it is not seen
-        took = (watch.assembled or seconds) - watch.assembling
+    if watch.assembling is not None and watch.assembled is not None:  # shorter than a look, they are not seen
+        took = watch.assembled - watch.assembling
         tell("assembling", took, "s", f"{size / MIB / took:.0f} MiB/s")
-        tell("removing the parts, and the table of outcomes", seconds - watch.assembling - took, "s")
+        tell("removing the parts, telling the outcomes", seconds - watch.assembling - took, "s")
     return size
 
 
