@@ -32,7 +32,7 @@ READS = 20  # worlds read for the median
 
 
 class Watch:
-    """Follows a run: memory and processor time as they grow, and when assembling begins."""
+    """Follows a run: memory and processor time as they grow, when assembling begins, and when it is done."""
 
     def __init__(self, process, results):
         self.process, self.results = process, results

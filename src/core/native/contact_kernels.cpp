@@ -2,7 +2,7 @@
 #include "core/native/contact_kernels.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "core/native/simd_targets.hpp"
 
@@ -174,12 +174,6 @@ HWY_EXPORT(dot_kernel);
 HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
-
-namespace {
-
-const Arms* arms_or_null(std::span<const Arms> arms) { return arms.empty() ? nullptr : arms.data(); }
-
-}  // namespace
 
 double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
            std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {

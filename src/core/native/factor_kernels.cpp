@@ -1,8 +1,7 @@
 // Arithmetic of the block factorisation, once for every instruction set, chosen at run time.
 #include "core/native/factor_kernels.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "core/native/simd_targets.hpp"
 
@@ -231,7 +230,7 @@ void add_resistance(std::span<const Patch> patches, std::span<const Arms> mid_ar
                     std::span<const std::uint32_t> patch_pair, std::span<const std::uint32_t> pair_block,
                     std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
   HWY_DYNAMIC_DISPATCH(add_resistance_kernel)
-  (patches.data(), mid_arms.empty() ? nullptr : mid_arms.data(), patches.size(), patch_pair.data(), pair_block.data(),
+  (patches.data(), arms_or_null(mid_arms), patches.size(), patch_pair.data(), pair_block.data(),
    static_cast<std::int32_t>(diagonal.size()), diagonal.data(), below.data());
 }
 

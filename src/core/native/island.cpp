@@ -14,6 +14,9 @@ namespace {
 constexpr double kOverlap = 5e-6;
 constexpr double kOverlapShare = 0.01;
 
+/// Rounds of activating manifolds that a step may take.
+constexpr int kRounds = 12;
+
 /// A residual above this many |g − a| h, or none at all, is that of an iteration that diverges.
 constexpr double kDiverged = 10.0;
 

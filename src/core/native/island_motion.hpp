@@ -18,9 +18,6 @@ inline constexpr double kSlipShare = 1e-3;
 /// No part of a step that is cut is shorter than this share of it.
 inline constexpr double kLeastStep = 1e-4;
 
-/// Rounds of activating manifolds that a step may take.
-inline constexpr int kRounds = 12;
-
 /// Largest rotation that a step's arms are predicted for, rad.
 inline constexpr double kLargestTurn = 0.25;
 

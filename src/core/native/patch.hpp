@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace holdfast::native {
 
@@ -16,6 +17,9 @@ struct alignas(32) Arms {
   std::array<Lanes, 3> a = {};
   std::array<Lanes, 3> b = {};
 };
+
+/// As kernels take the arms of the middle of the step: null stands for those of the patches.
+inline const Arms* arms_or_null(std::span<const Arms> arms) { return arms.empty() ? nullptr : arms.data(); }
 
 /// A number for each direction and point of a patch.
 struct alignas(32) PatchVector {
