@@ -80,10 +80,11 @@ HWY_INLINE double largest(const Four& four) {
   return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3]));
 }
 
-HWY_ATTR double aim_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity, double relaxation,
-                           PatchVector* out_u, PatchVector* out_g, PatchVector* out_r) {
+HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity, double relaxation,
+                             PatchVector* out_u, PatchVector* out_g, PatchVector* out_r) {
   const Four alpha = Four::all(relaxation);
   Four worst = Four::all(0.0);
+  Four squares[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
   for (std::size_t p = 0; p < count; ++p) {
     const Patch& patch = patches[p];
     const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
@@ -98,10 +99,12 @@ HWY_ATTR double aim_kernel(const Patch* patches, std::size_t count, const BodyVe
       r.store(out_r[p].row[i].data());
       (load(patch.impulse, i) - resistance[i > 0] * z + r).store(out_g[p].row[i].data());
       // A lane without a point has no slip to compare with.
-      worst = max(worst, (mismatch * (compliance[i > 0] * resistance[i > 0])).abs());
+      const Four counted = mismatch * (compliance[i > 0] * resistance[i > 0]);
+      worst = max(worst, counted.abs());
+      squares[i] = squares[i] + counted * counted;
     }
   }
-  return largest(worst);
+  return {largest(worst), total(squares[0] + (squares[1] + squares[2]))};
 }
 
 HWY_ATTR void project_kernel(Patch* patches, const Arms* mid_arms, std::size_t count, const PatchVector* in_x,
@@ -175,8 +178,8 @@ HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
 
-double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
-           std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {
+Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {
   return HWY_DYNAMIC_DISPATCH(aim_kernel)(patches.data(), patches.size(), velocity.data(), relaxation, u.data(),
                                           g.data(), r.data());
 }

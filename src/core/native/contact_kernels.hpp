@@ -10,14 +10,19 @@
 
 namespace holdfast::native {
 
+/// How far the velocities at the points are from those that go with the impulses, |u − z|.
+struct Mismatch {
+  double largest = 0.0;  ///< of a component, m/s
+  double squares = 0.0;  ///< summed over all components of all points, m²/s²
+};
+
 /// First half of an iteration of the splitting: measures u = J v + allowance and finds where the iteration leads
 /// from x = y − R z, to g = x − α R (u − z).
 /// @param velocity   a body; the last entry, of what is fixed, is zero
 /// @param relaxation α: 1 plain, 1.6 over-relaxed
 /// @param u, g, r    a patch; r = g − x
-/// @return largest |u − z|, m/s
-double aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
-           std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
+Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
 
 /// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
 /// J_midᵀ (y + R (z − u)) to `wrench`.

@@ -17,21 +17,16 @@ constexpr double kOverlapShare = 0.01;
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
 
-/// A residual above this many |g − a| h, or none at all, is that of an iteration that diverges.
-constexpr double kDiverged = 10.0;
-
-/// A residual above this many |g − a| h after all iterations of a moving step calls for more care.
-constexpr double kStuck = 0.5;
-
-/// Iterations with care over those without, and the R they are taken with.
+/// Iterations of a moving step that could not be solved, over those of others.
 constexpr int kCare = 4;
+
+/// A residual above this many |g − a| h, or none at all, is that of an iteration that diverges: it starts again, with
+/// this share of R.
+constexpr double kDiverged = 10.0;
 constexpr double kCarefulShare = 0.3;
 
 /// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
 constexpr int kWarmRestIterations = 30;
-
-/// Iterations of a proof of rest in which R follows the loads that are found. Beyond them it would jump to and fro.
-constexpr int kSettling = 60;
 
 }  // namespace
 
@@ -55,16 +50,17 @@ SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTe
   SplittingResult result = solver_.solve(options, scale);
   report.iterations += static_cast<std::uint64_t>(result.iterations);
   const bool diverged = !(result.residual < kDiverged * scale);
-  if (diverged || (options.more_iterations > 0 && result.residual > kStuck * scale)) {
-    SplittingOptions careful = options;
-    careful.accelerate = false;
+  if (!diverged && (options.more_iterations == 0 || result.residual <= options.worst_residual * scale)) return result;
+  SplittingOptions careful = options;
+  careful.accelerate = false;
+  careful.more_iterations = kCare * (options.iterations + options.more_iterations);
+  if (diverged) {
     careful.sticking *= kCarefulShare;
     careful.sliding *= kCarefulShare;
-    careful.more_iterations = kCare * (options.iterations + options.more_iterations);
-    if (diverged) solver_.restart(solver_.free_velocity);
-    result = solver_.solve(careful, scale);
-    report.iterations += static_cast<std::uint64_t>(result.iterations);
+    solver_.restart(solver_.free_velocity);
   }
+  result = solver_.solve(careful, scale);
+  report.iterations += static_cast<std::uint64_t>(result.iterations);
   return result;
 }
 
@@ -95,12 +91,10 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   tight.relaxation = 1.6;
   tight.sticking = 100.0;
   tight.sliding = 100.0;
-  tight.reclassify_every = 1 << 30;
   tight.accelerate = true;
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   const int most = terms.cold ? options_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < most; done += tight.iterations) {
-    tight.keep_resistance = done >= kSettling;
     run(tight, terms, terms.step, report);
     std::vector<BodyVector> velocity = solver_.velocity;
     if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {
@@ -160,7 +154,8 @@ bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
     scene.undo.emplace_back(index, manifold);
     double reach = terms.reach;
     for (int i = 0; i < manifold.contact.count; ++i) reach = std::max(reach, manifold.contact.points[at(i)].gap);
-    const ContactSet contact = contact_now(manifold, scene.bodies, scene.sides, contact_reach(terms, 0.0) + reach);
+    const ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b,
+                                           contact_reach(terms, 0.0) + reach, manifold.contact.axis);
     deep = deep || overlaps_unseen(contact, manifold.contact, options_.deep_overlap);
     renew_contact(manifold, contact);
   }

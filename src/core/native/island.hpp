@@ -83,6 +83,8 @@ class IslandStepper {
   void resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
+  double end_parting(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
+  void activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
   bool pass_on(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   double first_stop(const Scene& scene, const StepTerms& terms, double step) const;

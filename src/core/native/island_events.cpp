@@ -14,6 +14,9 @@ namespace {
 /// Impacts below this share of |g − a| h are never located in time: they close at the end of their step.
 constexpr double kFastShare = 0.25;
 
+/// Gaps below this share of |g − a| h² are those of neighbours that a hit may reach.
+constexpr double kNearby = 0.2;
+
 }  // namespace
 
 /// Contacts that are part of the solve: closed, or closing slower than what is located in time, or closing at all
@@ -33,6 +36,12 @@ Vec3 IslandStepper::end_velocity(const Bodies& bodies, std::int32_t body, const 
   if (is_fixed(bodies, body)) return Vec3::Zero();
   const BodyVector& v = solver_.velocity[at(place_[at(body)])];
   return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
+}
+
+/// Speed at which the surfaces part at a point after the solve, m/s.
+double IslandStepper::end_parting(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const {
+  return manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
+                                     end_velocity(bodies, manifold.a, point.on_a));
 }
 
 void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -96,14 +105,33 @@ bool IslandStepper::pass_on(const Scene& scene, const IslandView& island, const 
       const auto bit = static_cast<std::uint8_t>(1U << i);
       if ((struck_[index] & bit) != 0 || !is_solved(point, parting(bodies, manifold, point), terms, step)) continue;
       touching_[index] |= bit;
-      const double after = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
-                                                       end_velocity(bodies, manifold.a, point.on_a));
+      const double after = end_parting(bodies, manifold, point);
       pushes = pushes || std::max(0.0, point.gap) + step * after < -kSlipShare * terms.velocity_unit * step;
     }
   }
   if (pushes)
     for (const std::uint32_t index : island.manifolds) struck_[index] |= touching_[index];
   return pushes;
+}
+
+/// Has all pairs of the island that nearly touch, and end the step so, take part in its next solve: a hit that is
+/// passed on contact by contact would take as many solves as the crowd has layers. Not what is fixed: between two walls
+/// friction could hold what nothing pushes against them.
+void IslandStepper::activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const {
+  const Bodies& bodies = scene.bodies;
+  const double near = kNearby * terms.velocity_unit * step;
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    if (manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      const double u0 = parting(bodies, manifold, point);
+      const double gap_end = point.gap + 0.5 * step * (u0 + end_parting(bodies, manifold, point));
+      if (!is_solved(point, u0, terms, step) || gap_end >= near) continue;
+      manifold.active = true;
+      manifold.idle_steps = 0;
+    }
+  }
 }
 
 IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
@@ -118,8 +146,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const double u0 = parting(bodies, manifold, point);
       const bool solved = is_solved(point, u0, terms, step);
       if (manifold.active && solved) continue;
-      const double u1 = manifold.contact.normal.dot(end_velocity(bodies, manifold.b, point.on_b) -
-                                                    end_velocity(bodies, manifold.a, point.on_a));
+      const double u1 = end_parting(bodies, manifold, point);
       const double gap_end = point.gap + 0.5 * step * (u0 + u1);
       if (gap_end >= -overlap) continue;
       // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.
@@ -136,6 +163,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       }
     }
   }
+  if (event.activated) activate_nearby(scene, island, terms, step);
   return event;
 }
 
@@ -151,6 +179,7 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
   double first = step;
   for (std::size_t p = 0; p < sources_.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources_[p].manifold];
+    if (manifold.friction == 0.0) continue;
     const Vec3& normal = manifold.contact.normal;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(solver_.patches[p].count); ++lane) {
       if (!(solver_.patches[p].impulse.row[0][lane] > 0.0)) continue;

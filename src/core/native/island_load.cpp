@@ -127,7 +127,8 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
-    const double parting_speed = parting(bodies, manifold, point);
+    const Vec3 slip = relative_velocity(bodies, manifold, point);
+    const double parting_speed = manifold.contact.normal.dot(slip);
     const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
     if (moving ? !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
     if (purpose == Purpose::impact && (struck_[index] >> i & 1) == 0) continue;
@@ -181,8 +182,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
           captures_ =
               captures_ || std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step;
           // Friction along the mean slip makes curved paths second order in the step.
-          const Vec3 slip = relative_velocity(bodies, manifold, point);
-          const Vec3 slide = slip - manifold.contact.normal * manifold.contact.normal.dot(slip);
+          const Vec3 slide = slip - manifold.contact.normal * parting_speed;
           if (slide.norm() > kLastingSlip * terms.velocity_unit)
             for (std::size_t d = 1; d < 3; ++d) patch.allowance.row[d][lane] = slide.dot(directions[d]);
         }

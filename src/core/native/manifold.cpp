@@ -10,9 +10,9 @@ namespace {
 /// A point moves less than this within a step as long as it is the same point, m.
 constexpr double kSamePoint = 0.02;
 
-/// The nearer of the distances on either body: a point may slide over one of the two.
-double distance(const ContactPoint& p, const ContactPoint& q) {
-  return std::sqrt(std::min((p.on_a - q.on_a).squaredNorm(), (p.on_b - q.on_b).squaredNorm()));
+/// Square of the nearer of the distances on either body: a point may slide over one of the two.
+double square_distance(const ContactPoint& p, const ContactPoint& q) {
+  return std::min((p.on_a - q.on_a).squaredNorm(), (p.on_b - q.on_b).squaredNorm());
 }
 
 }  // namespace
@@ -31,11 +31,11 @@ void renew_contact(Manifold& manifold, const ContactSet& contact) {
   manifold.contact = contact;
   for (int i = 0; i < contact.count; ++i) {
     const auto& point = contact.points[static_cast<std::size_t>(i)];
-    double nearest = kSamePoint;
+    double nearest = kSamePoint * kSamePoint;
     PointMemory& now = manifold.memory[static_cast<std::size_t>(i)];
     now = PointMemory{};
     for (int j = 0; j < old.count; ++j) {
-      const double d = distance(point, old.points[static_cast<std::size_t>(j)]);
+      const double d = square_distance(point, old.points[static_cast<std::size_t>(j)]);
       if (d >= nearest) continue;
       nearest = d;
       now = memory[static_cast<std::size_t>(j)];
@@ -43,10 +43,11 @@ void renew_contact(Manifold& manifold, const ContactSet& contact) {
   }
 }
 
-ContactSet contact_now(const Manifold& manifold, const Bodies& bodies, const std::vector<Side>& sides, double margin) {
-  const OrientedBox& b = bodies.shape[static_cast<std::size_t>(manifold.b)];
-  if (manifold.with_side()) return contact_of(sides[manifold.side()].space, b, margin);
-  return contact_of(bodies.shape[static_cast<std::size_t>(manifold.a)], b, margin, manifold.contact.axis);
+ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
+                       double margin, const ContactAxis& previous) {
+  const OrientedBox& box = bodies.shape[static_cast<std::size_t>(b)];
+  if (a < 0) return contact_of(sides[static_cast<std::size_t>(-1 - a)].space, box, margin);
+  return contact_of(bodies.shape[static_cast<std::size_t>(a)], box, margin, previous);
 }
 
 }  // namespace holdfast::native

@@ -44,7 +44,8 @@ std::array<Vec3, 3> directions_of(const Vec3& normal);
 /// Takes the new contact and carries each point's memory over from the nearest old one.
 void renew_contact(Manifold& manifold, const ContactSet& contact);
 
-/// Contact of the manifold's bodies where they are now.
-ContactSet contact_now(const Manifold& manifold, const Bodies& bodies, const std::vector<Side>& sides, double margin);
+/// Contact of two bodies where they are now; `a` as in `Manifold`, `margin` and `previous` as for `contact_of`.
+ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
+                       double margin, const ContactAxis& previous);
 
 }  // namespace holdfast::native

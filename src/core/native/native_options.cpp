@@ -10,7 +10,7 @@ NativeOptions native_options(const Settings& settings) {
       options.steps_per_second = 120.0;
       options.tolerance = 1e-3;
       options.iterations = 16;
-      options.cold_iterations = 120;
+      options.cold_iterations = 60;
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
       options.impact_cuts = 0;

@@ -85,25 +85,23 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const Vec3 relative =
       a < 0 ? bodies.state.velocity[at(b)] : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
   const double reach = contact_reach(terms_, relative.norm() + speed(a) + speed(b));
-  Manifold fresh;
-  Manifold& manifold = slot < 0 ? fresh : scene_.manifolds[at(slot)];
-  if (slot < 0) {
-    fresh.a = a;
-    fresh.b = b;
-  }
-  const ContactSet contact = contact_now(manifold, bodies, scene_.sides, reach);
-  if (overlaps_unseen(contact, manifold.contact, options_.deep_overlap)) met_deep_ = true;
-  if (contact.count > 0 && slot >= 0) {
-    renew_contact(manifold, contact);
-  } else if (contact.count > 0) {
-    const Surface& on_a = a < 0 ? scene_.sides[static_cast<std::size_t>(-1 - a)].surface : bodies.surface[at(a)];
-    fresh.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
-    fresh.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
-    fresh.contact = contact;
-    slot = static_cast<std::int32_t>(scene_.manifolds.size());
-    scene_.manifolds.push_back(fresh);
+  static const ContactSet kNone;
+  const ContactSet& before = slot < 0 ? kNone : scene_.manifolds[at(slot)].contact;
+  const ContactSet contact = contact_now(bodies, scene_.sides, a, b, reach, before.axis);
+  if (overlaps_unseen(contact, before, options_.deep_overlap)) met_deep_ = true;
+  if (slot >= 0 && contact.count > 0) {
+    renew_contact(scene_.manifolds[at(slot)], contact);
   } else if (slot >= 0) {
     end_manifold(at(slot));
+  } else if (contact.count > 0) {
+    const Surface& on_a = a < 0 ? scene_.sides[static_cast<std::size_t>(-1 - a)].surface : bodies.surface[at(a)];
+    slot = static_cast<std::int32_t>(scene_.manifolds.size());
+    Manifold& manifold = scene_.manifolds.emplace_back();
+    manifold.a = a;
+    manifold.b = b;
+    manifold.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
+    manifold.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
+    manifold.contact = contact;
   }
 }
 

@@ -12,8 +12,8 @@ namespace {
 /// Share of the disc's radius from which a contact counts as sliding.
 constexpr double kSlidingShare = 0.999;
 
-/// R of the iterations beyond the cap over that of those before: slower, but steadier where load moves to and fro.
-constexpr double kLateShare = 0.3;
+/// R is fitted anew when this share of the points calls for another one: fewer are not worth a factorisation.
+constexpr double kRefitShare = 0.2;
 
 /// Iterations before a solve may stop: the first only meets the start values.
 constexpr int kLeastIterations = 2;
@@ -27,35 +27,49 @@ double step_up(double ratio) {
 
 }  // namespace
 
-bool Splitting::choose_resistance(double sticking, double sliding) {
+Splitting::Resistance Splitting::wanted_resistance(const Patch& patch, std::size_t lane,
+                                                   const SplittingOptions& options) const {
+  const double normal = patch.impulse.row[0][lane];
+  // Without friction nothing holds along the tangents: R would, until the solve has come to its end.
+  const double held = patch.friction > 0.0 ? 1.0 : 0.0;
+  if (normal <= 0.0 && (!begun_ || patch.load[lane] <= 0.0)) return {patch.base, held * patch.base};
+  const double load = std::max(normal, patch.load[lane]) / (patch.base * load_unit);
+  const double carried = patch.base * step_up(std::min(heaviest_ / patch.base, load));
+  const double limit = kSlidingShare * patch.friction * normal;
+  const double tangential =
+      patch.impulse.row[1][lane] * patch.impulse.row[1][lane] + patch.impulse.row[2][lane] * patch.impulse.row[2][lane];
+  const bool slides = normal > 0.0 && tangential >= limit * limit;
+  return {options.sticking * carried, held * (slides ? options.sliding : options.sticking) * carried};
+}
+
+/// Fits R to the loads that there are. False where it stays, because few points call for another.
+bool Splitting::choose_resistance(const SplittingOptions& options) {
   // A point carries at most the whole island on a patch's four: what is more is a blow's impulse, not mass.
-  double heaviest = 0.0;
-  for (const SolverBody& body : bodies) heaviest += body.mass;
-  heaviest /= static_cast<double>(kLanes);
-  bool changed = false;
-  for (Patch& patch : patches) {
-    const double unit = patch.base * load_unit;
-    const double most = heaviest / patch.base;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
-      const double normal = patch.impulse.row[0][i];
-      const double carried = patch.base * step_up(std::min(most, std::max(normal, patch.load[i]) / unit));
-      double rn = patch.base;
-      double rt = patch.base;
-      if (normal > 0.0 || (begun_ && patch.load[i] > 0.0)) {
-        const double limit = kSlidingShare * patch.friction * normal;
-        const double tangential =
-            patch.impulse.row[1][i] * patch.impulse.row[1][i] + patch.impulse.row[2][i] * patch.impulse.row[2][i];
-        rn = sticking * carried;
-        rt = (normal > 0.0 && tangential >= limit * limit ? sliding : sticking) * carried;
-      }
-      changed = changed || patch.resistance[0][i] != rn || patch.resistance[1][i] != rt;
-      patch.resistance[0][i] = rn;
-      patch.resistance[1][i] = rt;
-      patch.compliance[0][i] = 1.0 / rn;
-      patch.compliance[1][i] = 1.0 / rt;
-    }
+  heaviest_ = 0.0;
+  for (const SolverBody& body : bodies) heaviest_ += body.mass;
+  heaviest_ /= static_cast<double>(kLanes);
+  const auto for_each_point = [&](auto&& visit) {
+    for (Patch& patch : patches)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i)
+        visit(patch, i, wanted_resistance(patch, i, options));
+  };
+  if (!begun_) {
+    std::size_t points = 0;
+    std::size_t others = 0;
+    for_each_point([&](const Patch& patch, std::size_t i, const Resistance& wanted) {
+      ++points;
+      if (wanted.normal != patch.resistance[0][i] || wanted.tangential != patch.resistance[1][i]) ++others;
+    });
+    if (static_cast<double>(others) <= kRefitShare * static_cast<double>(points)) return false;
   }
-  return changed;
+  for_each_point([](Patch& patch, std::size_t i, const Resistance& wanted) {
+    patch.resistance[0][i] = wanted.normal;
+    patch.resistance[1][i] = wanted.tangential;
+    patch.compliance[0][i] = 1.0 / wanted.normal;
+    patch.compliance[1][i] = wanted.tangential > 0.0 ? 1.0 / wanted.tangential : 0.0;
+  });
+  begun_ = false;
+  return true;
 }
 
 void Splitting::assemble() {
@@ -96,21 +110,22 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
   u_.resize(patches.size());
   g_.resize(patches.size());
   r_.resize(patches.size());
-  const double bad = options.bad_residual * velocity_unit;
+  std::size_t points = 0;
+  for (const Patch& patch : patches) points += static_cast<std::size_t>(patch.count);
+  Mismatch mismatch;
+  const auto may_pass = [&] {
+    const double mean = options.mean_residual * velocity_unit;
+    return mismatch.squares <= mean * mean * static_cast<double>(points) &&
+           result.residual <= options.worst_residual * velocity_unit;
+  };
   const int most = options.iterations + options.more_iterations;
-  while (!result.converged &&
-         (result.iterations < options.iterations || (result.iterations < most && result.residual > bad))) {
-    const int late = result.iterations - options.iterations;
-    const double share = late >= 0 ? kLateShare : 1.0;
-    const bool due =
-        (begun_ || !options.keep_resistance) && (late >= 0 ? late : result.iterations) % options.reclassify_every == 0;
-    if (due && (choose_resistance(share * options.sticking, share * options.sliding) || begun_)) {
-      begun_ = false;
+  while (!result.converged && result.iterations < (may_pass() ? options.iterations : most)) {
+    if (result.iterations % options.refit_every == 0 && choose_resistance(options)) {
       assemble();
       anderson_.restart();
     }
     wrench_.assign(bodies.size() + 1, LaneWrench{});
-    const double mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
+    mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
     if (options.accelerate) anderson_.accelerate(patches, g_, r_);
     project(patches, mid_arms, g_, u_, wrench_);
     residual_force();
@@ -129,7 +144,7 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
       if (!(change <= largest_change)) largest_change = change;
     }
     ++result.iterations;
-    result.residual = mismatch > largest_change ? mismatch : largest_change;
+    result.residual = mismatch.largest > largest_change ? mismatch.largest : largest_change;
     result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;
   }
   return result;

@@ -20,16 +20,16 @@ struct SolverBody {
 
 /// How hard a solve tries.
 struct SplittingOptions {
-  double tolerance = 1e-3;       ///< of velocities, in units of `velocity_unit`
-  int iterations = 24;           ///< at most, as long as the residual is not above `bad_residual`
-  int more_iterations = 0;       ///< at most, on top of these, with less R, where it is
-  double bad_residual = 0.05;    ///< in units of `velocity_unit`
-  double relaxation = 1.0;       ///< α
-  double sticking = 10.0;        ///< R over the mass that a contact carries, where it sticks and along the normal
-  double sliding = 3.0;          ///< the same along the tangents where it slides
-  int reclassify_every = 12;     ///< iterations between two choices of R
-  bool keep_resistance = false;  ///< go on with the R of the last call
-  bool accelerate = false;       ///< Anderson's acceleration: for solves that go on to the end
+  double tolerance = 1e-3;      ///< of velocities, in units of `velocity_unit`
+  int iterations = 24;          ///< at most, where what is left may pass
+  int more_iterations = 0;      ///< at most, on top of these, where it may not
+  double mean_residual = 0.01;  ///< that may pass: root of the mean square over the points, in units of `velocity_unit`
+  double worst_residual = 0.5;  ///< that may pass, likewise
+  double relaxation = 1.0;      ///< α
+  double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
+  double sliding = 3.0;         ///< the same along the tangents where it slides
+  int refit_every = 12;         ///< iterations between two looks at R
+  bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end
 };
 
 /// How far a solve came.
@@ -76,11 +76,19 @@ class Splitting {
   double imbalance_at_rest(double velocity_unit);
 
  private:
-  bool choose_resistance(double sticking, double sliding);
+  /// R of a point, along the normal and the tangents, kg.
+  struct Resistance {
+    double normal = 0.0;
+    double tangential = 0.0;
+  };
+
+  Resistance wanted_resistance(const Patch& patch, std::size_t lane, const SplittingOptions& options) const;
+  bool choose_resistance(const SplittingOptions& options);
   void assemble();
   void residual_force();
 
-  bool begun_ = true;  ///< nothing has been iterated since `begin`
+  bool begun_ = true;      ///< nothing has been iterated since `begin`
+  double heaviest_ = 0.0;  ///< most mass that a point can carry, kg
   Anderson anderson_;
   std::vector<PatchVector> u_, g_, r_;
   std::vector<LaneWrench> wrench_;
