@@ -25,6 +25,9 @@ constexpr int kCare = 4;
 constexpr double kDiverged = 10.0;
 constexpr double kCarefulShare = 0.3;
 
+/// Iterations of a proof of rest in which R follows the loads that are found. Beyond them it would jump to and fro.
+constexpr int kSettling = 60;
+
 /// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
 constexpr int kWarmRestIterations = 30;
 
@@ -95,6 +98,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   const int most = terms.cold ? options_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < most; done += tight.iterations) {
+    tight.refit_share = done < kSettling ? 0.0 : 1.0;
     run(tight, terms, terms.step, report);
     std::vector<BodyVector> velocity = solver_.velocity;
     if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {

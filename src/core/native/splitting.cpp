@@ -12,9 +12,6 @@ namespace {
 /// Share of the disc's radius from which a contact counts as sliding.
 constexpr double kSlidingShare = 0.999;
 
-/// R is fitted anew when this share of the points calls for another one: fewer are not worth a factorisation.
-constexpr double kRefitShare = 0.2;
-
 /// Iterations before a solve may stop: the first only meets the start values.
 constexpr int kLeastIterations = 2;
 
@@ -42,7 +39,8 @@ Splitting::Resistance Splitting::wanted_resistance(const Patch& patch, std::size
   return {options.sticking * carried, held * (slides ? options.sliding : options.sticking) * carried};
 }
 
-/// Fits R to the loads that there are. False where it stays, because few points call for another.
+/// Fits R to the loads that there are. False where it stays, because few points call for another: they are not worth
+/// a factorisation.
 bool Splitting::choose_resistance(const SplittingOptions& options) {
   // A point carries at most the whole island on a patch's four: what is more is a blow's impulse, not mass.
   heaviest_ = 0.0;
@@ -60,7 +58,7 @@ bool Splitting::choose_resistance(const SplittingOptions& options) {
       ++points;
       if (wanted.normal != patch.resistance[0][i] || wanted.tangential != patch.resistance[1][i]) ++others;
     });
-    if (static_cast<double>(others) <= kRefitShare * static_cast<double>(points)) return false;
+    if (static_cast<double>(others) <= options.refit_share * static_cast<double>(points)) return false;
   }
   for_each_point([](Patch& patch, std::size_t i, const Resistance& wanted) {
     patch.resistance[0][i] = wanted.normal;

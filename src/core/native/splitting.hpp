@@ -29,6 +29,7 @@ struct SplittingOptions {
   double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
   double sliding = 3.0;         ///< the same along the tangents where it slides
   int refit_every = 12;         ///< iterations between two looks at R
+  double refit_share = 0.2;     ///< of the points, above which it is fitted anew where so many call for another one
   bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end
 };
 
