@@ -28,7 +28,7 @@ struct alignas(32) PatchVector {
 
 /// Up to four contact points of two bodies with one normal and one friction coefficient: what the contact solver
 /// reads and writes in an iteration. Directions: 0 along the normal, 1 and 2 along the tangents. A lane without a
-/// point has resistance 0 and stays at impulse 0.
+/// point has resistance 0 and stays at impulse 0, as do the tangents of a patch without friction.
 struct alignas(64) Patch {
   Arms arms;            ///< at the end of the step: where velocities are measured
   PatchVector impulse;  ///< y, on b, opposite on a, kg m/s
@@ -38,7 +38,7 @@ struct alignas(64) Patch {
   PatchVector allowance;
   Lanes load = {};                                       ///< normal impulse that the point is likely to carry, kg m/s
   std::array<Lanes, 2> resistance = {};                  ///< R of the splitting, normal and tangential, kg
-  std::array<Lanes, 2> compliance = {};                  ///< 1 / R; 0 for an unused lane, 1/kg
+  std::array<Lanes, 2> compliance = {};                  ///< 1 / R, 0 where R is 0, 1/kg
   std::array<std::array<double, 3>, 3> directions = {};  ///< normal (from a to b) and tangents, unit, container frame
   double friction = 0.0;
   std::int32_t a = 0;  ///< body, local index; the island's count stands for what is fixed
