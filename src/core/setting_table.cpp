@@ -168,18 +168,20 @@ std::vector<SettingKey> make_table() {
   add(OneOf<Accuracies>{}, "Accuracy", "", "standard", MEMBER(native.accuracy),
       "Set of step, tolerances and caps that the following keys change one by one; docs/physics.md has the table.");
   add(Rate{}, "StepsPerSecond", "1/s", "", MEMBER(native.steps_per_second),
-      "Least number of steps a simulated second, instead of SimulationStepsPerSecond; screening 120, standard 240, "
-      "reference 960.");
+      "Least number of steps a simulated second, instead of SimulationStepsPerSecond; screening 60, standard 240, "
+      "reference 1440.");
   add(Positive{}, "Tolerance", "", "", MEMBER(native.tolerance),
       "Error left in a moving step's velocities, in units of what gravity and acceleration add in the step; "
-      "screening 0.001, standard 0.0001, reference 1e-8.");
+      "screening 0.0001, or 0.001 with more than 8 boxes in contact; standard 0.0001, reference 1e-9.");
   add(Whole<IterationRange>{}, "Iterations", "", "", MEMBER(native.iterations),
-      "Most iterations of the contact solver in a moving step; screening 16, standard 60, reference 400.");
+      "Most iterations of the contact solver in a moving step, where what is left may pass; with up to 8 boxes in "
+      "contact and with more: screening 60 and 8, standard 60 and 30, reference 400 and 400.");
   add(Positive{}, "RestTolerance", "", "", MEMBER(native.rest_tolerance),
       "Largest force left on a box that is proved to rest, in units of its weight; screening 1e-6, standard 1e-8, "
       "reference 1e-9.");
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
-      "Times that impacts may cut a step of boxes in contact; screening 0, standard 8, reference 32.");
+      "Times that impacts may cut a step of boxes in contact; screening 8, or 0 with more than 8 boxes; standard 8, "
+      "reference 32.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time goes on to the next change of the acceleration at once while everything rests; never changes a "
       "result.");

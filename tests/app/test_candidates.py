@@ -1,4 +1,4 @@
-"""bench/candidates.py: layouts that are distinct, valid, the same every time, and as the knobs say."""
+"""bench/candidates.py: layouts that are distinct, valid, the same every time, and as the knobs say; bench/with_play.py."""
 import subprocess
 import sys
 import unittest
@@ -77,6 +77,15 @@ class Candidates(CliTest):
             done = subprocess.run([sys.executable, SOURCE / "bench/candidates.py", "3", self.folder / "no", *map(str, knobs)],
                                   capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 2, done.stderr)
+
+    def test_play_takes_from_all_sides_but_not_from_the_height(self):
+        tight = SOURCE / "configs/layouts/BR1_001_ep.txt"
+        subprocess.run([sys.executable, SOURCE / "bench/with_play.py", "2", self.folder / "loose", tight], check=True)
+        loose = self.boxes((self.folder / "loose" / tight.name).read_text())
+        boxes = self.boxes(tight.read_text())
+        self.assertEqual(len(loose), len(boxes))
+        for (x, y, z, X, Y, Z, _), now in zip(boxes, loose):
+            self.assertEqual([round(edge, 6) for edge in now[:6]], [x + 0.1, y + 0.1, z, X - 0.1, Y - 0.1, Z])
 
 
 if __name__ == "__main__":

@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xce34ed9c78ad2fff},
-    {"lean", lean, 0x46604d6f34db774f},
-    {"tumble", tumble, 0x399f4d1462019dc7},
-    {"drop", drop, 0x5690dceefe0a48e8},
+    {"brake", brake, 0x9c85c11fae8cbb9a},
+    {"lean", lean, 0xb392a90534473247},
+    {"tumble", tumble, 0x73ffbf9af8967012},
+    {"drop", drop, 0xe437b354183d0ca9},
 };
 
 }  // namespace

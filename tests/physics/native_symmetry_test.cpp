@@ -113,7 +113,9 @@ void check_mirrors(const Layout& layout, std::initializer_list<Accuracy> accurac
 }  // namespace
 
 TEST_CASE("native_symmetry: a mirrored scene moves as in a mirror", "[physics][native_symmetry]") {
-  check_mirrors(sliding_scene(), kAll, 1e-13, 0.0);
+  check_mirrors(sliding_scene(), {Accuracy::screening, Accuracy::standard}, 1e-13, 0.0);
+  // Rounding may decide which of its many iterations is the last.
+  check_mirrors(sliding_scene(), {Accuracy::reference}, 1e-11, 0.0);
   // Sums over points are in another order in a mirror, and a load that turns makes more of rounding.
   check_mirrors(turning_scene(), {Accuracy::standard}, 0.03, 0.04);
   check_mirrors(turning_scene(), {Accuracy::reference}, 2e-4, 0.04);
@@ -194,7 +196,7 @@ TEST_CASE("native_symmetry: a scene of other lengths moves alike, in the root of
           "[physics][native_symmetry]") {
   // Lengths by 4 or 1/4, times by 2 or 1/2: accelerations stay.
   for (const Accuracy accuracy : {Accuracy::standard, Accuracy::reference}) {
-    const double rate = accuracy == Accuracy::standard ? 240.0 : 960.0;
+    const double rate = accuracy == Accuracy::standard ? 240.0 : 1440.0;
     const double bound = accuracy == Accuracy::standard ? 5e-3 : 1e-3;
     for (const Layout& layout : {sliding_scene(), turning_scene()}) {
       const auto run_with = [&](double length, double time) {

@@ -17,6 +17,13 @@ constexpr double kOverlapShare = 0.01;
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
 
+/// Where bodies are slower than |g − a| h, less of a residual may pass, in proportion: whether they move at all hangs
+/// on it. No less than this share.
+constexpr double kSlow = 0.04;
+
+/// How far positions are corrected: to this share of the overlap that is left alone.
+constexpr double kProjected = 0.1;
+
 /// Iterations of a moving step that could not be solved, over those of others.
 constexpr int kCare = 4;
 
@@ -30,6 +37,13 @@ constexpr int kSettling = 60;
 
 /// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
 constexpr int kWarmRestIterations = 30;
+
+/// Root of the mean square of the bodies' speeds, m/s.
+double mean_speed(const Bodies& bodies, const IslandView& island) {
+  double squares = 0.0;
+  for (const std::uint32_t body : island.bodies) squares += bodies.state.velocity[body].squaredNorm();
+  return std::sqrt(squares / static_cast<double>(island.bodies.size()));
+}
 
 }  // namespace
 
@@ -94,6 +108,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   tight.relaxation = 1.6;
   tight.sticking = 100.0;
   tight.sliding = 100.0;
+  tight.ready = 0.01;
   tight.accelerate = true;
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   const int most = terms.cold ? options_.rest_iterations : kWarmRestIterations;
@@ -161,7 +176,7 @@ bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
     const ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b,
                                            contact_reach(terms, 0.0) + reach, manifold.contact.axis);
     deep = deep || overlaps_unseen(contact, manifold.contact, options_.deep_overlap);
-    renew_contact(manifold, contact);
+    renew_contact(manifold, contact, scene.bodies);
   }
   return deep;
 }
@@ -180,7 +195,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
   load(scene, island, terms, Purpose::projection, terms.step);
   SplittingOptions options;
   options.iterations = 24;
-  options.tolerance = 1e-6;
+  options.tolerance = kProjected * options_.overlap;
   solver_.solve(options, 1.0);
   for (const std::uint32_t body : island.bodies) {
     const BodyVector& shift = solver_.velocity[at(place_[body])];
@@ -197,17 +212,22 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   project(scene, island, terms);
+  effort_ = options_.effort(island.bodies.size());
   SplittingOptions options;
-  options.tolerance = terms.cold ? 1e-3 * options_.tolerance : options_.tolerance;
-  options.iterations = terms.cold ? options_.cold_iterations : options_.iterations;
-  options.more_iterations = 4 * options_.iterations;
+  options.tolerance = terms.cold ? 1e-3 * effort_.tolerance : effort_.tolerance;
+  options.iterations = terms.cold ? effort_.cold_iterations : effort_.iterations;
+  const double speed = mean_speed(scene.bodies, island);
+  const double slow = speed < terms.velocity_unit ? std::max(kSlow, speed / terms.velocity_unit) : 1.0;
+  options.mean_residual = slow * effort_.mean_residual;
+  options.ready = effort_.ready;
+  options.more_iterations = 4 * effort_.iterations;
   options.accelerate = terms.cold;
 
   double remaining = terms.step;
   int cuts = 0;
   int stops = 0;
   while (remaining > 0.0) {
-    may_cut_ = cuts < options_.impact_cuts;
+    may_cut_ = cuts < effort_.impact_cuts;
     double step = remaining;
     resolve_impacts(scene, island, terms, step, report);
     Event event;
@@ -216,7 +236,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
       const SplittingResult result = run(options, terms, step, report);
       event = find_overlap(scene, island, terms, step);
       if (!event.activated) {
-        const double stop = stops < options_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
+        const double stop = stops < effort_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
         if (stop >= step || stop >= event.time) {
           report.residual = std::max(report.residual, result.residual);
           break;

@@ -97,6 +97,7 @@ class IslandStepper {
   std::int32_t local(std::int32_t body) const { return body < 0 ? fixed_ : place_[static_cast<std::size_t>(body)]; }
 
   NativeOptions options_;
+  Effort effort_;  ///< for the island that is stepped
   Splitting solver_;
   std::int32_t fixed_ = 0;                     ///< local index of what is fixed
   std::vector<std::int32_t> place_;            ///< of a body of the scene in the solver

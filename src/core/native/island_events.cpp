@@ -28,7 +28,7 @@ bool IslandStepper::is_solved(const ContactPoint& point, double parting, const S
 
 /// Speed from which impacts are located in time, m/s.
 double IslandStepper::fast_approach(const StepTerms& terms) const {
-  return std::max(kFastShare * terms.velocity_unit, options_.impact_length / terms.step);
+  return std::max(kFastShare * terms.velocity_unit, effort_.impact_length / terms.step);
 }
 
 /// Velocity of a body of the island at a point after the solve, m/s.
@@ -53,7 +53,7 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     // Without rebound, and not located in time, an impact needs no solve of its own.
-    if (options_.impact_cuts == 0 && manifold.restitution == 0.0) continue;
+    if (effort_.impact_cuts == 0 && manifold.restitution == 0.0) continue;
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double speed = parting(bodies, manifold, point);
@@ -64,8 +64,8 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   }
   if (fastest == 0.0) return;
   SplittingOptions options;
-  options.iterations = 2 * options_.iterations;
-  options.tolerance = options_.tolerance;
+  options.iterations = 2 * effort_.iterations;
+  options.tolerance = effort_.tolerance;
   options.accelerate = true;
   const double unit = std::max(fastest, terms.velocity_unit);
   // An impact acts where surfaces meet. Where that would push others into each other, all that touch answer it: passed

@@ -7,12 +7,14 @@ namespace holdfast::native {
 
 namespace {
 
-/// A point moves less than this within a step as long as it is the same point, m.
+/// On one of its bodies a point moves less than this within a step as long as it is the same point, m.
 constexpr double kSamePoint = 0.02;
 
-/// Square of the nearer of the distances on either body: a point may slide over one of the two.
-double square_distance(const ContactPoint& p, const ContactPoint& q) {
-  return std::min((p.on_a - q.on_a).squaredNorm(), (p.on_b - q.on_b).squaredNorm());
+/// Where a point of the body has gone.
+Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point) {
+  const Vec3 arm = point - then.centre;
+  if (then.aligned && now.aligned) return now.centre + arm;
+  return now.centre + now.axes * (then.axes.transpose() * arm);
 }
 
 }  // namespace
@@ -25,20 +27,30 @@ std::array<Vec3, 3> directions_of(const Vec3& normal) {
   return {normal, first, normal.cross(first)};
 }
 
-void renew_contact(Manifold& manifold, const ContactSet& contact) {
-  const ContactSet old = manifold.contact;
+void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
+  const std::array<OrientedBox, 2> now = {
+      manifold.with_side() ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(manifold.a)],
+      bodies.shape[static_cast<std::size_t>(manifold.b)]};
+  const auto old_count = static_cast<std::size_t>(manifold.contact.count);
   const std::array<PointMemory, 8> memory = manifold.memory;
+  std::array<ContactPoint, 8> old;
+  for (std::size_t j = 0; j < old_count; ++j) {
+    old[j].on_a = carried(manifold.found_at[0], now[0], manifold.contact.points[j].on_a);
+    old[j].on_b = carried(manifold.found_at[1], now[1], manifold.contact.points[j].on_b);
+  }
   manifold.contact = contact;
-  for (int i = 0; i < contact.count; ++i) {
-    const auto& point = contact.points[static_cast<std::size_t>(i)];
+  manifold.found_at = now;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+    const ContactPoint& point = contact.points[i];
     double nearest = kSamePoint * kSamePoint;
-    PointMemory& now = manifold.memory[static_cast<std::size_t>(i)];
-    now = PointMemory{};
-    for (int j = 0; j < old.count; ++j) {
-      const double d = square_distance(point, old.points[static_cast<std::size_t>(j)]);
-      if (d >= nearest) continue;
-      nearest = d;
-      now = memory[static_cast<std::size_t>(j)];
+    manifold.memory[i] = PointMemory{};
+    for (std::size_t j = 0; j < old_count; ++j) {
+      // A point may slide over one of the two bodies.
+      const double square =
+          std::min((point.on_a - old[j].on_a).squaredNorm(), (point.on_b - old[j].on_b).squaredNorm());
+      if (square >= nearest) continue;
+      nearest = square;
+      manifold.memory[i] = memory[j];
     }
   }
 }

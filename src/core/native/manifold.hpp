@@ -28,6 +28,7 @@ struct Manifold {
   double friction = 0.0;
   double restitution = 0.0;
   ContactSet contact;
+  std::array<OrientedBox, 2> found_at;  ///< a and b where the contact was found; a side stays where it is
   std::array<PointMemory, 8> memory;
   /// The pair is solved together. A pair that merely touches is not, as long as the solution without it keeps the
   /// two apart: islands stay small, and no pair carries what nothing pushes into it.
@@ -41,8 +42,9 @@ struct Manifold {
 /// The manifold's directions: the normal and two tangents that depend on it alone.
 std::array<Vec3, 3> directions_of(const Vec3& normal);
 
-/// Takes the new contact and carries each point's memory over from the nearest old one.
-void renew_contact(Manifold& manifold, const ContactSet& contact);
+/// Takes the new contact, found where the bodies are now, and carries each point's memory over from the old point that,
+/// as part of one of the bodies, has come nearest to it.
+void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies);
 
 /// Contact of two bodies where they are now; `a` as in `Manifold`, `margin` and `previous` as for `contact_of`.
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,

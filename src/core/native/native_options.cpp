@@ -7,38 +7,44 @@ NativeOptions native_options(const Settings& settings) {
   NativeOptions options;
   switch (given.accuracy) {
     case Accuracy::screening:
-      options.steps_per_second = 120.0;
-      options.tolerance = 1e-3;
-      options.iterations = 16;
-      options.cold_iterations = 60;
+      options.steps_per_second = 60.0;
+      options.crowd = {.tolerance = 1e-3,
+                       .iterations = 8,
+                       .cold_iterations = 60,
+                       .mean_residual = 0.05,
+                       .impact_cuts = 0,
+                       .impact_length = 2e-3,
+                       .stop_cuts = 0,
+                       .ready = 1.0};
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
-      options.impact_cuts = 0;
-      options.impact_length = 2e-3;
       options.overlap = 2e-4;
-      options.deep_overlap = 5e-4;
-      options.stop_cuts = 0;
+      options.deep_overlap = 1e-3;
       break;
     case Accuracy::standard:
       break;
     case Accuracy::reference:
-      options.steps_per_second = 960.0;
-      options.tolerance = 1e-8;
-      options.iterations = 400;
-      options.cold_iterations = 4000;
+      options.steps_per_second = 1440.0;
+      options.few = {.tolerance = 1e-9,
+                     .iterations = 400,
+                     .cold_iterations = 4000,
+                     .impact_cuts = 32,
+                     .impact_length = 0.0,
+                     .stop_cuts = 32};
+      options.crowd = options.few;
+      options.crowd.ready = 1.0;
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;
-      options.impact_cuts = 32;
-      options.impact_length = 0.0;
-      options.stop_cuts = 32;
       break;
   }
   options.steps_per_second =
       given.steps_per_second.value_or(settings.steps_per_second.value_or(options.steps_per_second));
-  options.tolerance = given.tolerance.value_or(options.tolerance);
-  options.iterations = given.iterations.value_or(options.iterations);
+  for (Effort* effort : {&options.few, &options.crowd}) {
+    effort->tolerance = given.tolerance.value_or(effort->tolerance);
+    effort->iterations = given.iterations.value_or(effort->iterations);
+    effort->impact_cuts = given.impact_cuts.value_or(effort->impact_cuts);
+  }
   options.rest_tolerance = given.rest_tolerance.value_or(options.rest_tolerance);
-  options.impact_cuts = given.impact_cuts.value_or(options.impact_cuts);
   options.jump = given.jump;
   options.freeze = given.freeze;
   return options;

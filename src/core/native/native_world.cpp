@@ -90,7 +90,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const ContactSet contact = contact_now(bodies, scene_.sides, a, b, reach, before.axis);
   if (overlaps_unseen(contact, before, options_.deep_overlap)) met_deep_ = true;
   if (slot >= 0 && contact.count > 0) {
-    renew_contact(scene_.manifolds[at(slot)], contact);
+    renew_contact(scene_.manifolds[at(slot)], contact, bodies);
   } else if (slot >= 0) {
     end_manifold(at(slot));
   } else if (contact.count > 0) {
@@ -101,7 +101,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     manifold.b = b;
     manifold.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
     manifold.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
-    manifold.contact = contact;
+    renew_contact(manifold, contact, bodies);
   }
 }
 

@@ -29,7 +29,10 @@ Splitting::Resistance Splitting::wanted_resistance(const Patch& patch, std::size
   const double normal = patch.impulse.row[0][lane];
   // Without friction nothing holds along the tangents: R would, until the solve has come to its end.
   const double held = patch.friction > 0.0 ? 1.0 : 0.0;
-  if (normal <= 0.0 && (!begun_ || patch.load[lane] <= 0.0)) return {patch.base, held * patch.base};
+  if (normal <= 0.0 && (!begun_ || patch.load[lane] <= 0.0)) {
+    const double ready = options.ready * patch.base;
+    return {options.sticking * ready, held * options.sliding * ready};
+  }
   const double load = std::max(normal, patch.load[lane]) / (patch.base * load_unit);
   const double carried = patch.base * step_up(std::min(heaviest_ / patch.base, load));
   const double limit = kSlidingShare * patch.friction * normal;

@@ -23,11 +23,12 @@ struct SplittingOptions {
   double tolerance = 1e-3;      ///< of velocities, in units of `velocity_unit`
   int iterations = 24;          ///< at most, where what is left may pass
   int more_iterations = 0;      ///< at most, on top of these, where it may not
-  double mean_residual = 0.01;  ///< that may pass: root of the mean square over the points, in units of `velocity_unit`
+  double mean_residual = 0.0;   ///< that may pass: root of the mean square over the points, in units of `velocity_unit`
   double worst_residual = 0.5;  ///< that may pass, likewise
   double relaxation = 1.0;      ///< α
   double sticking = 10.0;       ///< R over the mass that a contact carries, where it sticks and along the normal
   double sliding = 3.0;         ///< the same along the tangents where it slides
+  double ready = 0.1;           ///< share of its bodies' mass that a contact without load stands ready for
   int refit_every = 12;         ///< iterations between two looks at R
   double refit_share = 0.2;     ///< of the points, above which it is fitted anew where so many call for another one
   bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end

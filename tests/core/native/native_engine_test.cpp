@@ -247,8 +247,7 @@ TEST_CASE("native_engine: a kerb throws over what is fast enough, and nothing sl
   }
 }
 
-// Expected: an oblique elastic impact does not depend on the step.
-TEST_CASE("native_engine: an oblique elastic impact is the same at every accuracy", "[.][core][native_engine]") {
+TEST_CASE("native_engine: an oblique elastic impact is nearly the same at every accuracy", "[core][native_engine]") {
   Settings settings = open_floor(0.0);
   settings.contact.restitution = 1.0;
   const Layout layout = layout_of({box({9, 10, 0}, {0.8, 0.8, 0.5}), box({10.5, 10, 0}, {0.9, 0.8, 0.5})});
@@ -262,8 +261,8 @@ TEST_CASE("native_engine: an oblique elastic impact is the same at every accurac
     parting.push_back(run.state.velocity[1].x() - run.state.velocity[0].x());
   }
   CAPTURE(text(parting[0]), text(parting[1]), text(parting[2]));
-  CHECK(parting[0] == Approx(parting[2]).epsilon(2e-2));
-  CHECK(parting[1] == Approx(parting[2]).epsilon(2e-3));
+  CHECK(parting[0] == Approx(parting[2]).epsilon(5e-3));
+  CHECK(parting[1] == Approx(parting[2]).epsilon(5e-3));
 }
 
 TEST_CASE("native_engine: an elastic box bounces to where it came from", "[core][native_engine]") {

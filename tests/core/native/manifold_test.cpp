@@ -1,0 +1,99 @@
+#include "core/native/manifold.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstddef>
+
+#include "core/native/boxes.hpp"
+
+using namespace holdfast::native;
+using holdfast::Vec3;
+
+namespace {
+
+constexpr double kMargin = 1e-3;
+
+/// Takes the contact of the boxes where they are now.
+void renew(Manifold& manifold, const Bodies& bodies, const std::vector<Side>& sides = {}) {
+  renew_contact(manifold, contact_now(bodies, sides, manifold.a, manifold.b, kMargin, manifold.contact.axis), bodies);
+}
+
+/// Marks every point by its place: the force on point i is i + 1 newton upwards.
+void mark(Manifold& manifold) {
+  for (std::size_t i = 0; i < manifold.memory.size(); ++i)
+    manifold.memory[i].force = Vec3(0, 0, static_cast<double>(i) + 1.0);
+}
+
+/// A box that stands across the corner of another.
+Bodies two_boxes() {
+  Bodies bodies;
+  bodies.shape = {box_at({0, 0, 0.5}, {2, 2, 1}), box_at({1, 1, 1.5}, {2, 2, 1})};
+  return bodies;
+}
+
+std::size_t loaded_points(const Manifold& manifold) {
+  return static_cast<std::size_t>(
+      std::count_if(manifold.memory.begin(), manifold.memory.begin() + manifold.contact.count,
+                    [](const PointMemory& memory) { return memory.force != Vec3::Zero(); }));
+}
+
+}  // namespace
+
+TEST_CASE("manifold: points keep their memory where both bodies go and turn far", "[core][manifold]") {
+  Bodies bodies = two_boxes();
+  Manifold manifold;
+  manifold.a = 0;
+  manifold.b = 1;
+  renew(manifold, bodies);
+  REQUIRE(manifold.contact.count == 4);
+  mark(manifold);
+  const Manifold before = manifold;
+
+  const Mat3 turn = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Vec3 shift(1.3, -0.4, 0.0);
+  for (OrientedBox& box : bodies.shape) {
+    box.centre = turn * box.centre + shift;
+    box.axes = turn * box.axes;
+    box.aligned = false;
+  }
+  renew(manifold, bodies);
+  REQUIRE(manifold.contact.count == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto same =
+        std::find_if(before.contact.points.begin(), before.contact.points.begin() + 4, [&](const ContactPoint& old) {
+          return (turn * old.on_b + shift - manifold.contact.points[i].on_b).norm() < 1e-9;
+        });
+    REQUIRE(same != before.contact.points.begin() + 4);
+    CHECK(manifold.memory[i].force ==
+          before.memory[static_cast<std::size_t>(same - before.contact.points.begin())].force);
+  }
+}
+
+TEST_CASE("manifold: a box that slides far over a side keeps the memory of its corners", "[core][manifold]") {
+  Bodies bodies;
+  bodies.shape = {box_at({2, 1, 0.5}, {2, 2, 1})};
+  const std::vector<Side> floor(1);
+  Manifold manifold;
+  manifold.a = -1;
+  manifold.b = 0;
+  renew(manifold, bodies, floor);
+  REQUIRE(manifold.contact.count == 4);
+  mark(manifold);
+  bodies.shape[0].centre.x() += 0.3;
+  renew(manifold, bodies, floor);
+  CHECK(loaded_points(manifold) == 4);
+}
+
+TEST_CASE("manifold: points that are on neither body where one was have no memory", "[core][manifold]") {
+  Bodies bodies = two_boxes();
+  Manifold manifold;
+  manifold.a = 0;
+  manifold.b = 1;
+  renew(manifold, bodies);
+  mark(manifold);
+  // The corner of each body stays a corner of the overlap; where sides cross, both have moved on.
+  bodies.shape[1].centre += Vec3(-0.1, -0.2, 0.0);
+  renew(manifold, bodies);
+  REQUIRE(manifold.contact.count == 4);
+  CHECK(loaded_points(manifold) == 2);
+}
