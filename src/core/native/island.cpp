@@ -108,6 +108,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   tight.relaxation = 1.6;
   tight.sticking = 100.0;
   tight.sliding = 100.0;
+  // Its bodies' own mass, as in few: after a proof that fails the step goes on from here.
   tight.ready = 0.01;
   tight.accelerate = true;
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
