@@ -29,9 +29,12 @@ def main():
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for path in arguments.layouts:
-        lines = path.read_text(encoding="utf-8").splitlines()
-        header = next(i for i, line in enumerate(lines) if line.split("#")[0].strip())
-        loose = lines[:header + 1] + [with_play(line, arguments.play / 10) for line in lines[header + 1:]]
+        try:
+            lines = path.read_text(encoding="utf-8").splitlines()
+            header = next(i for i, line in enumerate(lines) if line.split("#")[0].strip())
+            loose = lines[:header + 1] + [with_play(line, arguments.play / 10) for line in lines[header + 1:]]
+        except (OSError, ValueError, IndexError, StopIteration):
+            parser.error(f"{path}: not a layout; `holdfast check` says why")
         (arguments.folder / path.name).write_text("\n".join(loose) + "\n", encoding="utf-8")
 
 

@@ -74,8 +74,7 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
   for (bool passed_on = true; passed_on;) {
     for (const std::uint32_t index : island.manifolds) {
       if (struck_[index] == 0) continue;
-      scene.manifolds[index].active = true;
-      scene.manifolds[index].idle_steps = 0;
+      scene.manifolds[index].activate();
     }
     load(scene, island, terms, Purpose::impact, step);
     // What a contact carries is measured by the blow: by the weight in a step, R would be far too large.
@@ -128,8 +127,7 @@ void IslandStepper::activate_nearby(Scene& scene, const IslandView& island, cons
       const double u0 = parting(bodies, manifold, point);
       const double gap_end = point.gap + 0.5 * step * (u0 + end_parting(bodies, manifold, point));
       if (!is_solved(point, u0, terms, step) || gap_end >= near) continue;
-      manifold.active = true;
-      manifold.idle_steps = 0;
+      manifold.activate();
     }
   }
 }
@@ -155,8 +153,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const double time = u0 < root ? 2.0 * point.gap / (root - u0) : step;
       const bool fast = -(u0 + curvature * time) > fast_approach(terms);
       if (!may_cut_ || !fast || solved) {
-        manifold.active = true;
-        manifold.idle_steps = 0;
+        manifold.activate();
         event.activated = true;
       } else {
         event.time = std::min(event.time, std::max(time, kLeastStep * terms.step));

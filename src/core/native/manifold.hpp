@@ -35,6 +35,11 @@ struct Manifold {
   bool active = false;
   int idle_steps = 0;  ///< solved steps since it last carried load
 
+  void activate() {
+    active = true;
+    idle_steps = 0;
+  }
+
   bool with_side() const { return a < 0; }
   std::size_t side() const { return static_cast<std::size_t>(-1 - a); }
 };

@@ -14,8 +14,7 @@ NativeOptions native_options(const Settings& settings) {
                        .mean_residual = 0.05,
                        .impact_cuts = 0,
                        .impact_length = 2e-3,
-                       .stop_cuts = 0,
-                       .ready = 1.0};
+                       .stop_cuts = 0};
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
       options.overlap = 2e-4;
@@ -25,14 +24,12 @@ NativeOptions native_options(const Settings& settings) {
       break;
     case Accuracy::reference:
       options.steps_per_second = 1440.0;
-      options.few = {.tolerance = 1e-9,
-                     .iterations = 400,
-                     .cold_iterations = 4000,
-                     .impact_cuts = 32,
-                     .impact_length = 0.0,
-                     .stop_cuts = 32};
-      options.crowd = options.few;
-      options.crowd.ready = 1.0;
+      options.few = options.crowd = {.tolerance = 1e-9,
+                                     .iterations = 400,
+                                     .cold_iterations = 4000,
+                                     .impact_cuts = 32,
+                                     .impact_length = 0.0,
+                                     .stop_cuts = 32};
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;
       break;

@@ -6,6 +6,9 @@
 
 namespace holdfast::native {
 
+/// Islands of more bodies are crowds.
+inline constexpr std::size_t kFewBodies = 8;
+
 /// How hard the moving steps of an island are solved.
 struct Effort {
   double tolerance = 1e-4;      ///< of a step's velocities, over |g − a| h
@@ -15,24 +18,19 @@ struct Effort {
   int impact_cuts = 8;          ///< times that impacts may cut a step
   double impact_length = 2e-4;  ///< impacts that move a body less than this within a step are not located, m
   int stop_cuts = 2;            ///< times that the end of a slip may cut a step
-  /// See `SplittingOptions`. With much of it a crowd settles sooner; with little, what parts is not held back.
-  double ready = 0.1;
 };
 
 /// Everything the native engine can be told, every choice made: the accuracy's set, and the keys that override it.
 struct NativeOptions {
-  double steps_per_second = 240.0;               ///< 1/s
-  Effort few;                                    ///< for islands of at most `few_bodies`
-  Effort crowd{.iterations = 30, .ready = 1.0};  ///< for larger ones
-  std::size_t few_bodies = 8;
-  double rest_tolerance = 1e-8;  ///< imbalance of a body that counts as none, over its weight |g − a| m
-  int rest_iterations = 400;     ///< of a proof of rest, at most
-  double overlap = 1e-5;         ///< from which positions are corrected, m
-  double deep_overlap = 2e-4;    ///< that bodies meet with unseen and still go on, instead of in half the step, m
-  bool jump = true;              ///< go to the end of the phase when all is at rest
-  bool freeze = true;            ///< leave islands at rest alone until something touches them
-
-  const Effort& effort(std::size_t bodies) const { return bodies <= few_bodies ? few : crowd; }
+  double steps_per_second = 240.0;  ///< 1/s
+  Effort few;                       ///< for islands of at most `kFewBodies`
+  Effort crowd{.iterations = 30};   ///< for larger ones
+  double rest_tolerance = 1e-8;     ///< imbalance of a body that counts as none, over its weight |g − a| m
+  int rest_iterations = 400;        ///< of a proof of rest, at most
+  double overlap = 1e-5;            ///< from which positions are corrected, m
+  double deep_overlap = 2e-4;       ///< that bodies meet with unseen and still go on, instead of in half the step, m
+  bool jump = true;                 ///< go to the end of the phase when all is at rest
+  bool freeze = true;               ///< leave islands at rest alone until something touches them
 };
 
 NativeOptions native_options(const Settings& settings);

@@ -226,8 +226,7 @@ bool NativeWorld::activate_predicted() {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
       if (point.gap + terms_.step * u >= -overlap) continue;
-      manifold.active = true;
-      manifold.idle_steps = 0;
+      manifold.activate();
       any = true;
     }
   }
@@ -259,8 +258,7 @@ bool NativeWorld::merge_overlapping() {
       const double gap =
           point.gap + manifold.contact.normal.dot(shift(manifold.b, point.on_b) - shift(manifold.a, point.on_a));
       if (gap >= -overlap) continue;
-      manifold.active = true;
-      manifold.idle_steps = 0;
+      manifold.activate();
       again[of_a] = again[of_b] = 1;
       any = true;
     }

@@ -18,10 +18,16 @@ void renew(Manifold& manifold, const Bodies& bodies, const std::vector<Side>& si
   renew_contact(manifold, contact_now(bodies, sides, manifold.a, manifold.b, kMargin, manifold.contact.axis), bodies);
 }
 
-/// Marks every point by its place: the force on point i is i + 1 newton upwards.
-void mark(Manifold& manifold) {
+/// The bodies' manifold of four points, each with a memory of its own: the force on point i is i + 1 newton upwards.
+Manifold marked_manifold(std::int32_t a, std::int32_t b, const Bodies& bodies, const std::vector<Side>& sides = {}) {
+  Manifold manifold;
+  manifold.a = a;
+  manifold.b = b;
+  renew(manifold, bodies, sides);
+  REQUIRE(manifold.contact.count == 4);
   for (std::size_t i = 0; i < manifold.memory.size(); ++i)
     manifold.memory[i].force = Vec3(0, 0, static_cast<double>(i) + 1.0);
+  return manifold;
 }
 
 /// A box that stands across the corner of another.
@@ -41,12 +47,7 @@ std::size_t loaded_points(const Manifold& manifold) {
 
 TEST_CASE("manifold: points keep their memory where both bodies go and turn far", "[core][manifold]") {
   Bodies bodies = two_boxes();
-  Manifold manifold;
-  manifold.a = 0;
-  manifold.b = 1;
-  renew(manifold, bodies);
-  REQUIRE(manifold.contact.count == 4);
-  mark(manifold);
+  Manifold manifold = marked_manifold(0, 1, bodies);
   const Manifold before = manifold;
 
   const Mat3 turn = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -73,12 +74,7 @@ TEST_CASE("manifold: a box that slides far over a side keeps the memory of its c
   Bodies bodies;
   bodies.shape = {box_at({2, 1, 0.5}, {2, 2, 1})};
   const std::vector<Side> floor(1);
-  Manifold manifold;
-  manifold.a = -1;
-  manifold.b = 0;
-  renew(manifold, bodies, floor);
-  REQUIRE(manifold.contact.count == 4);
-  mark(manifold);
+  Manifold manifold = marked_manifold(-1, 0, bodies, floor);
   bodies.shape[0].centre.x() += 0.3;
   renew(manifold, bodies, floor);
   CHECK(loaded_points(manifold) == 4);
@@ -86,11 +82,7 @@ TEST_CASE("manifold: a box that slides far over a side keeps the memory of its c
 
 TEST_CASE("manifold: points that are on neither body where one was have no memory", "[core][manifold]") {
   Bodies bodies = two_boxes();
-  Manifold manifold;
-  manifold.a = 0;
-  manifold.b = 1;
-  renew(manifold, bodies);
-  mark(manifold);
+  Manifold manifold = marked_manifold(0, 1, bodies);
   // The corner of each body stays a corner of the overlap; where sides cross, both have moved on.
   bodies.shape[1].centre += Vec3(-0.1, -0.2, 0.0);
   renew(manifold, bodies);
