@@ -61,10 +61,11 @@ struct Bounds {
   double with_side = 0.0;
 };
 
-/// What is expected: an energy that rises by no more than a hundredth of a millimetre, and overlaps that nobody sees;
-/// `screening` takes steps again from 1 mm only.
+/// What is expected: an energy that rises by no more than a hundredth of a millimetre, and overlaps that nobody sees.
+/// `screening` takes steps again from 1 mm only, and where a load has sunk into a wall by a tenth of a millimetre it is
+/// put back.
 constexpr Bounds kExpected{1e-5, 1e-3, 1e-3};
-constexpr Bounds kScreening{1e-5, 2e-3, 2e-3};
+constexpr Bounds kScreening{5e-5, 2e-3, 2e-3};
 
 void check_worst(const Worst& worst, const Bounds& bounds) {
   CAPTURE(text(worst.step_rise), text(worst.rise), text(worst.lost), text(worst.overlap.of_boxes),

@@ -1,6 +1,8 @@
 #include "core/native/bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/native/rotation_step.hpp"
 
@@ -23,19 +25,29 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
   Bodies bodies;
   const BoxView boxes = view(batch.boxes, world);
   const StateView state = view(batch.state, world);
-  bodies.mass.assign(boxes.mass.begin(), boxes.mass.end());
-  bodies.principal_inertia.assign(boxes.inertia.begin(), boxes.inertia.end());
-  bodies.centre_of_mass.assign(boxes.centre_of_mass.begin(), boxes.centre_of_mass.end());
-  for_each_state_column([](const char*, const auto& from, auto& to) { to.assign(from.begin(), from.end()); }, state,
-                        bodies.state);
+  bodies.world_box.resize(world.box_count);
+  std::iota(bodies.world_box.begin(), bodies.world_box.end(), 0U);
+  std::stable_sort(bodies.world_box.begin(), bodies.world_box.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3& at_a = state.position[a];
+    const Vec3& at_b = state.position[b];
+    return std::lexicographical_compare(at_a.begin(), at_a.end(), at_b.begin(), at_b.end());
+  });
+  const auto take = [&](const auto& from, auto& to) {
+    for (const std::uint32_t box : bodies.world_box) to.push_back(from[box]);
+  };
+  take(boxes.mass, bodies.mass);
+  take(boxes.inertia, bodies.principal_inertia);
+  take(boxes.centre_of_mass, bodies.centre_of_mass);
+  for_each_state_column([&](const char*, const auto& from, auto& to) { take(from, to); }, state, bodies.state);
   bodies.shape.resize(world.box_count);
   bodies.acceleration.assign(world.box_count, Vec3::Zero());
   bodies.angular_acceleration.assign(world.box_count, Vec3::Zero());
   for (std::size_t i = 0; i < world.box_count; ++i) {
-    bodies.shape[i].half_extents = boxes.half_extents[i];
-    bodies.surface.push_back({SurfaceKind::box, boxes.friction[i], boxes.restitution[i]});
-    bodies.fixed.push_back(std::isinf(boxes.mass[i]) ? 1 : 0);
-    bodies.radius.push_back((boxes.half_extents[i] + boxes.centre_of_mass[i].cwiseAbs()).norm());
+    const std::uint32_t box = bodies.world_box[i];
+    bodies.shape[i].half_extents = boxes.half_extents[box];
+    bodies.surface.push_back({SurfaceKind::box, boxes.friction[box], boxes.restitution[box]});
+    bodies.fixed.push_back(std::isinf(bodies.mass[i]) ? 1 : 0);
+    bodies.radius.push_back((boxes.half_extents[box] + bodies.centre_of_mass[i].cwiseAbs()).norm());
     bodies.update_shape(i);
   }
   return bodies;

@@ -11,6 +11,9 @@ namespace holdfast::native {
 
 namespace {
 
+/// The point of two edges and a corner of a face's contact that are nearer than this are one, m.
+constexpr double kSameEdgePoint = 1e-3;
+
 /// Signs of the corners of a rectangle, around it.
 constexpr std::array<std::array<double, 2>, 4> kAround = {{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
 
@@ -93,6 +96,20 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
   return contact;
 }
 
+/// Whether the point of two edges is one of several of the faces' contact. What faces overlap beyond each other's sides
+/// makes them worse than those edges, and has no part in the contact: a box that has sunk a little into the edge that
+/// it lies on has that edge in its face, and needs both of its ends. With the one point of two edges it would be held
+/// at one end, sink at the other, and go on so from step to step.
+bool has_point_of(const ContactSet& faces, const ContactSet& edges) {
+  const ContactPoint& wanted = edges.points[0];
+  return faces.count > 1 &&
+         std::any_of(faces.points.begin(), faces.points.begin() + faces.count, [&](const ContactPoint& point) {
+           return std::abs(point.gap - wanted.gap) <= kEdgeHandicap &&
+                  (point.on_a - wanted.on_a).squaredNorm() + (point.on_b - wanted.on_b).squaredNorm() <=
+                      kSameEdgePoint * kSameEdgePoint;
+         });
+}
+
 }  // namespace
 
 double ContactSet::nearest_gap() const {
@@ -106,11 +123,10 @@ ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin,
   const RelativePose pose = relative_pose(a, b);
   const std::optional<AxisChoice> choice = choose_axis(a, b, pose, margin, previous);
   if (!choice) return {};
-  if (choice->axis.kind == ContactAxis::Kind::edges) {
-    const ContactSet contact = edge_contact(a, b, pose, choice->axis);
-    if (contact.count > 0) return contact;
-  }
-  return face_contact(a, b, pose, choice->face, margin);
+  const ContactSet faces = face_contact(a, b, pose, choice->face, margin);
+  if (choice->axis.kind != ContactAxis::Kind::edges) return faces;
+  const ContactSet edges = edge_contact(a, b, pose, choice->axis);
+  return edges.count > 0 && !has_point_of(faces, edges) ? edges : faces;
 }
 
 ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin) {

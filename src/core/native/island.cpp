@@ -55,8 +55,8 @@ bool overlaps_unseen(const ContactSet& contact, const ContactSet& before, double
   return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
 }
 
-double least_overlap(const StepTerms& terms) {
-  return std::max(kTouch, std::min(kOverlap, kOverlapShare * terms.velocity_unit * terms.step));
+double least_overlap(const StepTerms& terms, double late) {
+  return std::max({late, kTouch, std::min(kOverlap, kOverlapShare * terms.velocity_unit * terms.step)});
 }
 
 double contact_reach(const StepTerms& terms, double approach) {
@@ -191,7 +191,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
-      if (manifold.contact.points[at(i)].gap >= -options_.overlap) continue;
+      if (manifold.contact.points[at(i)].gap >= -effort_.overlap) continue;
       any = true;
       manifold.active = true;
     }
@@ -200,7 +200,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
   load(scene, island, terms, Purpose::projection, terms.step);
   SplittingOptions options;
   options.iterations = 24;
-  options.tolerance = kProjected * options_.overlap;
+  options.tolerance = kProjected * effort_.overlap;
   solver_.solve(options, 1.0);
   for (const std::uint32_t body : island.bodies) {
     const BodyVector& shift = solver_.velocity[at(place_[body])];
@@ -216,9 +216,9 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
 }
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
-  project(scene, island, terms);
   const bool crowd = island.bodies.size() > kFewBodies;
-  effort_ = crowd ? options_.crowd : options_.few;
+  effort_ = options_.effort(island.bodies.size());
+  project(scene, island, terms);
   SplittingOptions options;
   options.tolerance = terms.cold ? 1e-3 * effort_.tolerance : effort_.tolerance;
   options.iterations = terms.cold ? effort_.cold_iterations : effort_.iterations;

@@ -46,9 +46,9 @@ struct IslandReport {
 /// that approach across two directions at once show no contact until they overlap.
 bool overlaps_unseen(const ContactSet& contact, const ContactSet& before, double deep);
 
-/// Overlap at the end of a step that calls for a contact to be solved, m: what no one sees, and little beside what a
-/// body falls in the step.
-double least_overlap(const StepTerms& terms);
+/// Overlap at the end of a step that calls for a contact to be solved, m: at least `late`; else what no one sees, and
+/// little beside what a body falls in the step.
+double least_overlap(const StepTerms& terms, double late);
 
 /// How far apart two bodies may be that could meet within a step, m.
 /// @param approach bound of the speed at which their surfaces near each other, m/s
@@ -99,9 +99,9 @@ class IslandStepper {
   NativeOptions options_;
   Effort effort_;  ///< for the island that is stepped
   Splitting solver_;
-  std::int32_t fixed_ = 0;                     ///< local index of what is fixed
-  std::vector<std::int32_t> place_;            ///< of a body of the scene in the solver
-  std::vector<Rotation> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, by place
+  std::int32_t fixed_ = 0;                 ///< local index of what is fixed
+  std::vector<std::int32_t> place_;        ///< of a body of the scene in the solver
+  std::vector<Mat3> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, by place, where it turns
   std::vector<std::uint8_t> turning_;
   std::vector<BodyPair> pairs_;
   /// Where a patch comes from: manifold and the points of its lanes.

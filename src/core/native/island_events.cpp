@@ -136,7 +136,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
                                                  double step) const {
   Event event;
   const Bodies& bodies = scene.bodies;
-  const double overlap = least_overlap(terms);
+  const double overlap = least_overlap(terms, effort_.late_overlap);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {

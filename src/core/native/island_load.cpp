@@ -44,8 +44,8 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
   }
   solver_.free_velocity.assign(island.bodies.size(), BodyVector{});
   solver_.velocity.assign(island.bodies.size() + 1, BodyVector{});
-  turn_mid_.assign(island.bodies.size(), Rotation::Identity());
-  turn_end_.assign(island.bodies.size(), Rotation::Identity());
+  turn_mid_.resize(island.bodies.size());
+  turn_end_.resize(island.bodies.size());
   turning_.assign(island.bodies.size() + 1, 0);
   solver_.load_unit = terms.pull.norm() * (purpose == Purpose::smooth ? step : terms.step);
 
@@ -100,9 +100,9 @@ void IslandStepper::predict(const Scene& scene, const IslandView& island, const 
     if (w != Vec3::Zero() || w_guess != Vec3::Zero()) {
       turning_[place] = 1;
       // Angular velocity taken as linear in time.
-      turn_mid_[place] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn));
-      turn_end_[place] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn));
-      const Mat3 axes = turn_end_[place].toRotationMatrix() * bodies.shape[body].axes;
+      turn_mid_[place] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
+      turn_end_[place] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn)).toRotationMatrix();
+      const Mat3 axes = turn_end_[place] * bodies.shape[body].axes;
       const Mat3 inertia = inertia_in_container(axes, bodies.principal_inertia[body]);
       // Angular momentum is what goes on without torque.
       w_free = inertia.inverse() * (bodies.inertia(body) * w);

@@ -10,6 +10,10 @@ namespace {
 /// On one of its bodies a point moves less than this within a step as long as it is the same point, m.
 constexpr double kSamePoint = 0.02;
 
+/// Points come in the order of the contact's corners: one that has moved less than this from its namesake is taken for
+/// the same without a look at the others, m.
+constexpr double kSameCorner = 1e-3;
+
 /// Where a point of the body has gone.
 Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point) {
   const Vec3 arm = point - then.centre;
@@ -32,27 +36,33 @@ void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& 
       manifold.with_side() ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(manifold.a)],
       bodies.shape[static_cast<std::size_t>(manifold.b)]};
   const auto old_count = static_cast<std::size_t>(manifold.contact.count);
-  const std::array<PointMemory, 8> memory = manifold.memory;
+  const auto count = static_cast<std::size_t>(contact.count);
   std::array<ContactPoint, 8> old;
   for (std::size_t j = 0; j < old_count; ++j) {
     old[j].on_a = carried(manifold.found_at[0], now[0], manifold.contact.points[j].on_a);
     old[j].on_b = carried(manifold.found_at[1], now[1], manifold.contact.points[j].on_b);
   }
+  // A point may slide over one of the two bodies.
+  const auto square = [&](std::size_t i, std::size_t j) {
+    return std::min((contact.points[i].on_a - old[j].on_a).squaredNorm(),
+                    (contact.points[i].on_b - old[j].on_b).squaredNorm());
+  };
+  bool same = count == old_count && contact.axis == manifold.contact.axis;
+  for (std::size_t i = 0; same && i < count; ++i) same = square(i, i) < kSameCorner * kSameCorner;
+  if (!same) {
+    std::array<PointMemory, 8> memory;
+    for (std::size_t i = 0; i < count; ++i) {
+      double nearest = kSamePoint * kSamePoint;
+      for (std::size_t j = 0; j < old_count; ++j) {
+        if (square(i, j) >= nearest) continue;
+        nearest = square(i, j);
+        memory[i] = manifold.memory[j];
+      }
+    }
+    manifold.memory = memory;
+  }
   manifold.contact = contact;
   manifold.found_at = now;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
-    const ContactPoint& point = contact.points[i];
-    double nearest = kSamePoint * kSamePoint;
-    manifold.memory[i] = PointMemory{};
-    for (std::size_t j = 0; j < old_count; ++j) {
-      // A point may slide over one of the two bodies.
-      const double square =
-          std::min((point.on_a - old[j].on_a).squaredNorm(), (point.on_b - old[j].on_b).squaredNorm());
-      if (square >= nearest) continue;
-      nearest = square;
-      manifold.memory[i] = memory[j];
-    }
-  }
 }
 
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,

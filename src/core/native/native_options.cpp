@@ -14,10 +14,12 @@ NativeOptions native_options(const Settings& settings) {
                        .mean_residual = 0.05,
                        .impact_cuts = 0,
                        .impact_length = 2e-3,
-                       .stop_cuts = 0};
+                       .stop_cuts = 0,
+                       .overlap = 5e-4,
+                       .late_overlap = 1e-4};
+      options.few.overlap = 2e-4;
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 120;
-      options.overlap = 2e-4;
       options.deep_overlap = 1e-3;
       break;
     case Accuracy::standard:

@@ -18,6 +18,8 @@ struct Effort {
   int impact_cuts = 8;          ///< times that impacts may cut a step
   double impact_length = 2e-4;  ///< impacts that move a body less than this within a step are not located, m
   int stop_cuts = 2;            ///< times that the end of a slip may cut a step
+  double overlap = 1e-5;        ///< from which positions are corrected, m
+  double late_overlap = 0.0;    ///< that bodies may end a step with before they are solved as in contact, m
 };
 
 /// Everything the native engine can be told, every choice made: the accuracy's set, and the keys that override it.
@@ -27,10 +29,11 @@ struct NativeOptions {
   Effort crowd{.iterations = 30};   ///< for larger ones
   double rest_tolerance = 1e-8;     ///< imbalance of a body that counts as none, over its weight |g − a| m
   int rest_iterations = 400;        ///< of a proof of rest, at most
-  double overlap = 1e-5;            ///< from which positions are corrected, m
   double deep_overlap = 2e-4;       ///< that bodies meet with unseen and still go on, instead of in half the step, m
   bool jump = true;                 ///< go to the end of the phase when all is at rest
   bool freeze = true;               ///< leave islands at rest alone until something touches them
+
+  const Effort& effort(std::size_t bodies) const { return bodies > kFewBodies ? crowd : few; }
 };
 
 NativeOptions native_options(const Settings& settings);

@@ -17,6 +17,9 @@ constexpr double kSupporting = 0.5;
 /// Gaps up to this are in touch when a world starts, m.
 constexpr double kStartTouch = 1e-5;
 
+/// Beyond what is within reach, what rounding may hide, m.
+constexpr double kFarther = 1e-9;
+
 /// Speeds below this share of |g − a| h may be rest: it is tried.
 constexpr double kRestShare = 0.02;
 
@@ -79,12 +82,9 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t other = a < 0 ? bodies.count() + static_cast<std::size_t>(-1 - a) : at(a);
   std::int32_t& slot = slot_[at(b) * (bodies.count() + scene_.sides.size()) + other];
-  const auto speed = [&](std::int32_t body) {
-    return body < 0 ? 0.0 : bodies.radius[at(body)] * bodies.state.angular_velocity[at(body)].norm();
-  };
   const Vec3 relative =
       a < 0 ? bodies.state.velocity[at(b)] : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
-  const double reach = contact_reach(terms_, relative.norm() + speed(a) + speed(b));
+  const double reach = contact_reach(terms_, relative.norm() + (a < 0 ? 0.0 : spin_[at(a)]) + spin_[at(b)]);
   static const ContactSet kNone;
   const ContactSet& before = slot < 0 ? kNone : scene_.manifolds[at(slot)].contact;
   const ContactSet contact = contact_now(bodies, scene_.sides, a, b, reach, before.axis);
@@ -122,19 +122,26 @@ void NativeWorld::end_manifold(std::size_t index) {
 void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t count = bodies.count();
+  const std::size_t side_count = scene_.sides.size();
   lower_.resize(count);
   upper_.resize(count);
+  spin_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
-    const double speed = bodies.state.velocity[i].norm() + bodies.radius[i] * bodies.state.angular_velocity[i].norm();
-    const Vec3 extent = (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
-    lower_[i] = box.centre - extent;
-    upper_[i] = box.centre + extent;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
+    spin_[i] = bodies.radius[i] * bodies.state.angular_velocity[i].norm();
+    const double speed = bodies.state.velocity[i].norm() + spin_[i];
+    const Vec3 extent = box.axes.cwiseAbs() * box.half_extents;
+    const Vec3 grown = extent.array() + 0.5 * contact_reach(terms_, 2.0 * speed);
+    lower_[i] = box.centre - grown;
+    upper_[i] = box.centre + grown;
     if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
-    for (std::size_t s = 0; s < scene_.sides.size(); ++s)
+    const double reach = contact_reach(terms_, speed) + kFarther;
+    for (std::size_t s = 0; s < side_count; ++s) {
+      const HalfSpace& space = scene_.sides[s].space;
+      const double gap = space.normal.dot(box.centre) - space.normal.cwiseAbs().dot(extent) - space.offset;
+      if (gap > reach && slot_[i * (count + side_count) + count + s] < 0) continue;
       update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
+    }
   }
   // Pairs that are no longer near end; backwards, because the last manifold takes the place of one that ends.
   for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
@@ -211,7 +218,7 @@ void NativeWorld::save(const IslandView& island) {
 /// them first would be in vain.
 bool NativeWorld::activate_predicted() {
   const Bodies& bodies = scene_.bodies;
-  const double overlap = least_overlap(terms_);
+  const double overlap = least_overlap(terms_, 0.0);
   const auto speed = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);
@@ -237,7 +244,6 @@ bool NativeWorld::activate_predicted() {
 /// back to the start of the step.
 bool NativeWorld::merge_overlapping() {
   Bodies& bodies = scene_.bodies;
-  const double overlap = least_overlap(terms_);
   std::vector<std::uint8_t> again(islands_.size(), 0);
   bool any = false;
   const auto shift = [&](std::int32_t body, const Vec3& point) -> Vec3 {
@@ -253,6 +259,8 @@ bool NativeWorld::merge_overlapping() {
     const std::uint32_t of_a = islands_.of(at(manifold.a));
     const std::uint32_t of_b = islands_.of(at(manifold.b));
     if (of_a == of_b || (moving_[at(manifold.a)] == 0 && moving_[at(manifold.b)] == 0)) continue;
+    const std::size_t together = islands_[of_a].bodies.size() + islands_[of_b].bodies.size();
+    const double overlap = least_overlap(terms_, options_.effort(together).late_overlap);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double gap =
@@ -406,9 +414,11 @@ double NativeWorld::advance(const Phase& phase) {
 }
 
 void NativeWorld::read_back(StateColumns& state) const {
-  const auto offset = static_cast<std::ptrdiff_t>(world_.box_begin);
+  const std::vector<std::uint32_t>& box = scene_.bodies.world_box;
   for_each_state_column(
-      [&](const char*, const auto& from, auto& to) { std::copy(from.begin(), from.end(), to.begin() + offset); },
+      [&](const char*, const auto& from, auto& to) {
+        for (std::size_t i = 0; i < box.size(); ++i) to[world_.box_begin + box[i]] = from[i];
+      },
       scene_.bodies.state, state);
 }
 

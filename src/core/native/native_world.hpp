@@ -54,6 +54,7 @@ class NativeWorld {
   Islands islands_;
   BroadPhase broad_phase_;
   std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
+  std::vector<double> spin_;         ///< of the bodies: no point of one turns faster than this, m/s
   double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
   bool met_deep_ = false;            ///< a pair has come to overlap deeply since its contact was found last
   StateColumns before_;              ///< at the start of the step, entries of moving bodies

@@ -11,9 +11,6 @@ namespace {
 /// hysteresis, which must decide first, m.
 constexpr double kFaceTie = 10e-6;
 
-/// Faces give up to 8 points and edges one: edges have to be clearly better, m.
-constexpr double kEdgeHandicap = 50e-6;
-
 /// Cosine of 0.57°: edges of boxes aligned to this are either nearly parallel, with no cross product to speak of, or
 /// span a plane that is nearly that of a face, whose contact covers them.
 constexpr double kNearlyAligned = 0.99995;

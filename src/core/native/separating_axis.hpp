@@ -11,6 +11,9 @@ namespace holdfast::native {
 /// less than the thinnest plate, m.
 inline constexpr double kHysteresis = 20e-6;
 
+/// Faces give up to 8 points and edges one: edges have to be clearly better, m.
+inline constexpr double kEdgeHandicap = 50e-6;
+
 /// Box b as seen from box a, and the other way round.
 struct RelativePose {
   Mat3 a_from_b;  ///< its columns are the axes of b in the axes of a

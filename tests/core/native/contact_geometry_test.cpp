@@ -198,6 +198,30 @@ TEST_CASE("contact_geometry: edge-edge normal points from a to b", "[core][conta
   }
 }
 
+TEST_CASE("contact_geometry: a box that has sunk into the edge it lies on is held at both ends of it",
+          "[core][contact_geometry]") {
+  // A box hangs over the edge of a wider one, leans over it, and has sunk into it a little deeper at one end: less
+  // along the product of that edge and one of its own than along its face, as the edge goes on beyond its sides.
+  const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 2.0, 1.0});
+  for (const double lean : {0.01, 0.03}) {
+    for (const double roll : {-2e-3, 1e-3, 4e-3}) {
+      const OrientedBox flat = box_at({0.6, 0.0, 1.099 - 0.1 * lean}, {0.6, 0.6, 0.2});
+      const OrientedBox rolled = turned(flat, {1.0, 0.0, 0.0}, roll);
+      const OrientedBox b = turned(rolled, {0.0, 1.0, 0.0}, lean);
+      for (const ContactSet& contact : {contact_of(a, b, kMargin, kNoAxis), contact_of(b, a, kMargin, kNoAxis)}) {
+        CAPTURE(lean, roll, contact.count, contact.normal.transpose());
+        double low = 0.0, high = 0.0;
+        for (int i = 0; i < contact.count; ++i) {
+          low = std::min(low, contact.points[static_cast<std::size_t>(i)].on_b.y());
+          high = std::max(high, contact.points[static_cast<std::size_t>(i)].on_b.y());
+        }
+        CHECK(low == Approx(-0.3).margin(2e-3));
+        CHECK(high == Approx(0.3).margin(2e-3));
+      }
+    }
+  }
+}
+
 TEST_CASE("contact_geometry: the axis of the step before wins near ties", "[core][contact_geometry]") {
   // Overlaps of 1.000 mm in x and 1.015 mm in z: x is better, though not by enough to change.
   const OrientedBox a = box_at({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
