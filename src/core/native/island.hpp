@@ -89,6 +89,8 @@ class IslandStepper {
   bool pass_on(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   double first_stop(const Scene& scene, const StepTerms& terms, double step) const;
   bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
+  bool is_closed(const ContactPoint& point, const StepTerms& terms, double step) const;
+  double slow_gap(const StepTerms& terms, double step) const;
   double fast_approach(const StepTerms& terms) const;
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   bool renew(Scene& scene, const IslandView& island, const StepTerms& terms);

@@ -22,8 +22,16 @@ constexpr double kNearby = 0.2;
 /// Contacts that are part of the solve: closed, or closing slower than what is located in time, or closing at all
 /// once nothing more is located.
 bool IslandStepper::is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const {
-  const double slow_gap = std::max(kTouch, fast_approach(terms) * step);
-  return point.gap <= slow_gap || (!may_cut_ && point.gap + step * parting < slow_gap);
+  return is_closed(point, terms, step) || (!may_cut_ && point.gap + step * parting < slow_gap(terms, step));
+}
+
+bool IslandStepper::is_closed(const ContactPoint& point, const StepTerms& terms, double step) const {
+  return point.gap <= slow_gap(terms, step);
+}
+
+/// Gap that a contact closes in the step when it is as fast as what is located in time, m.
+double IslandStepper::slow_gap(const StepTerms& terms, double step) const {
+  return std::max(kTouch, fast_approach(terms) * step);
 }
 
 /// Speed from which impacts are located in time, m/s.
@@ -141,6 +149,8 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
+      // Most are told without their speed.
+      if (manifold.active && is_closed(point, terms, step)) continue;
       const double u0 = parting(bodies, manifold, point);
       const bool solved = is_solved(point, u0, terms, step);
       if (manifold.active && solved) continue;

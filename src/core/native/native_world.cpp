@@ -17,6 +17,9 @@ constexpr double kSupporting = 0.5;
 /// Gaps up to this are in touch when a world starts, m.
 constexpr double kStartTouch = 1e-5;
 
+/// Manifolds of a box, about as many as there are in a snug load: room made at once costs less than room that grows.
+constexpr std::size_t kLikelyManifolds = 8;
+
 /// Beyond what is within reach, what rounding may hide, m.
 constexpr double kFarther = 1e-9;
 
@@ -59,6 +62,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   scene_.sides = sides_of(settings.container);
   const std::size_t count = scene_.bodies.count();
   slot_.assign(count * (count + scene_.sides.size()), -1);
+  scene_.manifolds.reserve(kLikelyManifolds * count);
   resting_.assign(count, 0);
   moving_.assign(count, 0);
   wait_.assign(count, 0);
