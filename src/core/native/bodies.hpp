@@ -12,7 +12,7 @@ namespace holdfast::native {
 /// The boxes of one world, a column a quantity, an entry a box; container frame. In the order of where they stand at
 /// first, so that results do not depend on the order in which a layout lists them.
 struct Bodies {
-  std::vector<std::uint32_t> world_box;  ///< its box of the world
+  std::vector<std::uint32_t> world_box;  ///< where the body stands among the world's boxes
   std::vector<double> mass;              ///< kg; infinite: fixed to the container
   std::vector<Vec3> principal_inertia;   ///< about the centre of mass, body axes, kg m²
   std::vector<Vec3> centre_of_mass;      ///< from the centroid, body axes, m

@@ -216,7 +216,6 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
 }
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
-  const bool crowd = island.bodies.size() > kFewBodies;
   effort_ = options_.effort(island.bodies.size());
   project(scene, island, terms);
   SplittingOptions options;
@@ -225,7 +224,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   const double speed = mean_speed(scene.bodies, island);
   const double slow = speed < terms.velocity_unit ? std::max(kSlow, speed / terms.velocity_unit) : 1.0;
   options.mean_residual = slow * effort_.mean_residual;
-  if (crowd) options.ready = kCrowdReady;
+  if (island.bodies.size() > kFewBodies) options.ready = kCrowdReady;
   options.more_iterations = 4 * effort_.iterations;
   options.accelerate = terms.cold;
 

@@ -25,6 +25,7 @@ bool IslandStepper::is_solved(const ContactPoint& point, double parting, const S
   return is_closed(point, terms, step) || (!may_cut_ && point.gap + step * parting < slow_gap(terms, step));
 }
 
+/// Contacts of which that is known whatever their speed.
 bool IslandStepper::is_closed(const ContactPoint& point, const StepTerms& terms, double step) const {
   return point.gap <= slow_gap(terms, step);
 }
@@ -149,7 +150,6 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
     Manifold& manifold = scene.manifolds[index];
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      // Most are told without their speed.
       if (manifold.active && is_closed(point, terms, step)) continue;
       const double u0 = parting(bodies, manifold, point);
       const bool solved = is_solved(point, u0, terms, step);

@@ -20,9 +20,6 @@ constexpr double kStartTouch = 1e-5;
 /// Manifolds of a box, about as many as there are in a snug load: room made at once costs less than room that grows.
 constexpr std::size_t kLikelyManifolds = 8;
 
-/// Beyond what is within reach, what rounding may hide, m.
-constexpr double kFarther = 1e-9;
-
 /// Speeds below this share of |g − a| h may be rest: it is tried.
 constexpr double kRestShare = 0.02;
 
@@ -126,7 +123,6 @@ void NativeWorld::end_manifold(std::size_t index) {
 void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t count = bodies.count();
-  const std::size_t side_count = scene_.sides.size();
   lower_.resize(count);
   upper_.resize(count);
   spin_.resize(count);
@@ -134,18 +130,12 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
     const OrientedBox& box = bodies.shape[i];
     spin_[i] = bodies.radius[i] * bodies.state.angular_velocity[i].norm();
     const double speed = bodies.state.velocity[i].norm() + spin_[i];
-    const Vec3 extent = box.axes.cwiseAbs() * box.half_extents;
-    const Vec3 grown = extent.array() + 0.5 * contact_reach(terms_, 2.0 * speed);
-    lower_[i] = box.centre - grown;
-    upper_[i] = box.centre + grown;
+    const Vec3 extent = (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
+    lower_[i] = box.centre - extent;
+    upper_[i] = box.centre + extent;
     if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
-    const double reach = contact_reach(terms_, speed) + kFarther;
-    for (std::size_t s = 0; s < side_count; ++s) {
-      const HalfSpace& space = scene_.sides[s].space;
-      const double gap = space.normal.dot(box.centre) - space.normal.cwiseAbs().dot(extent) - space.offset;
-      if (gap > reach && slot_[i * (count + side_count) + count + s] < 0) continue;
+    for (std::size_t s = 0; s < scene_.sides.size(); ++s)
       update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
-    }
   }
   // Pairs that are no longer near end; backwards, because the last manifold takes the place of one that ends.
   for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
