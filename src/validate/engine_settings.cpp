@@ -1,5 +1,7 @@
 #include "validate/engine_settings.hpp"
 
+#include "core/native/native_options.hpp"
+
 namespace holdfast {
 
 namespace {
@@ -17,10 +19,14 @@ EngineSetting bullet(const char* engine, const char* name, double steps_per_seco
 }
 
 /// The native engine at one of its accuracies, quick, and taken through loads, where told.
-EngineSetting native(const char* name, Accuracy accuracy, bool quick, bool loads) {
+EngineSetting native_setting(const char* name, Accuracy accuracy, bool quick, bool loads) {
   return {.engine = "native",
           .name = name,
-          .choose = [=](Settings& settings) { settings.native.accuracy = accuracy; },
+          .choose =
+              [=](Settings& settings) {
+                settings.native.accuracy = accuracy;
+                settings.steps_per_second = native::native_options(settings).steps_per_second;
+              },
           .quick = quick,
           .loads = loads};
 }
@@ -42,9 +48,9 @@ EngineSetting opencl(const char* name, double steps_per_second, int iterations) 
 
 const std::vector<EngineSetting>& engine_settings() {
   static const std::vector<EngineSetting> kSettings = {
-      native("standard", Accuracy::standard, true, true),
-      native("screening", Accuracy::screening, true, true),
-      native("reference", Accuracy::reference, false, false),
+      native_setting("standard", Accuracy::standard, true, true),
+      native_setting("screening", Accuracy::screening, true, true),
+      native_setting("reference", Accuracy::reference, false, false),
       bullet("bullet", "240 Hz, 50 it", 240, 50, true),
       bullet("bullet", "60 Hz, 10 it", 60, 10),
       bullet("bullet", "120 Hz, 20 it", 120, 20),
