@@ -111,7 +111,7 @@ Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInput
                                     "-o",        results,
                                     "--costs",   costs,
                                     "--layouts", "-"};
-  if (!inputs.config_path.empty()) words.insert(words.end(), {"-c", inputs.config_path});
+  if (inputs.config_path) words.insert(words.end(), {"-c", *inputs.config_path});
   if (!bench_case.series) words.emplace_back("--no-series");
   words.emplace_back("--accelerations");
   words.insert(words.end(), inputs.accelerations.begin(), inputs.accelerations.end());

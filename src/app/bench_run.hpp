@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct BenchSample {
 
 /// Everything that is the same for all cases.
 struct BenchInputs {
-  std::string config_path;  ///< may be empty
+  std::optional<std::string> config_path;
   std::vector<std::string> accelerations;
   std::string folder;  ///< for the results, which are removed again
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/bench_table.hpp"
 #include "app/commands.hpp"
@@ -21,7 +22,7 @@ namespace holdfast {
 namespace {
 
 struct BenchOptions {
-  std::string config_path;
+  std::optional<std::string> config_path;
   std::vector<std::string> layouts;
   std::vector<std::string> accelerations;
   std::vector<std::string> engines;

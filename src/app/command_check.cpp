@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
@@ -15,7 +16,7 @@ namespace holdfast {
 namespace {
 
 struct CheckOptions {
-  std::string config_path;
+  std::optional<std::string> config_path;
   std::vector<std::string> paths;
 };
 
@@ -75,9 +76,9 @@ ExitCode check(const CheckOptions& options) {
     warn(finding.warnings);
     fail(ExitCode::bad_usage, finding.errors);
     bad += finding.errors.empty() ? 0U : 1U;
-    if (finding.errors.empty()) fmt::print("{}: ok: {}\n", input.path, finding.description);
+    if (finding.errors.empty()) print_to(stdout, "{}: ok: {}\n", input.path, finding.description);
   }
-  if (bad > 0) fmt::print(stderr, "{} of {} files are bad\n", bad, inputs->size());
+  if (bad > 0) print_to(stderr, "{} of {} files are bad\n", bad, inputs->size());
   return bad == 0 ? ExitCode::done : ExitCode::bad_usage;
 }
 

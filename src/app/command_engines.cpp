@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/engine_catalog.hpp"
+#include "app/report.hpp"
 
 namespace holdfast {
 
@@ -10,8 +11,8 @@ namespace {
 ExitCode list_engines() {
   for (const EngineEntry& entry : engine_catalog()) {
     const auto engine = make_engine(entry.name, Settings{});
-    fmt::print("{:<14} {}\n", entry.name, engine ? entry.sentence : "missing: " + engine.error().message());
-    for (const std::string& line : engine_devices(entry)) fmt::print("{:<14}   {}\n", "", line);
+    print_to(stdout, "{:<14} {}\n", entry.name, engine ? entry.sentence : "missing: " + engine.error().message());
+    for (const std::string& line : engine_devices(entry)) print_to(stdout, "{:<14}   {}\n", "", line);
   }
   return ExitCode::done;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
@@ -13,7 +14,7 @@ namespace holdfast {
 namespace {
 
 struct ScreenOptions {
-  std::string config_path;
+  std::optional<std::string> config_path;
   std::vector<std::string> layouts;
   std::vector<std::string> accelerations;
   std::string results_path = "results.h5";
@@ -27,6 +28,8 @@ bool is_listed(const std::vector<std::string>& paths) {
 ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
+  if (options.results_path.empty())
+    return fail(ExitCode::bad_usage, {.what = "an empty path", .accepted = "the name of the results file"});
   if (is_listed(options.layouts) && is_listed(options.accelerations)) {
     return fail(ExitCode::bad_usage, {.what = "standard input can list the layouts or the accelerations, not both",
                                       .value = "-",

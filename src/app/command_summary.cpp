@@ -8,6 +8,7 @@
 #include "app/crash_guard.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
+#include "core/setting_table.hpp"
 #include "io/results_reader.hpp"
 #include "io/summary.hpp"
 
@@ -22,10 +23,21 @@ struct SummaryOptions {
   std::optional<std::string> output_path;
 };
 
+/// Has an option take what the configuration's key takes.
+CLI::Validator as_in_config(const char* section, const char* name) {
+  const SettingKey& key = *find_setting(section, name);
+  return {[&key](const std::string& text) {
+            Settings ignored;
+            return key.set(ignored, 0, text) ? "" : fmt::format("{}; accepted is {}", text, key.accepted);
+          },
+          ""};
+}
+
 ExitCode summarise(const SummaryOptions& options) {
   const Result<ResultsReader> results = ResultsReader::open(options.results_path);
   if (!results) return fail(ExitCode::bad_usage, results.error());
-  if (options.output_path && std::filesystem::exists(*options.output_path)) {
+  std::error_code unknown;
+  if (options.output_path && std::filesystem::exists(*options.output_path, unknown)) {
     return fail(ExitCode::bad_usage,
                 {.file = *options.output_path, .what = "exists already", .accepted = "the name of a new file"});
   }
@@ -42,8 +54,8 @@ ExitCode summarise(const SummaryOptions& options) {
 
   const Result<OutcomeTable> table = outcome_table(options.results_path, thresholds);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  fmt::print("thresholds: drop {} m, move {} m, tilt {} degrees\n{}", thresholds.drop, thresholds.move, thresholds.tilt,
-             table->text);
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);
@@ -65,11 +77,12 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
       "  holdfast summary results.h5 --move-threshold 0.05 --csv tables/");
   auto options = std::make_shared<SummaryOptions>();
   command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
-  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")->check(CLI::NonNegativeNumber);
+  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")
+      ->check(as_in_config("Simulation Settings", "DropThreshold"));
   command->add_option("--move-threshold", options->move, "Moved when displaced by more, m")
-      ->check(CLI::NonNegativeNumber);
+      ->check(as_in_config("Screening", "MoveThreshold"));
   command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
-      ->check(CLI::NonNegativeNumber);
+      ->check(as_in_config("Screening", "TiltThreshold"));
   command->add_option("--csv", options->csv_folder, "Write worlds.csv and boxes.csv into this folder")
       ->type_name("DIR");
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")

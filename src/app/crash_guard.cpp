@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 
 #include "app/report.hpp"
 
@@ -32,7 +33,13 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
   const pid_t child = fork();
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that is killed takes its child along
-    const ExitCode code = work();
+    ExitCode code = ExitCode::some_failed;
+    try {
+      code = work();
+    } catch (const std::exception& exception) {
+      fail(code, {.file = path, .what = "cannot be read", .value = exception.what()});
+    }
+    code = checked_output(code);
     std::fflush(nullptr);
     _exit(static_cast<int>(code));
   }

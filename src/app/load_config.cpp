@@ -4,9 +4,10 @@
 
 namespace holdfast {
 
-Result<Config> load_config(const std::string& path) {
-  if (path.empty()) return Config{};
-  const Result<TextFile> file = read_text_file(path);
+Result<Config> load_config(const std::optional<std::string>& path) {
+  if (!path) return Config{};
+  if (path->empty()) return Error{.what = "an empty path", .accepted = "the name of a configuration file"};
+  const Result<TextFile> file = read_text_file(*path);
   if (!file) return file.errors();
   std::vector<Error> warnings;
   Result<Config> config = parse_config(*file, warnings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/result.hpp"
@@ -7,7 +8,7 @@
 
 namespace holdfast {
 
-/// Reads a config.ini; warnings go to standard error. Defaults when the path is empty.
-Result<Config> load_config(const std::string& path);
+/// Reads a config.ini; warnings go to standard error. Defaults without a path.
+Result<Config> load_config(const std::optional<std::string>& path);
 
 }  // namespace holdfast

@@ -20,7 +20,7 @@ void add_page(CLI::App& program, const std::string& name, const std::string& des
   program.add_flag_callback(
       name,
       [page] {
-        fmt::print("{}", page());
+        print_to(stdout, "{}", page());
         throw CLI::Success();
       },
       description);
@@ -68,6 +68,7 @@ std::optional<Error> unknown_word(const CLI::App& program) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_standard_streams();
   CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
   program.footer(
       "Example:\n"
@@ -95,7 +96,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const auto unknown = error.get_exit_code() == 0 ? std::nullopt : unknown_word(program);
     if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
-    return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_usage);
+    return static_cast<int>(checked_output(program.exit(error) == 0 ? ExitCode::done : ExitCode::bad_usage));
   }
-  return static_cast<int>(chosen.run());
+  return static_cast<int>(checked_output(chosen.run()));
 }

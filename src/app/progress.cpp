@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report.hpp"
+
 namespace holdfast {
 
 namespace {
@@ -46,11 +48,11 @@ void ProgressLine::show() {
   const std::string text = progress_text(counts_, std::chrono::duration<double>(now - start_).count());
   if (terminal_) {
     const std::size_t blanks = drawn_ > text.size() ? drawn_ - text.size() : 0;
-    fmt::print(stream_, "\r{}{:{}}", text, "", blanks);
+    print_to(stream_, "\r{}{:{}}", text, "", blanks);
     std::fflush(stream_);
     drawn_ = text.size();
   } else if (now - last_ >= kPlainInterval) {
-    fmt::print(stream_, "{}\n", text);
+    print_to(stream_, "{}\n", text);
     std::fflush(stream_);
     last_ = now;
   }
@@ -58,13 +60,13 @@ void ProgressLine::show() {
 
 void ProgressLine::note(const std::string& text) {
   wipe();
-  fmt::print(stream_, "{}\n", text);
+  print_to(stream_, "{}\n", text);
   std::fflush(stream_);
 }
 
 void ProgressLine::wipe() {
   if (drawn_ == 0) return;
-  fmt::print(stream_, "\r{:{}}\r", "", drawn_);
+  print_to(stream_, "\r{:{}}\r", "", drawn_);
   std::fflush(stream_);
   drawn_ = 0;
 }

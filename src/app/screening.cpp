@@ -69,7 +69,7 @@ std::vector<RunMotion> read_motions(const ScreeningJob& job) {
       entry.motion = std::move(*motion);
     } else {
       entry.error = motion.error().message();
-      for (const Error& error : motion.errors()) fmt::print(stderr, "{}\n", error.message());
+      for (const Error& error : motion.errors()) print_to(stderr, "{}\n", error.message());
     }
   }
   return motions;
@@ -145,8 +145,9 @@ std::optional<Error> print_finished(const ScreeningJob& job, const RunDescriptio
     // Names come from this run's inputs; a world that has none there is of a damaged file.
     if (world.layout >= description.layout_names.size() || world.acceleration >= description.accelerations.size())
       return;
-    fmt::print("{}\n", world_json(world, description.layout_names[world.layout],
-                                  description.accelerations[world.acceleration].name, index++, description.thresholds));
+    print_to(stdout, "{}\n",
+             world_json(world, description.layout_names[world.layout],
+                        description.accelerations[world.acceleration].name, index++, description.thresholds));
   });
 }
 
@@ -170,8 +171,7 @@ class Run {
   /// False when it was stopped or writing failed: then the results are not all there.
   bool go() {
     const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
-    const UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop,
-                            costs_);
+    UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop, costs_);
     const std::size_t first = units.beginning_with(world_);
     {
       ProgressLine line(counts_, stderr, job_.quiet);
@@ -179,7 +179,10 @@ class Run {
       run_in_order(
           *scheduler_of(job_.settings.screening.scheduler), thread_count(job_.settings.screening.threads),
           units.count() - first,
-          [&](std::size_t i) { return stop_.no_more || failed_ ? std::nullopt : runner.run(units[first + i]); },
+          [&](std::size_t i) {
+            if (stop_.no_more || failed_) return std::optional<UnitRecord>();
+            return runner.run(units[first + i], units.sharing_layouts(first + i, first));
+          },
           [&](UnitRecord&& record) {
             announce(record);
             const StageTimer timer(costs_, Stage::write);
@@ -193,8 +196,8 @@ class Run {
       keep(writer_.finish());
     }
     if (warning_count_ > kWarningsShown)
-      fmt::print(stderr, "and {} more warnings; `holdfast check` prints all\n", warning_count_ - kWarningsShown);
-    if (error_) fmt::print(stderr, "{}\n", error_->message());
+      print_to(stderr, "and {} more warnings; `holdfast check` prints all\n", warning_count_ - kWarningsShown);
+    if (error_) print_to(stderr, "{}\n", error_->message());
     return !error_ && counts_.done == counts_.total;
   }
 
@@ -246,11 +249,14 @@ class Run {
     return !error_;
   }
 
+  /// Not under the lock: a reader that pauses must not keep the open part from being closed in time.
   void print_lines() {
-    const std::scoped_lock lock(notes_mutex_);
-    fmt::print("{}", lines_);
-    if (!lines_.empty()) std::fflush(stdout);
-    lines_.clear();
+    std::string lines;
+    {
+      const std::scoped_lock lock(notes_mutex_);
+      lines.swap(lines_);
+    }
+    write_unless(stop_.drop, stdout, lines);
   }
 
   /// Four times a second: the open part may be due though no world has finished; news for the user.
@@ -281,7 +287,7 @@ class Run {
   std::mutex notes_mutex_;
   std::size_t warning_count_ = 0;
   std::vector<std::string> notes_;  ///< lines that the progress line's thread will print
-  std::string lines_;               ///< JSON of worlds placed and not yet written
+  std::string lines_;               ///< JSON of worlds placed and not yet told
   std::optional<Error> error_;
   std::atomic<bool> failed_ = false;
   bool stop_told_ = false;
@@ -289,8 +295,8 @@ class Run {
 
 /// How a run ends that a signal stopped: what finished is kept.
 ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
-  fmt::print(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
-             total, job.results_path);
+  print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
+           total, job.results_path);
   return watch_stop_signals().signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
@@ -306,8 +312,8 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bo
     if (error && stop) return stopped(job, total, total);
     if (error) {
       fail(ExitCode::some_failed, *error);
-      fmt::print(stderr, "all {} are safe in {}.parts; --resume puts them together\n", counted(total, "world"),
-                 job.results_path);
+      print_to(stderr, "all {} are safe in {}.parts; --resume puts them together\n", counted(total, "world"),
+               job.results_path);
       return ExitCode::some_failed;
     }
   }
@@ -322,7 +328,7 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bo
   }
   const auto table = outcome_table(job.results_path, description.thresholds);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  if (!job.json && !job.quiet) fmt::print("{}\nresults: {}\n", table->text, job.results_path);
+  if (!job.json && !job.quiet) print_to(stdout, "{}\nresults: {}\n", table->text, job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -364,7 +370,7 @@ ExitCode run_screening(const ScreeningJob& job) {
       if (const auto error = print_finished(job, description, finished)) return fail(ExitCode::bad_usage, *error);
     }
     if (finished.complete) {
-      if (!job.quiet) fmt::print(stderr, "{} is complete already\n", job.results_path);
+      if (!job.quiet) print_to(stderr, "{} is complete already\n", job.results_path);
       StageCosts none;
       return conclude(job, description, true, none);
     }
@@ -375,10 +381,10 @@ ExitCode run_screening(const ScreeningJob& job) {
   watch_stop_signals();
   if (!job.quiet) {
     const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
-    fmt::print(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
-               counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
-               engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
-               finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
+    print_to(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
+             counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
+             engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
+             finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
   StageCosts costs;
   Run run(job, **engine, motions, **writer, finished, costs);
@@ -386,8 +392,8 @@ ExitCode run_screening(const ScreeningJob& job) {
   if (run.write_failed()) {
     // What was written to the part that failed is lost: only the finished parts count.
     const Result<Progress> safe = find_finished(job.results_path, fingerprint(description));
-    fmt::print(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n",
-               safe ? safe->world_count : 0, run.total(), job.results_path);
+    print_to(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n",
+             safe ? safe->world_count : 0, run.total(), job.results_path);
     return ExitCode::some_failed;
   }
   if (!all_there) return stopped(job, run.done(), run.total());

@@ -1,45 +1,14 @@
 #include "app/unit_runner.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "core/simulate.hpp"
-#include "io/layout_reader.hpp"
-#include "io/text_file.hpp"
 #include "parallel/processor_time.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// A layout of the unit, or why there is none.
-struct UnitLayout {
-  Layout layout;
-  std::string error;
-  std::vector<Error> warnings;
-};
-
-UnitLayout read_unit_layout(const std::string& path, const Settings& settings) {
-  UnitLayout unit;
-  unit.layout.name = std::filesystem::path(path).filename().string();
-  const Result<TextFile> file = read_text_file(path);
-  if (!file) {
-    unit.error = file.error().message();
-    return unit;
-  }
-  unit.layout.sha256 = file->sha256;
-  Result<Layout> layout = parse_layout(*file, settings, unit.warnings);
-  if (layout) {
-    unit.layout = std::move(*layout);
-  } else {
-    const std::size_t more = layout.errors().size() - 1;
-    unit.error = layout.error().message() + (more > 0 ? fmt::format(" (and {} more)", more) : "");
-  }
-  return unit;
-}
 
 std::string describe(Status status) {
   if (has(status, Status::non_finite)) return "a state became infinite or undefined; try a smaller step";
@@ -50,22 +19,18 @@ std::string describe(Status status) {
 
 }  // namespace
 
-std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
+std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t sharing) {
   if (abort_) return std::nullopt;
   const double cpu_begin = processor_seconds();
   UnitRecord record;
-  std::vector<UnitLayout> layouts;
+  std::vector<std::shared_ptr<const ReadLayout>> layouts;
   std::vector<Layout> usable_layouts;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
-    {
-      const StageTimer timer(costs_, Stage::read);
-      layouts.push_back(read_unit_layout(layout_paths_[i], settings_));
-    }
-    if (layouts.back().error.empty()) usable_layouts.push_back(layouts.back().layout);
+    const ReadLayout& read = *layouts.emplace_back(layouts_.take(i, sharing));
+    if (read.error.empty()) usable_layouts.push_back(read.layout);
     if (unit.motion_begin > 0) continue;
-    record.layouts.push_back({i, layouts.back().layout});
-    const std::vector<Error>& warnings = layouts.back().warnings;
-    record.warnings.insert(record.warnings.end(), warnings.begin(), warnings.end());
+    record.layouts.push_back({i, read.layout});
+    record.warnings.insert(record.warnings.end(), read.warnings.begin(), read.warnings.end());
   }
   std::vector<const Motion*> usable_motions;
   for (std::size_t i = unit.motion_begin; i < unit.motion_end; ++i)
@@ -86,7 +51,7 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit) const {
   std::size_t next = 0;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
     for (std::size_t j = unit.motion_begin; j < unit.motion_end; ++j) {
-      const UnitLayout& layout = layouts[i - unit.layout_begin];
+      const ReadLayout& layout = *layouts[i - unit.layout_begin];
       WorldRecord world;
       if (!layout.error.empty()) {
         world.outcome.status = Status::bad_layout;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/layout_shelf.hpp"
 #include "app/timed_engine.hpp"
 #include "app/work_units.hpp"
 #include "core/engine.hpp"
@@ -20,8 +21,8 @@ struct RunMotion {
   std::string error;
 };
 
-/// Turns a unit of work into records: reads its layouts, simulates their worlds, keeps what they left. A layout
-/// or acceleration that cannot be used becomes rows with a status. Constant; shared by all threads.
+/// Turns a unit of work into records: takes its layouts, simulates their worlds, keeps what they left. A layout
+/// or acceleration that cannot be used becomes rows with a status. Shared by all threads.
 class UnitRunner {
  public:
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
@@ -30,19 +31,20 @@ class UnitRunner {
       : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
-        layout_paths_(layout_paths),
+        layouts_(layout_paths, settings, costs),
         motions_(motions),
         abort_(abort),
         costs_(costs) {}
 
   /// The unit's records; nothing when aborted.
-  std::optional<UnitRecord> run(const WorkUnit& unit) const;
+  /// @param sharing units of the run that take the same layouts, this one among them
+  std::optional<UnitRecord> run(const WorkUnit& unit, std::size_t sharing);
 
  private:
   TimedEngine engine_;
   const Settings& settings_;
   RecordingPlan plan_;
-  const std::vector<std::string>& layout_paths_;
+  LayoutShelf layouts_;
   const std::vector<RunMotion>& motions_;
   const std::atomic<bool>& abort_;
   StageCosts& costs_;

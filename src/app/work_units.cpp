@@ -34,6 +34,11 @@ std::size_t WorkUnits::first_world(std::size_t unit) const {
   return block.layout_begin * motion_count_ + block.motion_begin;
 }
 
+std::size_t WorkUnits::sharing_layouts(std::size_t unit, std::size_t first) const {
+  const std::size_t begin = unit / motion_blocks_ * motion_blocks_;
+  return begin + motion_blocks_ - std::max(begin, first);
+}
+
 std::size_t WorkUnits::beginning_with(std::size_t world) const {
   const std::size_t layout_block = world / motion_count_ / layouts_per_unit_;
   const std::size_t motion_block = world % motion_count_ / motions_per_unit_;

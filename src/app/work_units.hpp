@@ -24,6 +24,9 @@ class WorkUnits {
   /// Index in the run of a unit's first world.
   std::size_t first_world(std::size_t unit) const;
 
+  /// Units from `first` on that take the same layouts as `unit`, itself among them.
+  std::size_t sharing_layouts(std::size_t unit, std::size_t first) const;
+
   /// Index of the unit that begins with world `world`, which must be the first of one.
   std::size_t beginning_with(std::size_t world) const;
 

@@ -60,6 +60,10 @@ void commit_temporary(const std::string& path) {
   const std::string temporary = temporary_name(path);
   sync_file(temporary, O_RDWR);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot be renamed into place");
+  sync_entry(path);
+}
+
+void sync_entry(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   sync_file(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
 }

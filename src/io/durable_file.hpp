@@ -36,6 +36,9 @@ class BytesOfFile {
 /// fsync of the folder. Throws `h5::Failure`; then the temporary file is gone. For src/io only.
 void write_durably(const std::string& path, std::span<const std::byte> bytes);
 
+/// Has the name of a file or folder survive a crash: fsync of the folder that it is in. Throws `h5::Failure`.
+void sync_entry(const std::string& path);
+
 /// The last steps of the above for a closed file under its temporary name.
 void commit_temporary(const std::string& path);
 

@@ -1,9 +1,14 @@
 #include "io/input_paths.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <optional>
 
 #include "core/number_text.hpp"
 #include "io/text_lines.hpp"
@@ -39,18 +44,29 @@ const char* plural(InputKind kind) {
   }
 }
 
-/// The files in a folder in byte order of their names, without hidden ones.
+/// What is in a folder in byte order of the names, without folders and hidden files.
 Result<std::vector<std::string>> list_folder(const std::string& path) {
   std::vector<std::string> files;
   std::error_code error;
   for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
-    std::error_code unreadable;
+    std::error_code unknown;
     const bool hidden = entry->path().filename().string().starts_with('.');
-    if (!hidden && entry->is_regular_file(unreadable)) files.push_back(entry->path().string());
+    if (!hidden && !entry->is_directory(unknown)) files.push_back(entry->path().string());
   }
   if (error) return Error{.file = path, .what = "the folder cannot be read", .value = error.message()};
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// Why what is in a folder cannot be read as a file, if it cannot.
+std::optional<Error> why_unreadable(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) return Error{.file = path, .what = "is a link to nothing"};
+  if (!fs::status_known(status)) return Error{.file = path, .what = "cannot be looked at", .value = error.message()};
+  if (!fs::is_regular_file(status)) return Error{.file = path, .what = "is no file"};
+  if (::access(path.c_str(), R_OK) == 0) return std::nullopt;
+  return Error{.file = path, .what = "cannot be read", .value = std::strerror(errno)};
 }
 
 /// Collects what a list of paths stands for.
@@ -62,8 +78,10 @@ class InputFinder {
   void add(const std::string& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (path.empty() || !fs::exists(status))
+    if (path.empty() || status.type() == fs::file_type::not_found)
       fail(path, "no such file or folder");
+    else if (!fs::status_known(status))
+      errors_.push_back({.file = path, .what = "cannot be looked at", .value = error.message()});
     else if (fs::is_directory(status))
       add_folder(path);
     else
@@ -92,15 +110,20 @@ class InputFinder {
   void add_folder(const std::string& path) {
     const Result<std::vector<std::string>> names = list_folder(path);
     if (!names) return errors_.push_back(names.error());
-    const std::size_t before = files_.size();
+    const std::size_t before = files_.size() + errors_.size();
     for (const std::string& name : *names) {
+      // Left out in silence, a candidate would never be missed.
+      if (const auto error = why_unreadable(name)) {
+        errors_.push_back(*error);
+        continue;
+      }
       const InputKind kind = classify_file(name);
       if (kind == InputKind::unknown)
         warnings_.push_back({.file = name, .what = "left out, neither a layout, nor an acceleration, nor a config"});
       else if (wanted_ == InputKind::unknown || wanted_ == kind)
         files_.push_back({name, kind});
     }
-    if (files_.size() == before)
+    if (files_.size() + errors_.size() == before)
       errors_.push_back({.file = path, .what = std::string("the folder has no ") + plural(wanted_)});
   }
 
@@ -135,7 +158,8 @@ InputKind classify(std::string_view text) {
   while (lines.next()) {
     split_fields(lines.line(), fields);
     if (fields.empty() || fields[0].text.starts_with(';')) continue;
-    if (fields[0].text.starts_with('[') || lines.line().find('=') != std::string_view::npos) return InputKind::config;
+    const std::string_view data = lines.line().substr(0, lines.line().find('#'));
+    if (fields[0].text.starts_with('[') || data.find('=') != std::string_view::npos) return InputKind::config;
     const InputKind kind = kind_of_line(fields);
     // The first line may be a layout's header, which can have any number of columns.
     if (is_second) return kind == InputKind::unknown ? first : kind;

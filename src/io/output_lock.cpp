@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/durable_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "io/results_part.hpp"
 
 namespace holdfast {
@@ -45,8 +47,12 @@ Result<OutputLock> OutputLock::take(const std::string& results_path, std::option
   const std::string path = lock_path(folder);
   while (true) {
     std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
+    const bool made = std::filesystem::create_directories(folder, failure);
     if (failure) return Error{.file = folder, .what = "cannot be made", .value = failure.message()};
+    if (made) {
+      // Else a power cut could take the folder with all that is safe in it.
+      if (const auto error = h5::caught(folder, [&] { sync_entry(folder); })) return *error;
+    }
     OutputLock lock(folder, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (lock.descriptor_ < 0 && errno == ENOENT) continue;  // the run before has just removed the folder
     if (lock.descriptor_ < 0) return system_error(path, "cannot be made");

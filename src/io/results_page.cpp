@@ -90,7 +90,7 @@ consecutive range of worlds, and is closed after 256 worlds, 32 MB or 2 seconds.
 when all of it is on disk, so a kill or a power cut costs the open part at most, and worlds that finished ahead of a
 slower one before them. `results.h5.parts/lock` keeps a second run away while the first one lives. At the end the parts become
 `results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part,
-if config, settings, engine, layouts
+if software, settings, engine, layouts
 and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor
 seconds aside).
 
@@ -112,13 +112,13 @@ struct StatusMeaning {
   Status bit;
   std::string_view meaning;
 };
-constexpr std::array<StatusMeaning, 6> kStatusMeanings = {{
+constexpr auto kStatusMeanings = std::to_array<StatusMeaning>({
     {Status::bad_layout, "the layout could not be used; not simulated, no boxes. See `status_text`"},
     {Status::bad_acceleration, "the acceleration could not be used; not simulated. See `status_text`"},
     {Status::non_finite, "a state became infinite or undefined; the samples end before. Use a smaller step"},
     {Status::not_converged, "the solver's residual stayed above its bound. Allow more iterations or accuracy"},
     {Status::capacity, "a device had no room for all contacts of the world, or failed. Use another engine"},
-}};
+});
 
 std::string length_of(const DatasetSpec& spec) {
   constexpr std::array<char, kAxisCount> kLetters = {'W', 'N', 'S', 'R', 'L', 'B', 'A', 'G'};

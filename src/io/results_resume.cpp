@@ -55,7 +55,7 @@ WorldRecord record_of(const WorldRow& row, EndTable&& end) {
   world.outcome.status = row.status;
   world.outcome.stop_reason = row.stop_reason;
   world.outcome.end_time = row.end_time;
-  world.outcome.counters = {row.steps, row.steps_skipped, row.solve_iterations, row.max_residual};
+  world.outcome.counters = {row.steps, row.steps_skipped, row.solve_iterations, row.max_residual, row.max_penetration};
   world.status_text = row.status_text;
   world.cpu_seconds = row.cpu_seconds;
   world.peak_total_kinetic_energy = row.peak_total_kinetic_energy;

@@ -38,7 +38,10 @@ std::string fingerprint(const RunDescription& run) {
     append(accelerations, motion.name);
     append(accelerations, motion.sha256);
   }
-  return "config=" + sha256_of(run.config_text) + " settings=" + sha256_of(settings) + " engine=" + run.engine +
+  std::string software;
+  append(software, run.software);
+  append(software, run.git_commit);
+  return "software=" + sha256_of(software) + " settings=" + sha256_of(settings) + " engine=" + run.engine +
          " layouts=" + sha256_of(layouts) + " accelerations=" + sha256_of(accelerations) +
          " series=" + (run.record_series ? "1" : "0");
 }

@@ -26,9 +26,9 @@ struct RunDescription {
   Thresholds thresholds;                  ///< by which the summary is judged
 };
 
-/// What must be the same for a run to be taken up again, as text: `config=… settings=… engine=… layouts=…
-/// accelerations=… series=…`, SHA-256 of each where it is long. Neither command line, host, time, threads
-/// nor scheduler are in it.
+/// What must be the same for a run to be taken up again, as text: `software=… settings=… engine=… layouts=…
+/// accelerations=… series=…`, SHA-256 of each where it is long. Neither command line, host, time, threads nor scheduler
+/// are in it, nor what of the configuration file is no setting.
 std::string fingerprint(const RunDescription& run);
 
 /// Names of what differs between two fingerprints, joined by ", "; empty when they are equal.

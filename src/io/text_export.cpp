@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -14,12 +15,14 @@ namespace holdfast {
 
 namespace {
 
-/// File names without extension, made different from each other with `~2`, `~3`, ….
+/// File names without extension, made different from each other with `~2`, `~3`, …; without `$`, which stands between
+/// two of them.
 std::vector<std::string> distinct_stems(const std::vector<std::string>& names) {
   std::set<std::string> taken;
   std::vector<std::string> stems;
   for (const std::string& name : names) {
-    const std::string stem = std::filesystem::path(name).stem().string();
+    std::string stem = std::filesystem::path(name).stem().string();
+    std::replace(stem.begin(), stem.end(), '$', '_');
     std::string distinct = stem;
     for (int i = 2; !taken.insert(distinct).second; ++i) distinct = fmt::format("{}~{}", stem, i);
     stems.push_back(distinct);

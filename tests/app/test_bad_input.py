@@ -176,13 +176,10 @@ class Screen(CliTest):
     def test_missing_files(self):
         self.write_inputs()
         good = ["-c", "config.ini", "--layouts", "seed.txt", "--accelerations", "rest.txt", "-o", "r.h5"]
-        for i, missing in ((1, "nope.ini"), (3, "nope.txt"), (5, "nope.txt"), (1, ""), (3, "")):
+        for i, missing in ((1, "nope.ini"), (3, "nope.txt"), (5, "nope.txt"), (1, ""), (3, ""), (7, "")):
             with self.subTest(missing=missing, of=good[i - 1]):
                 done = self.run_here("screen", *good[:i], missing, *good[i + 1:])
-                if missing:
-                    self.assert_refused(done, missing)
-                elif i == 3:
-                    self.assert_refused(done, "an empty path")
+                self.assert_refused(done, missing or "an empty path")
 
     def test_a_place_that_cannot_be_written(self):
         self.write_inputs()

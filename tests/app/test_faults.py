@@ -13,7 +13,7 @@ import unittest
 
 import h5py
 
-from cli import CONFIG, PATIENCE, SEED, CliTest, datasets, layout_text, start, wait_for
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, CliTest, datasets, layout_text, start, wait_for
 
 KILLS = int(os.environ.get("HOLDFAST_KILLS", "10"))
 LONG_ENOUGH = 1.0  # s of an undisturbed run: several parts, and moments between them
@@ -78,6 +78,46 @@ class Kills(ManyWorlds):
         self.assertFalse((self.folder / "results.h5.parts").exists())
         self.assertFalse((self.folder / "results.h5.tmp").exists())
         print(f"{killed} kills of a run of {elapsed:.1f} s, {on_the_way} of them between the first part and the end")
+
+
+
+class Streams(ManyWorlds):
+    """What is said of a run is worth less than its results."""
+
+    def test_a_reader_that_pauses_keeps_nothing_from_being_safe(self):
+        self.write_many(1000, 0.5)
+        process = start(*self.arguments("-o", "results.h5", "--json"), cwd=self.folder, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        wait_for(lambda: self.safe_worlds() > 0, process)
+        process.terminate()
+        # Not communicate(), which would read.
+        self.assertEqual(process.wait(PATIENCE), 143)
+
+    def test_streams_that_cannot_be_written(self):
+        self.write_many(1, 0.5)
+        for stdout, stderr, code in (("/dev/null", "/dev/full", 0), ("/dev/full", "/dev/null", 1)):
+            with self.subTest(stdout=stdout, stderr=stderr), open(stdout, "w") as out, open(stderr, "w") as err:
+                done = subprocess.run([HOLDFAST, *self.arguments("-o", "results.h5", "--json", "--overwrite")],
+                                      stdout=out, stderr=err, cwd=self.folder, timeout=PATIENCE, check=False)
+                self.assertEqual(done.returncode, code)
+        closed = subprocess.run(f"'{HOLDFAST}' {' '.join(self.arguments('-o', 'closed.h5', '--json'))} >&- 2>&-",
+                                shell=True, cwd=self.folder, timeout=PATIENCE, check=False)
+        self.assertEqual(closed.returncode, 0)
+        self.assert_exit(self.run_here("summary", "closed.h5"), 0)
+
+    def test_a_layout_that_changes_during_the_run_is_one_and_the_same(self):
+        self.write_many(1, 0.5)
+        layout = self.folder / "layouts/0000.txt"
+        pipe = self.folder / "pipe.txt"
+        os.mkfifo(pipe)
+        text = layout.read_text()
+        process = start("screen", "-c", "config.ini", "--layouts", "pipe.txt", "--accelerations", "left.txt", "right.txt",
+                        "-o", "results.h5", "--quiet", cwd=self.folder)
+        self.addCleanup(process.kill)
+        pipe.write_text(text)  # a pipe gives its text once
+        process.communicate(timeout=PATIENCE)
+        self.assertEqual(process.returncode, 0)
 
 
 class TwoRuns(CliTest):

@@ -98,7 +98,7 @@ class LongRun(CliTest):
     def test_changed_inputs_are_refused(self):
         for name, old, new, said in (("layouts/layout00.txt", "106", "105", "layout00.txt: this layout has changed"),
                                      ("long.txt", " 1 0 0", " 2 0 0", "accelerations differ"),
-                                     ("config.ini", "= 60", "= 61", "config, settings differ")):
+                                     ("config.ini", "= 60", "= 61", "settings differ")):
             with self.subTest(changed=name):
                 text = (self.folder / name).read_text()
                 self.write(name, text.replace(old, new))

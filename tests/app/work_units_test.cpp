@@ -75,6 +75,15 @@ TEST_CASE("work_units: nothing to do", "[app][work_units]") {
 
 TEST_CASE("work_units: traits of 0 count as 1", "[app][work_units]") { check_covers(units_of(2, 2, 0, 0), 2, 2); }
 
+TEST_CASE("work_units: a layout is shared by the units of its motions that are still to come", "[app][work_units]") {
+  const WorkUnits units = units_of(3, 4, 1, 1);
+  CHECK(units.sharing_layouts(1, 0) == 4);
+  CHECK(units.sharing_layouts(6, 6) == 2);
+  CHECK(units.sharing_layouts(7, 6) == 2);
+  CHECK(units.sharing_layouts(8, 6) == 4);
+  CHECK(units_of(3, 4, 2, 1).sharing_layouts(1, 0) == 1);
+}
+
 TEST_CASE("work_units: a unit's first world is where the unit begins", "[app][work_units]") {
   const WorkUnits units = units_of(3, 5, 1, 2);
   CHECK(units.first_world(0) == 0);

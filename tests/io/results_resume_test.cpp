@@ -57,12 +57,42 @@ TEST_CASE("results_resume: another run's parts and file are refused, and it says
   const Run run = make_run({{3, 4}});
   write_parts(path, run);
   RunDescription other = run.description;
-  other.config_text += "x";
-  other.accelerations[0].sha256[5] = 'c';
+  other.config_text += "# a comment, which is no setting";
   other.host = "another";
-  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (config, accelerations differ)"));
+  CHECK(fingerprint(other) == fingerprint(run.description));
+  other.git_commit += "x";
+  other.accelerations[0].sha256[5] = 'c';
+  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (software, accelerations differ)"));
   require_ok(assemble(path, run.description));
-  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (config, accelerations differ)"));
+  CHECK(contains(message_of(find_finished(path, fingerprint(other))), "other inputs (software, accelerations differ)"));
+}
+
+TEST_CASE("results_resume: finished worlds are told as they were put in", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  const Run run = make_run({{3, 4}, {2, 2}});
+  write_parts(path, run);
+  std::vector<WorldRecord> put;
+  for (const UnitRecord& unit : run.units) put.insert(put.end(), unit.worlds.begin(), unit.worlds.end());
+  std::size_t next = 0;
+  const Progress progress = require_value(find_finished(path, fingerprint(run.description)));
+  const auto error = visit_finished(path, progress, [&](const WorldRecord& got) {
+    const WorldRecord& world = put.at(next++);
+    const Counters& a = got.outcome.counters;
+    const Counters& b = world.outcome.counters;
+    CHECK(a.steps == b.steps);
+    CHECK(a.steps_skipped == b.steps_skipped);
+    CHECK(a.solve_iterations == b.solve_iterations);
+    CHECK(a.max_residual == b.max_residual);
+    CHECK(a.max_penetration == b.max_penetration);
+    CHECK(got.outcome.end_time == world.outcome.end_time);
+    CHECK(got.cpu_seconds == world.cpu_seconds);
+    CHECK(got.state_hash == world.state_hash);
+    CHECK(got.peak_total_kinetic_energy == world.peak_total_kinetic_energy);
+    CHECK(got.end.kinetic_energy == world.end.kinetic_energy);
+  });
+  CHECK_FALSE(error);
+  CHECK(next == put.size());
 }
 
 TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results]") {

@@ -42,6 +42,9 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   CHECK(row.stop_reason == put.outcome.stop_reason);
   CHECK(row.end_time == put.outcome.end_time);
   CHECK(row.steps == put.outcome.counters.steps);
+  CHECK(row.steps_skipped == put.outcome.counters.steps_skipped);
+  CHECK(row.solve_iterations == put.outcome.counters.solve_iterations);
+  CHECK(row.cpu_seconds == put.cpu_seconds);
   CHECK(row.max_residual == put.outcome.counters.max_residual);
   CHECK(row.max_penetration == put.outcome.counters.max_penetration);
   CHECK(row.state_hash == put.state_hash);
@@ -60,6 +63,9 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   CHECK(same_bits(ends.displacement, put.end.displacement));
   CHECK(same_bits(ends.tilt, put.end.tilt));
   CHECK(same_bits(ends.settling_displacement, put.end.settling_displacement));
+  CHECK(same_bits(ends.kinetic_energy, put.end.kinetic_energy));
+  CHECK(same_bits(ends.peak_displacement, put.end.peak_displacement));
+  CHECK(same_bits(ends.peak_kinetic_energy, put.end.peak_kinetic_energy));
   check_series(require_value(reader.series(row)), put.series);
 }
 
