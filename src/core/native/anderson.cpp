@@ -33,7 +33,8 @@ void Anderson::restart() {
   next_pause_ = kPause;
 }
 
-void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, std::vector<PatchVector>& r) {
+void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g,
+                          const std::vector<PatchVector>& r) {
   const double square = dot(patches, r, r);
   const bool known = has_last_ && last_g_.size() == g.size();
   if (!known || square > kGrowth * last_square_) {

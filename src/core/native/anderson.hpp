@@ -20,7 +20,7 @@ class Anderson {
   /// The next x, in place of `g`.
   /// @param patches give the weights 1/R of the inner product
   /// @param r       residual that goes with `g`
-  void accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, std::vector<PatchVector>& r);
+  void accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, const std::vector<PatchVector>& r);
 
  private:
   static constexpr std::size_t kDepth = 5;

@@ -46,14 +46,12 @@ void BlockFactor::eliminate() {
     ++degree_[b];
   }
   place_.assign(count_, 0);
-  order_.clear();
   shape_.column_begin.assign(1, 0);
   shape_.block_row.clear();
   constexpr std::uint32_t kEliminated = ~0U;
   for (std::size_t step = 0; step < count_; ++step) {
     const auto body = static_cast<std::size_t>(std::min_element(degree_.begin(), degree_.end()) - degree_.begin());
     place_[body] = static_cast<std::uint32_t>(step);
-    order_.push_back(static_cast<std::uint32_t>(body));
     neighbours_.clear();
     for (std::size_t word = 0; word < words; ++word)
       for (std::uint64_t bits = row(body)[word]; bits != 0; bits &= bits - 1)

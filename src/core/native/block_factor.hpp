@@ -49,7 +49,6 @@ class BlockFactor {
   std::size_t count_ = 0;
   std::vector<BodyPair> pairs_;
   std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> pair_block_;
   FactorShape shape_;
   std::vector<BodyBlock> diagonal_, below_, scratch_;

@@ -29,6 +29,9 @@ struct Bodies {
   /// Inertia in the container's frame, kg m².
   Mat3 inertia(std::size_t body) const;
 
+  /// No point of the body moves faster than this about its centre of mass, m/s.
+  double spin(std::size_t body) const { return radius[body] * state.angular_velocity[body].norm(); }
+
   /// Puts the shape where position and orientation say.
   void update_shape(std::size_t body);
 };

@@ -14,6 +14,10 @@ namespace {
 constexpr double kOverlap = 5e-6;
 constexpr double kOverlapShare = 0.01;
 
+/// What is cut off at an impact is no shorter than this share of a step: divided by what is but rounding, velocities
+/// would be anything.
+constexpr double kLeastRest = 1e-9;
+
 /// Rounds of activating manifolds that a step may take.
 constexpr int kRounds = 12;
 
@@ -61,7 +65,14 @@ double least_overlap(const StepTerms& terms, double late) {
 
 double contact_reach(const StepTerms& terms, double approach) {
   // What bodies fall in a step, what they approach, and a little for what rounding may hide.
-  return 1e-5 + 1.2 * terms.step * approach + terms.reach;
+  return 1e-5 + 1.2 * terms.longest_step * approach + terms.reach;
+}
+
+double contact_reach(const StepTerms& terms, const Bodies& bodies, std::int32_t a, std::int32_t b) {
+  const StateColumns& state = bodies.state;
+  const Vec3& v = state.velocity[at(b)];
+  const double approach = a < 0 ? v.norm() : (v - state.velocity[at(a)]).norm() + bodies.spin(at(a));
+  return contact_reach(terms, approach + bodies.spin(at(b)));
 }
 
 SplittingResult IslandStepper::run(const SplittingOptions& options, const StepTerms& terms, double step,
@@ -120,12 +131,10 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   for (int done = 0; done < most; done += tight.iterations) {
     tight.refit_share = done < kSettling ? 0.0 : 1.0;
     run(tight, terms, terms.step, report);
-    std::vector<BodyVector> velocity = solver_.velocity;
     if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) {
       remember(scene, island, terms.step);
       return true;
     }
-    solver_.velocity = std::move(velocity);
   }
   remember(scene, island, terms.step);
   // How the bodies begin to move, nearly.
@@ -151,7 +160,9 @@ void IslandStepper::move(Scene& scene, const IslandView& island, const StepTerms
     // its new value from the start of the step: with the old one bodies would overlap.
     const double jump = (v_end - v - step * bodies.acceleration[body]).norm() +
                         bodies.radius[body] * (w_end - w - step * bodies.angular_acceleration[body]).norm();
-    const bool jumps = captures_ && !terms.cold && share == 1.0 && jump > kJumpShare * terms.velocity_unit;
+    // Where the acceleration has just changed, no velocity goes on as before, and only who has met jumps.
+    const bool shows = captured_[place] != 0 || (!terms.cold && jump > kJumpShare * terms.velocity_unit);
+    const bool jumps = captures_ && share == 1.0 && shows;
     const Vec3 v_mean = jumps ? v_new : Vec3(0.5 * (v + v_new));
     const Vec3 w_mean = jumps ? w_new : Vec3(0.5 * (w + w_new));
     bodies.acceleration[body] = jumps ? Vec3::Zero() : Vec3((v_end - v) / step);
@@ -176,10 +187,9 @@ bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     scene.undo.emplace_back(index, manifold);
-    double reach = terms.reach;
-    for (int i = 0; i < manifold.contact.count; ++i) reach = std::max(reach, manifold.contact.points[at(i)].gap);
-    const ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b,
-                                           contact_reach(terms, 0.0) + reach, manifold.contact.axis);
+    const double reach = contact_reach(terms, scene.bodies, manifold.a, manifold.b);
+    const ContactSet contact =
+        contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, reach, manifold.contact.axis);
     deep = deep || overlaps_unseen(contact, manifold.contact, options_.deep_overlap);
     renew_contact(manifold, contact, scene.bodies);
   }
@@ -193,7 +203,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
     for (int i = 0; i < manifold.contact.count; ++i) {
       if (manifold.contact.points[at(i)].gap >= -effort_.overlap) continue;
       any = true;
-      manifold.active = true;
+      manifold.activate();
     }
   }
   if (!any) return;
@@ -236,30 +246,29 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     double step = remaining;
     resolve_impacts(scene, island, terms, step, report);
     Event event;
-    for (int round = 0; round < kRounds; ++round) {
+    SplittingResult result;
+    met_.assign(scene.manifolds.size(), 0);
+    for (int round = 0; round < kRounds;) {
       load(scene, island, terms, Purpose::smooth, step);
-      const SplittingResult result = run(options, terms, step, report);
+      result = run(options, terms, step, report);
       event = find_overlap(scene, island, terms, step);
-      if (!event.activated) {
-        const double stop = stops < effort_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
-        if (stop >= step || stop >= event.time) {
-          report.residual = std::max(report.residual, result.residual);
-          break;
-        }
-        // Forces change where a slip ends: what comes before is a step of its own.
-        step = stop;
+      if (event.activated) {
+        remember(scene, island, step);
+        ++round;
         continue;
       }
-      remember(scene, island, step);
+      const double stop = stops < effort_.stop_cuts && step == remaining ? first_stop(scene, terms, step) : step;
+      if (stop >= step || stop >= event.time) break;
+      // Forces change where a slip ends: what comes before is a step of its own.
+      step = stop;
     }
+    report.residual = std::max(report.residual, result.residual);
     remember(scene, island, step);
-    const double share = event.time < step ? event.time / step : 1.0;
+    const double share = event.time < step - kLeastRest * terms.step ? event.time / step : 1.0;
     move(scene, island, terms, step, share);
     if (share == 1.0 && step == remaining) return;
     if (renew(scene, island, terms)) report.met_deep = true;
     remaining -= share * step;
-    // What is left is rounding: divided by it, velocities would be anything.
-    if (remaining <= kLeastStep * terms.step) return;
     ++(share < 1.0 ? cuts : stops);
   }
 }

@@ -23,6 +23,7 @@ struct Scene {
 /// What holds for all islands in a step.
 struct StepTerms {
   double step = 0.0;           ///< s
+  double longest_step = 0.0;   ///< that any step may have, s: contacts are found for it
   Vec3 pull = Vec3::Zero();    ///< gravity and what the container's acceleration feels like, g − a, m/s²
   double velocity_unit = 0.0;  ///< |g − a| · step: what tolerances are measured in, m/s
   bool cold = false;           ///< the acceleration has just changed: the last step is no guess for this one
@@ -50,9 +51,12 @@ bool overlaps_unseen(const ContactSet& contact, const ContactSet& before, double
 /// little beside what a body falls in the step.
 double least_overlap(const StepTerms& terms, double late);
 
-/// How far apart two bodies may be that could meet within a step, m.
+/// How far apart two bodies may be that could meet within the next step, however long it is, m.
 /// @param approach bound of the speed at which their surfaces near each other, m/s
 double contact_reach(const StepTerms& terms, double approach);
+
+/// The same of body or side `a` and body `b`, as fast as they are now in whatever direction, m.
+double contact_reach(const StepTerms& terms, const Bodies& bodies, std::int32_t a, std::int32_t b);
 
 /// Moves islands. Holds work buffers alone: what it does depends on its arguments only.
 class IslandStepper {
@@ -61,7 +65,7 @@ class IslandStepper {
 
   /// True when the bodies, all without velocity, stay where they are under the pull: forces within every contact's
   /// cone are found that balance each body to the tolerance. The manifolds' memory is set to these forces; it stays
-  /// as it is where it already balances. A manifold that must carry load for that becomes active.
+  /// as it is where it already balances.
   bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
 
   /// Takes the island a step forward, cut at impacts. Activates manifolds that the bodies would overlap at.
@@ -85,7 +89,7 @@ class IslandStepper {
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
   double end_parting(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
   void activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
-  Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
+  Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   bool pass_on(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   double first_stop(const Scene& scene, const StepTerms& terms, double step) const;
   bool is_solved(const ContactPoint& point, double parting, const StepTerms& terms, double step) const;
@@ -112,10 +116,12 @@ class IslandStepper {
     std::array<std::uint8_t, kLanes> point;
   };
   std::vector<Source> sources_;
-  /// A manifold of the scene: its points that take part in an impact, and those that could, a bit each.
-  std::vector<std::uint8_t> struck_, touching_;
+  /// A manifold of the scene: its points that take part in an impact, those that could, and those that are solved
+  /// because they were found to close within the step, a bit each.
+  std::vector<std::uint8_t> struck_, touching_, met_;
   bool captures_ = false;  ///< a contact of the solve closes too fast for the step and too slow to be located
-  bool may_cut_ = true;    ///< impacts that lie ahead may cut the step; else they are solved at its end
+  std::vector<std::uint8_t> captured_;  ///< 1: a body, by place, at such a contact
+  bool may_cut_ = true;                 ///< impacts that lie ahead may cut the step; else they are solved at its end
 };
 
 }  // namespace holdfast::native

@@ -142,7 +142,7 @@ void IslandStepper::activate_nearby(Scene& scene, const IslandView& island, cons
 }
 
 IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms,
-                                                 double step) const {
+                                                 double step) {
   Event event;
   const Bodies& bodies = scene.bodies;
   const double overlap = least_overlap(terms, effort_.late_overlap);
@@ -152,7 +152,8 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const ContactPoint& point = manifold.contact.points[at(i)];
       if (manifold.active && is_closed(point, terms, step)) continue;
       const double u0 = parting(bodies, manifold, point);
-      const bool solved = is_solved(point, u0, terms, step);
+      const auto bit = static_cast<std::uint8_t>(1U << i);
+      const bool solved = (met_[index] & bit) != 0 || is_solved(point, u0, terms, step);
       if (manifold.active && solved) continue;
       const double u1 = end_parting(bodies, manifold, point);
       const double gap_end = point.gap + 0.5 * step * (u0 + u1);
@@ -164,6 +165,7 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const bool fast = -(u0 + curvature * time) > fast_approach(terms);
       if (!may_cut_ || !fast || solved) {
         manifold.activate();
+        met_[index] |= bit;
         event.activated = true;
       } else {
         event.time = std::min(event.time, std::max(time, kLeastStep * terms.step));

@@ -47,28 +47,20 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
   turn_mid_.resize(island.bodies.size());
   turn_end_.resize(island.bodies.size());
   turning_.assign(island.bodies.size() + 1, 0);
-  solver_.load_unit = terms.pull.norm() * (purpose == Purpose::smooth ? step : terms.step);
+  solver_.load_unit = terms.pull.norm() * step;
 
   for (const std::uint32_t body : island.bodies) {
     const auto place = at(place_[body]);
     const StateColumns& state = bodies.state;
-    switch (purpose) {
-      case Purpose::rest:
-        solver_.free_velocity[place] = body_vector(step * terms.pull, Vec3::Zero());
-        break;
-      case Purpose::impact:
-        solver_.free_velocity[place] = body_vector(state.velocity[body], state.angular_velocity[body]);
-        solver_.velocity[place] = solver_.free_velocity[place];
-        break;
-      case Purpose::projection:
-        break;
-      case Purpose::smooth:
-        break;
-    }
+    if (purpose == Purpose::rest) solver_.free_velocity[place] = body_vector(step * terms.pull, Vec3::Zero());
+    if (purpose == Purpose::impact)
+      solver_.free_velocity[place] = solver_.velocity[place] =
+          body_vector(state.velocity[body], state.angular_velocity[body]);
   }
   if (purpose == Purpose::smooth) predict(scene, island, terms, step);
 
   captures_ = false;
+  captured_.assign(island.bodies.size() + 1, 0);
   solver_.patches.clear();
   solver_.mid_arms.clear();
   solver_.patch_pair.clear();
@@ -130,7 +122,8 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
     const Vec3 slip = relative_velocity(bodies, manifold, point);
     const double parting_speed = manifold.contact.normal.dot(slip);
     const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
-    if (moving ? !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
+    const bool met = purpose == Purpose::smooth && (met_[index] >> i & 1) != 0;
+    if (moving ? !met && !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
     if (purpose == Purpose::impact && (struck_[index] >> i & 1) == 0) continue;
     const std::size_t lane = static_cast<std::size_t>(used % kLanes);
     if (lane == 0) {
@@ -179,8 +172,10 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       case Purpose::smooth:
         patch.allowance.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
         if (purpose == Purpose::smooth) {
-          captures_ =
-              captures_ || std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step;
+          if (std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step) {
+            captures_ = true;
+            captured_[at(place_a)] = captured_[at(place_b)] = 1;
+          }
           // Friction along the mean slip makes curved paths second order in the step.
           const Vec3 slide = slip - manifold.contact.normal * parting_speed;
           if (slide.norm() > kLastingSlip * terms.velocity_unit)

@@ -10,10 +10,10 @@ namespace holdfast::native {
 
 void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
   const std::size_t count = bodies.count();
-  std::vector<std::uint32_t> root(count);
-  std::iota(root.begin(), root.end(), 0U);
+  root_.resize(count);
+  std::iota(root_.begin(), root_.end(), 0U);
   const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
     return i;
   };
   const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
@@ -21,7 +21,7 @@ void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds)
     if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
     const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
     const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
-    root[std::max(of_a, of_b)] = std::min(of_a, of_b);
+    root_[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
   // Islands by their first body, bodies and manifolds in their own order.
   island_of_.assign(count, kNone);

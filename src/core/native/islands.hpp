@@ -35,6 +35,7 @@ class Islands {
 
   std::vector<Range> ranges_;
   std::vector<std::uint32_t> members_, inside_;
+  std::vector<std::uint32_t> root_;       ///< a body: another of its island, itself where it stands for it
   std::vector<std::uint32_t> island_of_;  ///< a body
 };
 

@@ -1,5 +1,7 @@
 #include "core/native/native_options.hpp"
 
+#include <algorithm>
+
 namespace holdfast::native {
 
 NativeOptions native_options(const Settings& settings) {
@@ -41,6 +43,7 @@ NativeOptions native_options(const Settings& settings) {
   for (Effort* effort : {&options.few, &options.crowd}) {
     effort->tolerance = given.tolerance.value_or(effort->tolerance);
     effort->iterations = given.iterations.value_or(effort->iterations);
+    effort->cold_iterations = std::max(effort->cold_iterations, effort->iterations);
     effort->impact_cuts = given.impact_cuts.value_or(effort->impact_cuts);
   }
   options.rest_tolerance = given.rest_tolerance.value_or(options.rest_tolerance);

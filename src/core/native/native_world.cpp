@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/container_sides.hpp"
 #include "core/native/island_motion.hpp"
@@ -65,11 +66,13 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   wait_.assign(count, 0);
   patience_.assign(count, 0);
   before_ = scene_.bodies.state;
+  before_acceleration_.resize(count);
+  reports_.resize(count);
 
   double strongest = 0.0;
   for (const Segment& segment : world.motion->segments) strongest = std::max(strongest, segment.acceleration.norm());
-  terms_.step = 1.0 / options_.steps_per_second;
-  terms_.reach = terms_.step * terms_.step * (settings.gravity + strongest);
+  terms_.longest_step = 1.0 / options_.steps_per_second;
+  terms_.reach = terms_.longest_step * terms_.longest_step * (settings.gravity + strongest);
   find_contacts(std::vector<std::uint8_t>(count, 1));
   for (Manifold& manifold : scene_.manifolds) {
     const bool supports = std::abs(manifold.contact.normal.z()) > kSupporting;
@@ -83,12 +86,9 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t other = a < 0 ? bodies.count() + static_cast<std::size_t>(-1 - a) : at(a);
   std::int32_t& slot = slot_[at(b) * (bodies.count() + scene_.sides.size()) + other];
-  const Vec3 relative =
-      a < 0 ? bodies.state.velocity[at(b)] : Vec3(bodies.state.velocity[at(b)] - bodies.state.velocity[at(a)]);
-  const double reach = contact_reach(terms_, relative.norm() + (a < 0 ? 0.0 : spin_[at(a)]) + spin_[at(b)]);
   static const ContactSet kNone;
   const ContactSet& before = slot < 0 ? kNone : scene_.manifolds[at(slot)].contact;
-  const ContactSet contact = contact_now(bodies, scene_.sides, a, b, reach, before.axis);
+  const ContactSet contact = contact_now(bodies, scene_.sides, a, b, contact_reach(terms_, bodies, a, b), before.axis);
   if (overlaps_unseen(contact, before, options_.deep_overlap)) met_deep_ = true;
   if (slot >= 0 && contact.count > 0) {
     renew_contact(scene_.manifolds[at(slot)], contact, bodies);
@@ -125,11 +125,9 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   const std::size_t count = bodies.count();
   lower_.resize(count);
   upper_.resize(count);
-  spin_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
-    spin_[i] = bodies.radius[i] * bodies.state.angular_velocity[i].norm();
-    const double speed = bodies.state.velocity[i].norm() + spin_[i];
+    const double speed = bodies.state.velocity[i].norm() + bodies.spin(i);
     const Vec3 extent = (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
     lower_[i] = box.centre - extent;
     upper_[i] = box.centre + extent;
@@ -169,13 +167,13 @@ bool NativeWorld::try_rest(const IslandView& island) {
   const Bodies& bodies = scene_.bodies;
   bool due = true;
   for (const std::uint32_t body : island.bodies) {
-    const double speed =
-        bodies.state.velocity[body].norm() + bodies.radius[body] * bodies.state.angular_velocity[body].norm();
+    const double speed = bodies.state.velocity[body].norm() + bodies.spin(body);
     if (speed > kRestShare * terms_.velocity_unit) return false;
-    if (wait_[body] > 0) {
-      --wait_[body];
-      due = false;
-    }
+  }
+  for (const std::uint32_t body : island.bodies) {
+    if (wait_[body] == 0) continue;
+    --wait_[body];
+    due = false;
   }
   if (!due) return false;
   IslandReport report;
@@ -202,10 +200,23 @@ void NativeWorld::set_at_rest(const IslandView& island) {
 }
 
 void NativeWorld::save(const IslandView& island) {
-  const StateColumns& state = scene_.bodies.state;
+  const Bodies& bodies = scene_.bodies;
   for (const std::uint32_t body : island.bodies) {
-    for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, state, before_);
+    for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, bodies.state,
+                          before_);
+    before_acceleration_[body] = {bodies.acceleration[body], bodies.angular_acceleration[body]};
   }
+}
+
+void NativeWorld::restore(std::size_t body) {
+  Bodies& bodies = scene_.bodies;
+  for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, before_, bodies.state);
+  std::tie(bodies.acceleration[body], bodies.angular_acceleration[body]) = before_acceleration_[body];
+  bodies.update_shape(body);
+}
+
+bool NativeWorld::is_moving(const Manifold& manifold) const {
+  return moving_[at(manifold.b)] != 0 || (!manifold.with_side() && moving_[at(manifold.a)] != 0);
 }
 
 /// Activates the pairs that would overlap after the step if velocities changed as in the last one: solving without
@@ -222,7 +233,7 @@ bool NativeWorld::activate_predicted() {
   };
   bool any = false;
   for (Manifold& manifold : scene_.manifolds) {
-    if (manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0))) continue;
+    if (manifold.active || !is_moving(manifold)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
@@ -238,7 +249,7 @@ bool NativeWorld::activate_predicted() {
 /// back to the start of the step.
 bool NativeWorld::merge_overlapping() {
   Bodies& bodies = scene_.bodies;
-  std::vector<std::uint8_t> again(islands_.size(), 0);
+  again_.assign(islands_.size(), 0);
   bool any = false;
   const auto shift = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
@@ -252,7 +263,7 @@ bool NativeWorld::merge_overlapping() {
       continue;
     const std::uint32_t of_a = islands_.of(at(manifold.a));
     const std::uint32_t of_b = islands_.of(at(manifold.b));
-    if (of_a == of_b || (moving_[at(manifold.a)] == 0 && moving_[at(manifold.b)] == 0)) continue;
+    if (of_a == of_b || !is_moving(manifold)) continue;
     const std::size_t together = islands_[of_a].bodies.size() + islands_[of_b].bodies.size();
     const double overlap = least_overlap(terms_, options_.effort(together).late_overlap);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
@@ -261,40 +272,42 @@ bool NativeWorld::merge_overlapping() {
           point.gap + manifold.contact.normal.dot(shift(manifold.b, point.on_b) - shift(manifold.a, point.on_a));
       if (gap >= -overlap) continue;
       manifold.activate();
-      again[of_a] = again[of_b] = 1;
+      again_[of_a] = again_[of_b] = 1;
       any = true;
     }
   }
   if (!any) return false;
-  std::vector<std::uint8_t> restored(bodies.count(), 0);
+  restored_.assign(bodies.count(), 0);
   for (std::size_t i = 0; i < islands_.size(); ++i) {
-    if (again[i] == 0) continue;
-    for (const std::uint32_t body : islands_[i].bodies) {
-      if (moving_[body] == 0) save(islands_[i]);
-      restored[body] = 1;
+    if (again_[i] == 0) continue;
+    const IslandView island = islands_[i];
+    if (moving_[island.bodies.front()] == 0) save(island);
+    for (const std::uint32_t body : island.bodies) {
+      restored_[body] = 1;
       resting_[body] = 0;
-      for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, before_,
-                            bodies.state);
-      bodies.update_shape(body);
+      restore(body);
     }
   }
+  // A contact belongs to the island that its free ends are of: what is fixed is never put back.
+  const auto is_restored = [&](const Manifold& manifold) {
+    return restored_[at(manifold.b)] != 0 || (!manifold.with_side() && restored_[at(manifold.a)] != 0);
+  };
   // Backwards: of several copies the first one counts. What is active stays active.
   for (auto copy = scene_.undo.rbegin(); copy != scene_.undo.rend(); ++copy) {
     Manifold& manifold = scene_.manifolds[copy->first];
-    if (restored[at(manifold.b)] == 0) continue;
+    if (!is_restored(manifold)) continue;
     const bool active = manifold.active;
     manifold = copy->second;
     manifold.active = active;
   }
-  std::erase_if(scene_.undo, [&](const auto& copy) { return restored[at(scene_.manifolds[copy.first].b)] != 0; });
+  std::erase_if(scene_.undo, [&](const auto& copy) { return is_restored(scene_.manifolds[copy.first]); });
   // Who was merged moves now.
   for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (restored[i] != 0) moving_[i] = 2;
+    if (restored_[i] != 0) moving_[i] = 2;
   return true;
 }
 
 double NativeWorld::step_moving() {
-  double worst = 0.0;
   scene_.undo.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     if (moving_[islands_[i].bodies.front()] != 0) save(islands_[i]);
@@ -303,9 +316,8 @@ double NativeWorld::step_moving() {
     IslandReport report;
     stepper_.advance(scene_, island, terms_, report);
     counters_.solve_iterations += report.iterations;
-    // In units of a whole step, also where it is halved.
-    worst = std::max(worst, report.residual / whole_step_unit_);
-    met_deep_ = met_deep_ || report.met_deep;
+    // Whoever is put back and steps again overwrites what he came to first.
+    for (const std::uint32_t body : island.bodies) reports_[body] = report;
   };
   for (std::size_t i = 0; i < islands_.size(); ++i)
     if (moving_[islands_[i].bodies.front()] != 0) advance(islands_[i]);
@@ -317,6 +329,13 @@ double NativeWorld::step_moving() {
       for (const std::uint32_t body : view.bodies) moving_[body] = 1;
       advance(view);
     }
+  }
+  double worst = 0.0;
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    if (moving_[i] == 0) continue;
+    // In units of a whole step, also where it is halved.
+    worst = std::max(worst, reports_[i].residual / whole_step_unit_);
+    met_deep_ = met_deep_ || reports_[i].met_deep;
   }
   return worst;
 }
@@ -350,12 +369,8 @@ void NativeWorld::take_step(double step, int halvings) {
     return;
   }
   // Back to the start, and on in two steps.
-  Bodies& bodies = scene_.bodies;
-  for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (moving_[i] == 0) continue;
-    for_each_state_column([&](const char*, const auto& from, auto& to) { to[i] = from[i]; }, before_, bodies.state);
-    bodies.update_shape(i);
-  }
+  for (std::size_t i = 0; i < moving_.size(); ++i)
+    if (moving_[i] != 0) restore(i);
   find_contacts(moving_);
   take_step(0.5 * step, halvings + 1);
   take_step(0.5 * step, halvings + 1);
@@ -363,13 +378,13 @@ void NativeWorld::take_step(double step, int halvings) {
 
 void NativeWorld::finish_step() {
   for (Manifold& manifold : scene_.manifolds) {
-    if (!manifold.active || (moving_[at(manifold.b)] == 0 && (manifold.a < 0 || moving_[at(manifold.a)] == 0)))
-      continue;
+    if (!is_moving(manifold)) continue;
+    const double nearest = manifold.contact.nearest_gap();
+    counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
+    if (!manifold.active) continue;
     bool loaded = false;
     for (int i = 0; i < manifold.contact.count; ++i)
       loaded = loaded || manifold.memory[at(i)].force.dot(manifold.contact.normal) > 0.0;
-    const double nearest = manifold.contact.nearest_gap();
-    counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     manifold.idle_steps = loaded ? 0 : manifold.idle_steps + 1;
     if (manifold.idle_steps > kIdleSteps || (!loaded && nearest > kStartTouch)) manifold.active = false;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/engine.hpp"
@@ -32,6 +33,8 @@ class NativeWorld {
   bool try_rest(const IslandView& island);
   void set_at_rest(const IslandView& island);
   void save(const IslandView& island);
+  void restore(std::size_t body);
+  bool is_moving(const Manifold& manifold) const;
   bool activate_predicted();
   bool merge_overlapping();
   void spread_motion();
@@ -49,15 +52,17 @@ class NativeWorld {
 
   std::vector<std::int32_t> slot_;              ///< manifold of a pair of body and body or side; −1: none
   std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
-  std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step
+  std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step; 2: put back, to be stepped again
   std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
   Islands islands_;
   BroadPhase broad_phase_;
   std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
-  std::vector<double> spin_;         ///< of the bodies: no point of one turns faster than this, m/s
   double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
   bool met_deep_ = false;            ///< a pair has come to overlap deeply since its contact was found last
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
+  std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²
+  std::vector<IslandReport> reports_;                       ///< a moving body: of its island's step
+  std::vector<std::uint8_t> again_, restored_;              ///< an island, a body: put back to the start of the step
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;

@@ -86,10 +86,11 @@ void Splitting::assemble() {
   factor.factorise();
 }
 
-void Splitting::residual_force() {
+void Splitting::residual_force(bool at_rest) {
   change_.resize(bodies.size());
+  const BodyVector rest;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double* v = velocity[i].row;
+    const double* v = (at_rest ? rest : velocity[i]).row;
     const double* free = free_velocity[i].row;
     const LaneWrench& w = wrench_[i];
     const auto total = [&](std::size_t row) {
@@ -129,7 +130,7 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
     mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
     if (options.accelerate) anderson_.accelerate(patches, g_, r_);
     project(patches, mid_arms, g_, u_, wrench_);
-    residual_force();
+    residual_force(false);
     factor.solve(change_);
     double largest_change = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -166,8 +167,7 @@ double Splitting::imbalance_at_rest(double velocity_unit) {
   wrench_.assign(bodies.size() + 1, LaneWrench{});
   add_impulses(patches, mid_arms, wrench_);
   double worst = 0.0;
-  std::fill(velocity.begin(), velocity.end(), BodyVector{});
-  residual_force();
+  residual_force(true);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double* f = change_[i].row;
     const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);

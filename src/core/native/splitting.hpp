@@ -87,7 +87,8 @@ class Splitting {
   Resistance wanted_resistance(const Patch& patch, std::size_t lane, const SplittingOptions& options) const;
   bool choose_resistance(const SplittingOptions& options);
   void assemble();
-  void residual_force();
+  /// Into `change_`: what M (v* − v) and the impulses leave over, for the velocities that are there or for none.
+  void residual_force(bool at_rest);
 
   bool begun_ = true;      ///< nothing has been iterated since `begin`
   double heaviest_ = 0.0;  ///< most mass that a point can carry, kg

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/native/native_options.hpp"
 #include "physics/measures.hpp"
 #include "scenes.hpp"
 
@@ -214,6 +215,114 @@ TEST_CASE("native_engine: boxes that approach across their edges do not pass int
     const double overlap = overlap_of_cubes({0.505, 0, 0.504}, {-3, 0, -3}, steps_per_second);
     CAPTURE(steps_per_second, text(overlap));
     CHECK(overlap < 1e-3);
+  }
+}
+
+// Expected: contacts are found for a whole step, also at the end of a step that a phase cut short. Found for the short
+// one, a plate would be beyond the other after the next.
+TEST_CASE("native_engine: a thin plate stops another that comes fast, right after a short phase too",
+          "[core][native_engine]") {
+  const double thickness = 0.005;
+  const Layout layout =
+      layout_of({box({10, 10, 1}, {0.5, 0.5, thickness}), box({9, 9, 1 - thickness}, {2, 2, thickness})});
+  for (const auto& [accuracy, speed] : {std::pair(Accuracy::screening, 4.0), std::pair(Accuracy::standard, 4.0),
+                                        std::pair(Accuracy::reference, 24.0)}) {
+    const double first = 1e-4;
+    double lowest = 1.0;
+    watch(
+        NativeEngine(with(accuracy, open_floor(0.5))), layout, motion_of({{first, Vec3::Zero()}, {0.1, Vec3::Zero()}}),
+        with(accuracy, open_floor(0.5)),
+        [&](WorldBatch& batch) {
+          fix(batch, 1);
+          batch.state.position[0].z() += 2e-3 + speed * first;
+          batch.state.velocity[0].z() = -speed;
+        },
+        [&](const WorldBatch& batch, const Phase&) {
+          lowest = std::min(lowest, batch.state.position[0].z() - 0.5 * thickness);
+        });
+    CAPTURE(static_cast<int>(accuracy), text(lowest - 1));
+    CHECK(lowest > 1 - 1e-4);
+  }
+}
+
+// Expected: it slides to the fixed box, comes back as fast as it went, and hands its speed to the other, which slides
+// on; what it meets on its way back was no neighbour in contact before.
+TEST_CASE("native_engine: a box goes from one impact to the next within a step", "[core][native_engine]") {
+  const Vec3 size(0.5, 0.5, 0.5);
+  const double friction = 0.2, speed = 3.0, step = 1.0 / 240;
+  Settings settings = open_floor(friction);
+  settings.contact.restitution = 1.0;
+  settings.native.steps_per_second = 1.0 / step;
+  for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
+    settings.native.accuracy = accuracy;
+    for (const double gap : {1e-3, 2e-3, 4e-3}) {
+      for (const bool fixed_first : {false, true}) {
+        std::vector<Box> boxes = {box({10, 10, 0}, size), box({9.5 - gap, 10, 0}, size)};
+        boxes.insert(fixed_first ? boxes.begin() : boxes.end(), box({10.5 + gap, 10, 0}, size));
+        const std::size_t sliding = fixed_first ? 1 : 0;
+        StateColumns end;
+        watch(
+            NativeEngine(settings), layout_of(boxes), constant(0, step), settings,
+            [&](WorldBatch& batch) {
+              fix(batch, fixed_first ? 0 : 2);
+              batch.state.velocity[sliding].x() = speed;
+            },
+            [&](const WorldBatch& batch, const Phase&) { end = batch.state; });
+        // Of all three gaps together, and of the whole way.
+        const double path = speed * step - 0.5 * friction * kGravity * step * step;
+        CAPTURE(static_cast<int>(accuracy), gap, fixed_first, text(end.position[sliding].x() - 10.25 + gap));
+        CHECK(end.position[sliding].x() == Approx(10.25 - gap).margin(1e-9));
+        CHECK(end.position[sliding + 1].x() == Approx(9.75 - gap - (path - 3 * gap)).margin(1e-9));
+        CHECK(end.velocity[sliding + 1].x() == Approx(-speed + friction * kGravity * step).margin(1e-9));
+      }
+    }
+  }
+}
+
+// Expected: friction brakes the box about as much as the stop does. Whether it comes to touch within the step, at the
+// step's end or in the next one, it ends there and has nothing of the other box's room.
+TEST_CASE("native_engine: what friction nearly stops ends at what it touches", "[core][native_engine]") {
+  const double gap = 2.2e-4, steps_per_second = 240.0;
+  const Layout layout = layout_of({box({10, 10, 0}, kFlat), box({10 + kFlat.x() + gap, 10, 0}, kFlat)});
+  Settings settings = open_floor(0.9);
+  settings.native.steps_per_second = steps_per_second;
+  for (int i = 0; i <= 40; ++i) {
+    const double speed = 0.066 + 0.0005 * i;
+    double lowest = gap;
+    watch(
+        NativeEngine(settings), layout, constant(0, 5 / steps_per_second), settings,
+        [&](WorldBatch& batch) {
+          fix(batch, 1);
+          batch.state.velocity[0].x() = speed;
+        },
+        [&](const WorldBatch& batch, const Phase&) {
+          lowest = std::min(lowest, batch.state.position[1].x() - batch.state.position[0].x() - kFlat.x());
+        });
+    const double path = 0.5 * speed * speed / (0.9 * kGravity);
+    CAPTURE(speed, text(lowest), text(gap - path));
+    CHECK(lowest > -2e-6);
+    CHECK(lowest == Approx(std::max(0.0, gap - path)).margin(1e-4));
+  }
+}
+
+// Expected: free fall, an elastic impact that turns the velocity round, free fall.
+TEST_CASE("native_engine: an impact is located however shortly before a step's end", "[core][native_engine]") {
+  Settings settings = open_floor(0.5);
+  settings.contact.restitution = 1.0;
+  const double step = 1.0 / 240;
+  settings.native.steps_per_second = 1.0 / step;
+  const double speed = 10.0;
+  for (const auto& [rest, bound] : {std::pair(0.3, 1e-11), std::pair(1e-2, 1e-11), std::pair(9e-5, 1e-11),
+                                    // What overlaps by less than contacts may goes into the next step.
+                                    std::pair(1e-5, 1e-6)}) {
+    const double fall = (24 - rest) * step;
+    const double height = speed * fall + 0.5 * kGravity * fall * fall;
+    const Run bounce = native_run(one_box(kFlat, height), constant(0, 30 * step), settings,
+                                  [&](StateColumns& state) { state.velocity[0].z() = -speed; });
+    const double after = 30 * step - fall;
+    const double expected = (speed + kGravity * fall) * after - 0.5 * kGravity * after * after - height;
+    CAPTURE(rest, text(bounce.displacement().z() - expected));
+    CHECK(std::abs(bounce.displacement().z() - expected) < bound);
   }
 }
 
