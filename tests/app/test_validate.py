@@ -1,6 +1,7 @@
 """`holdfast validate` from outside: choice of cases, JSON, report, bounds. The quick suite itself is a test of its own."""
 import json
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -8,7 +9,7 @@ import unittest
 
 import pandas as pd
 
-from cli import SOURCE, run, start
+from cli import HOLDFAST, SOURCE, run, start
 
 MEMBERS = {"case", "engine", "setting", "metric", "value", "expected", "error", "tolerance", "pass", "cpu_seconds"}
 
@@ -36,6 +37,21 @@ class Validate(unittest.TestCase):
             return [{key: value for key, value in row.items() if key != "cpu_seconds"} for row in json.loads(done.stdout)]
 
         self.assertEqual(measured(1), measured(2))
+
+    def test_without_the_engine_that_loads_are_compared_with(self):
+        with tempfile.TemporaryDirectory() as folder:
+            # On its own: plug-ins lie beside the program's folder.
+            alone = pathlib.Path(folder, "bin", "holdfast")
+            alone.parent.mkdir()
+            shutil.copy(HOLDFAST, alone)
+
+            def validate(*arguments):
+                return subprocess.run([alone, "validate", *arguments], capture_output=True, text=True, check=False)
+
+            done = validate("--engine", "native", "--suite", "load")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"\A[^\n]*libholdfast-bullet-f64[^\n]*\n\Z")
+            self.assertEqual(done.stdout, "")
 
     def test_report_stands_alone(self):
         with tempfile.TemporaryDirectory() as folder:
