@@ -117,6 +117,8 @@ void IslandStepper::remember(Scene& scene, const IslandView& island, double step
 bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   load(scene, island, terms, Purpose::rest, terms.step);
   if (solver_.imbalance_at_rest(terms.velocity_unit) <= options_.rest_tolerance) return true;
+  // A look at the balance costs as much as an iteration: ten pass between two. Large R and over-relaxation are slow to
+  // begin with and quick at the end, which this has to reach.
   SplittingOptions tight;
   tight.iterations = 10;
   tight.tolerance = 0.1 * options_.rest_tolerance;
@@ -196,7 +198,7 @@ bool IslandStepper::renew(Scene& scene, const IslandView& island, const StepTerm
   return deep;
 }
 
-void IslandStepper::project(Scene& scene, const IslandView& island, const StepTerms& terms) {
+void IslandStepper::project(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   bool any = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
@@ -211,7 +213,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
   SplittingOptions options;
   options.iterations = 24;
   options.tolerance = kProjected * effort_.overlap;
-  solver_.solve(options, 1.0);
+  report.iterations += static_cast<std::uint64_t>(solver_.solve(options, 1.0).iterations);
   for (const std::uint32_t body : island.bodies) {
     const BodyVector& shift = solver_.velocity[at(place_[body])];
     scene.bodies.state.position[body] += linear(shift);
@@ -227,7 +229,7 @@ void IslandStepper::project(Scene& scene, const IslandView& island, const StepTe
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
-  project(scene, island, terms);
+  project(scene, island, terms, report);
   SplittingOptions options;
   options.tolerance = terms.cold ? 1e-3 * effort_.tolerance : effort_.tolerance;
   options.iterations = terms.cold ? effort_.cold_iterations : effort_.iterations;

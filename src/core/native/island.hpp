@@ -98,7 +98,7 @@ class IslandStepper {
   double fast_approach(const StepTerms& terms) const;
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   bool renew(Scene& scene, const IslandView& island, const StepTerms& terms);
-  void project(Scene& scene, const IslandView& island, const StepTerms& terms);
+  void project(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
   SplittingResult run(const SplittingOptions& options, const StepTerms& terms, double step, IslandReport& report);
   std::int32_t local(std::int32_t body) const { return body < 0 ? fixed_ : place_[static_cast<std::size_t>(body)]; }
 

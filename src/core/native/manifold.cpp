@@ -24,7 +24,7 @@ Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point)
 }  // namespace
 
 std::array<Vec3, 3> directions_of(const Vec3& normal) {
-  // The first tangent lies in the plane of the axes to which the normal leans least.
+  // The first tangent is along y where the normal is mostly along x, else along x, as far as it is across the normal.
   const bool along_x = std::abs(normal.x()) > std::max(std::abs(normal.y()), std::abs(normal.z()));
   const Vec3 other = along_x ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitX());
   const Vec3 first = (other - normal * normal.dot(other)).normalized();

@@ -12,10 +12,10 @@ namespace holdfast::native {
 
 namespace {
 
-/// A contact supports, rather than merely touches, when its normal is this much along the pull's vertical.
+/// A contact supports, rather than merely touches, when its normal is this much along the vertical.
 constexpr double kSupporting = 0.5;
 
-/// Gaps up to this are in touch when a world starts, m.
+/// Supports with gaps up to this carry load when a world starts, and contacts without load stay active up to it, m.
 constexpr double kStartTouch = 1e-5;
 
 /// Manifolds of a box, about as many as there are in a snug load: room made at once costs less than room that grows.
@@ -30,7 +30,7 @@ constexpr std::uint32_t kLongestWait = 16;
 /// Solved steps without load after which a manifold is no longer active.
 constexpr int kIdleSteps = 8;
 
-/// Times that a step is halved to see such contacts in time, or to get on where a solve does not.
+/// Times that a step is halved to see contacts in time that none showed before, or to get on where a solve does not.
 constexpr int kHalvings = 4;
 
 /// A residual above this, over |g − a| h, is reported with the world: it moves a box by half of what it falls freely
