@@ -28,9 +28,10 @@ struct WorldLine {
   auto badness() const { return std::tuple(fallen, moved + tilted, peak_displacement); }
 };
 
-/// Layouts under one acceleration, each counted once, by the worst that happened in it.
+/// Layouts under one acceleration, each counted once, by the worst that happened in it. One that did not stand before,
+/// and has settled since, is unstable though the acceleration left it alone.
 struct AccelerationLine {
-  std::uint64_t stayed = 0, moved = 0, fell = 0, failed = 0;
+  std::uint64_t stayed = 0, moved = 0, fell = 0, unstable = 0, failed = 0;
   std::optional<WorldLine> worst;
 };
 
@@ -53,14 +54,14 @@ class Tally {
   }
 
   OutcomeTable table() const {
-    std::string text = fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", "layouts that", name_width(), "stayed",
-                                   "moved", "fell", "failed", "the worst one");
+    constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}  {:>8}  {:>6}  {}\n";
+    std::string text = "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell", "unstable",
+                                          "failed", "the worst one");
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
-      text += fmt::format("{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}  {}\n", printable(info_.accelerations[i]), name_width(),
-                          line.stayed, line.moved, line.fell, line.failed,
-                          line.worst ? name_of_layout(line.worst->layout) : "-");
+      text += fmt::format(kLine, printable(info_.accelerations[i]), name_width(), line.stayed, line.moved, line.fell,
+                          line.unstable, line.failed, line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.failed;
     }
     return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line(), failed};
@@ -84,9 +85,10 @@ class Tally {
                           summary.tilted_boxes[i],
                           summary.peak_displacement[i]};
     const bool moved = world.moved + world.tilted > 0;
-    ++(world.fallen > 0 ? line.fell : moved ? line.moved : line.stayed);
+    const bool unstable = summary.unstable_boxes[i] > 0;
+    ++(world.fallen > 0 ? line.fell : moved ? line.moved : unstable ? line.unstable : line.stayed);
     if (world.fallen > 0 || moved) add_to_worst(world, line);
-    if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+    if (unstable) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
   }
 
   void add_to_worst(const WorldLine& world, AccelerationLine& line) {

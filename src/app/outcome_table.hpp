@@ -14,9 +14,9 @@ struct OutcomeTable {
   std::uint64_t failed_worlds = 0;  ///< whose status is not ok
 };
 
-/// Per acceleration how many layouts stayed, moved and fell; the worst worlds by name; the layouts that were
-/// unstable before any acceleration; what failed; the share of steps skipped. From a complete results file, under the
-/// given thresholds.
+/// Per acceleration how many layouts stayed, moved, fell and were unstable; the worst worlds by name; the layouts that
+/// were unstable before any acceleration; what failed; the share of steps skipped. From a complete results file, under
+/// the given thresholds.
 Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds);
 
 }  // namespace holdfast

@@ -153,7 +153,7 @@ class Contents(CliTest):
 
     def test_table_names_the_outcome(self):
         words = self.done.stdout.split()
-        for word in ("stayed", "fell", "shove.txt", "rest.txt", "results.h5"):
+        for word in ("stayed", "fell", "unstable", "shove.txt", "rest.txt", "results.h5"):
             self.assertIn(word, words)
         self.assertIn("3 layouts x 2 accelerations = 6 worlds, engine bullet-stock", self.done.stderr)
 
@@ -205,6 +205,8 @@ class SameResults(CliTest):
                 # 60 cm down onto the floor, and no farther than rounding and a contact's slack.
                 np.testing.assert_allclose(data["/boxes/settling_displacement"][1], [0, 0, -0.6], atol=0.02)
                 self.assertLess(np.abs(data["/series/displacement"]).max(), 0.65)
+                # Unstable where it then stays; one that falls is counted as that.
+                self.assertRegex(done.stdout, rf"rest\.txt +0 +0 +{fallen} +{1 - fallen} +0 ")
                 self.assertIn("unstable before any acceleration", done.stdout)
                 self.assertIn("floating.txt: 1 of 2 boxes", done.stdout)
 
