@@ -99,6 +99,14 @@ class Validate(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn("slide_path, displacement (m): error 0.00417, bound 1e-09", done.stderr)
 
+    def test_a_full_standard_output_is_noticed(self):
+        with open("/dev/full", "w") as full:
+            # More than the stream's buffer takes.
+            done = subprocess.run([HOLDFAST, "validate", "--quick", "--suite", "slide", "--engine", "bullet", "--json"],
+                                  stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output: cannot be written", done.stderr)
+
     def test_unknown_names_are_said_with_what_was_meant(self):
         for arguments, said in ((("--suite", "slid"), "did you mean 'slide'"), (("--case", "slide_pat"), "slide_path"),
                                 (("--engine", "bulet"), "did you mean 'bullet'")):
