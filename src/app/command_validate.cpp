@@ -218,6 +218,9 @@ ExitCode validate(const ValidateOptions& options) {
   const StopRequest& stop = watch_stop_signals();
   const Result<ValidationPlan> plan = plan_of(options);
   if (!plan) return fail(ExitCode::bad_usage, plan.errors());
+  if (options.record_path) {
+    if (const auto error = check_bounds_file(*options.record_path)) return fail(ExitCode::bad_usage, *error);
+  }
   const ValidationResult result = run_validation(*plan, stop.no_more);
   if (!result.complete) {
     print_to(stderr, "stopped; nothing is kept of a validation that is not complete\n");

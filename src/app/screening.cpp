@@ -53,11 +53,14 @@ std::optional<Error> check_samples(const ScreeningJob& job, const std::string& p
       .accepted = fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", kMostSamples)};
 }
 
+/// What results call an input.
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
 std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   std::vector<RunMotion> motions;
   for (const std::string& path : job.acceleration_paths) {
     RunMotion& entry = motions.emplace_back();
-    entry.motion.name = std::filesystem::path(path).filename().string();
+    entry.motion.name = file_name(path);
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
     Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
@@ -102,8 +105,7 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   run.host = host_name();
   run.config_text = job.config_text;
   run.settings = effective_settings(job.settings);
-  for (const std::string& path : job.layout_paths)
-    run.layout_names.push_back(std::filesystem::path(path).filename().string());
+  for (const std::string& path : job.layout_paths) run.layout_names.push_back(file_name(path));
   for (const RunMotion& motion : motions) run.accelerations.push_back(motion.motion);
   run.record_series = job.record_series;
   run.thresholds = recording_plan(job.settings, true).thresholds;
@@ -212,7 +214,7 @@ class Run {
     for (const Error& warning : record.warnings)
       if (!job_.quiet && ++warning_count_ <= kWarningsShown) notes_.push_back("warning: " + warning.message());
     for (const WorldRecord& world : record.worlds) {
-      const std::string layout = std::filesystem::path(job_.layout_paths[world.layout]).filename().string();
+      const std::string layout = file_name(job_.layout_paths[world.layout]);
       const std::string& acceleration = motions_[world.acceleration].motion.name;
       if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
       if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
@@ -293,6 +295,22 @@ class Run {
   bool stop_told_ = false;
 };
 
+/// The full path of a file that need not be there, without links.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unknown), unknown);
+}
+
+/// What keeps the files beside the results from being written, so that it is told before the run.
+std::optional<Error> check_side_files(const ScreeningJob& job) {
+  if (job.costs_path) {
+    if (place_of(*job.costs_path) == place_of(job.results_path))
+      return Error{.file = *job.costs_path, .what = "is the results file", .accepted = "another name"};
+    if (auto error = check_costs_file(*job.costs_path)) return error;
+  }
+  return std::nullopt;
+}
+
 /// How a run ends that a signal stopped: what finished is kept.
 ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
   print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
@@ -352,6 +370,7 @@ ExitCode run_screening(const ScreeningJob& job) {
   const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
   if (!lock) return fail(ExitCode::bad_usage, lock.error());
   if (warning) warn(std::span(&*warning, 1));
+  if (const auto error = check_side_files(job)) return fail(ExitCode::bad_usage, *error);
   if (job.overwrite) {
     if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }

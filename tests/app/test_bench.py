@@ -62,6 +62,14 @@ class Bench(CliTest):
         costs = pd.read_json(self.folder / "costs.json", typ="series")
         self.assertEqual(list(costs.index), list(STAGES))
         self.assertGreater(costs["simulate"], 0)
+        self.screen("--costs", "costs.json", "--overwrite")
+        for path, words in (("config.ini", "holds something else"), ("/dev/null", "is no file"), ("scratch", "is a folder"),
+                            ("none/costs.json", "cannot be written"), ("./other.h5", "is the results file")):
+            with self.subTest(path=path):
+                _, done = self.screen("--costs", path, output="other.h5", expect=2)
+                self.assert_refused(done, f"{path}: {words}")
+                self.assertFalse((self.folder / "other.h5").exists())
+        self.assertEqual((self.folder / "config.ini").read_text(), CONFIG)
 
 
 class Scale(CliTest):
