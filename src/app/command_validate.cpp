@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -224,7 +223,7 @@ ExitCode validate(const ValidateOptions& options) {
   const ValidationResult result = run_validation(*plan, stop.no_more);
   if (!result.complete) {
     print_to(stderr, "stopped; nothing is kept of a validation that is not complete\n");
-    return stop.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+    return exit_code_of(stop);
   }
   if (options.json) {
     print_to(stdout, "{}\n", validation_json(result.rows));

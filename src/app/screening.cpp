@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <mutex>
@@ -315,7 +314,7 @@ std::optional<Error> check_side_files(const ScreeningJob& job) {
 ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
   print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
            total, job.results_path);
-  return watch_stop_signals().signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+  return exit_code_of(watch_stop_signals());
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
