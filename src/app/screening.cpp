@@ -301,13 +301,16 @@ std::filesystem::path place_of(const std::string& path) {
 }
 
 /// What keeps the files beside the results from being written, so that it is told before the run.
-std::optional<Error> check_side_files(const ScreeningJob& job) {
+std::optional<Error> check_side_files(const ScreeningJob& job, const RunDescription& description) {
   if (job.costs_path) {
     if (place_of(*job.costs_path) == place_of(job.results_path))
       return Error{.file = *job.costs_path, .what = "is the results file", .accepted = "another name"};
     if (auto error = check_costs_file(*job.costs_path)) return error;
   }
-  return std::nullopt;
+  if (!job.text_folder) return std::nullopt;
+  std::vector<std::string> accelerations;
+  for (const Motion& motion : description.accelerations) accelerations.push_back(motion.name);
+  return prepare_text_export(*job.text_folder, description.layout_names, accelerations, job.batch_name);
 }
 
 /// How a run ends that a signal stopped: what finished is kept.
@@ -369,7 +372,7 @@ ExitCode run_screening(const ScreeningJob& job) {
   const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
   if (!lock) return fail(ExitCode::bad_usage, lock.error());
   if (warning) warn(std::span(&*warning, 1));
-  if (const auto error = check_side_files(job)) return fail(ExitCode::bad_usage, *error);
+  if (const auto error = check_side_files(job, description)) return fail(ExitCode::bad_usage, *error);
   if (job.overwrite) {
     if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }

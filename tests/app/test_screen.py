@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, SOURCE, CliTest, datasets, layout_text, same_bits, schedulers
+from cli import CONFIG, SEED, SOURCE, CliTest, datasets, layout_text, same_bits, schedulers
 
 DROP, MOVE, TILT = 0.05, 0.10, 10.0  # the defaults, m and degrees
 
@@ -331,6 +331,15 @@ class Output(CliTest):
         done = self.screen("--overwrite", output="precious.txt", expect=2)[1]
         self.assert_refused(done, "precious.txt", "not a results file")
         self.assertEqual(precious.read_text(), "mine\n")
+
+    def test_text_files_that_cannot_be_are_told_before(self):
+        self.layouts.append(self.write(f"{'l' * 240}.txt", layout_text(SEED)))
+        for folder, words in (("text", ("text: takes no text file of so long a name: [SOLUTION_RESUMED]$lll", "at most 255 bytes")),
+                              ("seed.txt/text", ("seed.txt/text: cannot be made",))):
+            with self.subTest(folder=folder):
+                _, done = self.screen("--text", folder, expect=2)
+                self.assert_refused(done, *words)
+                self.assertFalse(list(self.folder.glob("results*")))
 
     def test_names_need_not_be_ascii(self):
         self.layouts = [self.write("Lädung, 1 \"x\".txt", layout_text([(0, 0, 0, 50, 50, 50)]))]
