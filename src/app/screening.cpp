@@ -8,6 +8,8 @@
 #include <ctime>
 #include <filesystem>
 #include <mutex>
+#include <string_view>
+#include <unordered_map>
 
 #include "app/crash_guard.hpp"
 #include "app/engine_catalog.hpp"
@@ -54,6 +56,21 @@ std::optional<Error> check_samples(const ScreeningJob& job, const std::string& p
 
 /// What results call an input.
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// Says so where inputs share a file name, by which alone results tell them apart.
+void warn_of_same_names(const std::vector<std::string>& paths) {
+  std::unordered_map<std::string, std::string_view> first;
+  std::optional<Error> warning;
+  std::size_t count = 0;
+  for (const std::string& path : paths) {
+    const auto [same, is_new] = first.emplace(file_name(path), path);
+    if (is_new || ++count > 1) continue;
+    warning = Error{
+        .file = path, .what = "has the same name in the results as", .value = printable(std::string(same->second))};
+  }
+  if (count > 1) warning->accepted = fmt::format("one of {} such files", count);
+  if (warning) warn(std::span(&*warning, 1));
+}
 
 std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   std::vector<RunMotion> motions;
@@ -401,6 +418,8 @@ ExitCode run_screening(const ScreeningJob& job) {
 
   watch_stop_signals();
   if (!job.quiet) {
+    warn_of_same_names(job.layout_paths);
+    warn_of_same_names(job.acceleration_paths);
     const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
     print_to(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
              counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
