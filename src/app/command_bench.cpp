@@ -161,7 +161,8 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
       "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
       "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
       "Example:\n"
-      "  holdfast bench --layouts candidates/ --accelerations brake.txt --engine bullet bullet-stock --threads 1 2 4");
+      "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
+      "--engine native bullet --threads 1 2");
   auto options = std::make_shared<BenchOptions>();
   const int cores = thread_count(0);
   options->engines = {Settings{}.screening.engine};
