@@ -21,9 +21,10 @@ Error cannot_be_written(const std::string& path) {
   return {.file = path, .what = "cannot be written", .value = std::strerror(errno)};
 }
 
-/// The file that the path leads to, so that a link stays one.
+/// The file that a link leads to, so that it stays a link.
 std::string target_of(const std::string& path) {
   std::error_code missing;
+  if (!fs::is_symlink(path, missing)) return path;
   const fs::path target = fs::canonical(path, missing);
   return missing ? path : target.string();
 }
