@@ -28,8 +28,8 @@ const StopRequest& watch_stop_signals() {
   return request;
 }
 
-ExitCode exit_code_of(const StopRequest& request) {
-  return request.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+ExitCode exit_code_of(const StopRequest& stop) {
+  return stop.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 
 void unwatch_stop_signals() {

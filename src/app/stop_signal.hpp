@@ -20,7 +20,7 @@ struct StopRequest {
 const StopRequest& watch_stop_signals();
 
 /// The exit code of what a signal has stopped.
-ExitCode exit_code_of(const StopRequest& request);
+ExitCode exit_code_of(const StopRequest& stop);
 
 /// Gives SIGINT and SIGTERM their usual effect again: they end the process.
 void unwatch_stop_signals();
