@@ -15,7 +15,6 @@ namespace holdfast::scenes {
 struct Script {
   double steps_per_second = 240.0;
   std::size_t steps_a_call = 1;  ///< taken at once, past the time that the caller wants to see
-  bool lock_step = false;
   bool all_together = false;
   double breaks_at = std::numeric_limits<double>::infinity();   ///< s; the state is not a number from here on
   std::size_t breaking_world = 0;                               ///< of the batch
@@ -29,7 +28,6 @@ class ScriptedEngine final : public Engine {
  public:
   explicit ScriptedEngine(const Script& script) : script_(script) {
     traits_.name = "scripted";
-    traits_.lock_step = script.lock_step;
     traits_.all_together = script.all_together;
   }
   const EngineTraits& traits() const override { return traits_; }

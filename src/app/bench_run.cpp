@@ -8,15 +8,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <span>
 
+#include "app/report.hpp"
+#include "app/ticker.hpp"
 #include "io/results_reader.hpp"
 #include "io/text_file.hpp"
+#include "io/text_output.hpp"
 
 namespace holdfast {
 
@@ -35,8 +38,10 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Runs this very program with other words; its standard input is a file, its standard output is dropped.
-Result<Ended> run_self(std::vector<std::string> words, const std::string& input_path) {
+/// Runs this very program with other words, until it ends or `stop` is set. Its standard input and standard error are
+/// files, its standard output is dropped.
+Result<Ended> run_self(std::vector<std::string> words, const std::string& input_path, const std::string& said_path,
+                       const std::atomic<bool>& stop) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -44,15 +49,23 @@ Result<Ended> run_self(std::vector<std::string> words, const std::string& input_
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, input_path.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   const auto begin = std::chrono::steady_clock::now();
   pid_t child = 0;
   const int failure = posix_spawn(&child, "/proc/self/exe", &files, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (failure != 0) return Error{.what = "a run cannot be started", .value = std::strerror(failure)};
+  {
+    // Nothing of a stopped run is kept, so it may end at once. Its number is its own until it is waited for below.
+    const Ticker ticker(std::chrono::milliseconds(50), [&] {
+      if (stop) ::kill(child, SIGKILL);
+    });
+    siginfo_t ignored = {};
+    ::waitid(P_PID, static_cast<id_t>(child), &ignored, WEXITED | WNOWAIT);
+  }
   Ended ended;
   int status = 0;
-  while (wait4(child, &status, 0, &ended.usage) < 0 && errno == EINTR) {
-  }
+  ::wait4(child, &status, 0, &ended.usage);
   ended.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return ended;
@@ -99,11 +112,13 @@ std::optional<Error> take_results(const std::string& path, BenchSample& sample) 
 
 }  // namespace
 
-Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs) {
+Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs,
+                                   const std::atomic<bool>& stop) {
   const std::string results = inputs.folder + "/results.h5";
   const std::string costs = inputs.folder + "/costs.json";
   const std::string list = inputs.folder + "/layouts.list";
-  std::ofstream(list) << fmt::format("{}\n", fmt::join(bench_case.layouts, "\n"));
+  const std::string said = inputs.folder + "/said.txt";
+  if (const auto error = write_text_file(list, fmt::format("{}\n", fmt::join(bench_case.layouts, "\n")))) return *error;
   std::vector<std::string> words = {"holdfast",  "screen",
                                     "--quiet",   "--overwrite",
                                     "--engine",  bench_case.engine,
@@ -116,9 +131,10 @@ Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInput
   words.emplace_back("--accelerations");
   words.insert(words.end(), inputs.accelerations.begin(), inputs.accelerations.end());
 
-  const Result<Ended> ended = run_self(words, list);
+  const Result<Ended> ended = run_self(words, list, said, stop);
   if (!ended) return ended.errors();
   if (ended->exit_code != 0) {
+    if (const Result<TextFile> text = read_text_file(said); text && !stop) write_to(stderr, text->text);
     return Error{.what = "a run failed, so nothing is measured",
                  .value = fmt::format("exit code {} of: {}", ended->exit_code, fmt::join(words, " "))};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,12 +39,14 @@ struct BenchSample {
 /// Everything that is the same for all cases.
 struct BenchInputs {
   std::optional<std::string> config_path;
-  std::vector<std::string> accelerations;
-  std::string folder;  ///< for the results, which are removed again
+  std::vector<std::string> accelerations;  ///< paths
+  std::string folder;                      ///< for the results, which are removed again
 };
 
 /// Runs a case in a process of its own, `holdfast screen`, as a user would: so its memory and time are its own.
-/// An error when a world fails, or when the process does.
-Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs);
+/// An error when a world fails, or when the process does, which has then told on standard error why.
+/// @param stop ends the process, and the case with an error
+Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs,
+                                   const std::atomic<bool>& stop);
 
 }  // namespace holdfast

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "io/csv_field.hpp"
+#include "io/text_file.hpp"
+#include "io/text_output.hpp"
 
 namespace holdfast {
 
@@ -75,6 +77,14 @@ std::string name_of(const BenchCase& c) {
 
 constexpr const char* kNameHeader = "engine         layouts        threads series";
 
+std::string csv_header() {
+  std::string text =
+      "engine,layouts,threads,series,repetition,hash,worlds,boxes,steps,steps_skipped,box_steps,simulated_seconds,"
+      "wall_seconds,cpu_seconds,peak_memory_MiB,file_size_MiB";
+  for (const char* stage : kStageNames) text += fmt::format(",{}_cpu_seconds", stage);
+  return text + "\r\n";
+}
+
 }  // namespace
 
 std::optional<Error> check_same_results(const std::vector<BenchRow>& rows) {
@@ -121,11 +131,7 @@ std::string bench_tables(const std::vector<BenchRow>& rows) {
 }
 
 std::string bench_csv(const std::vector<BenchRow>& rows) {
-  std::string text =
-      "engine,layouts,threads,series,repetition,hash,worlds,boxes,steps,steps_skipped,box_steps,simulated_seconds,"
-      "wall_seconds,cpu_seconds,peak_memory_MiB,file_size_MiB";
-  for (const char* stage : kStageNames) text += fmt::format(",{}_cpu_seconds", stage);
-  text += "\r\n";
+  std::string text = csv_header();
   for (const BenchRow& row : rows) {
     const BenchCase& c = row.bench_case;
     for (std::size_t i = 0; i < row.samples.size(); ++i) {
@@ -137,6 +143,13 @@ std::string bench_csv(const std::vector<BenchRow>& rows) {
     }
   }
   return text;
+}
+
+std::optional<Error> check_bench_csv(const std::string& path) {
+  return check_output_file(path, [](const std::string& old) {
+    const Result<TextFile> file = read_text_file(old);
+    return file && file->text.starts_with(csv_header());
+  });
 }
 
 }  // namespace holdfast

@@ -25,4 +25,7 @@ std::string bench_tables(const std::vector<BenchRow>& rows);
 /// A line a run, all figures; for plots and other programs.
 std::string bench_csv(const std::vector<BenchRow>& rows);
 
+/// What keeps `bench_csv` from being written there, if anything.
+std::optional<Error> check_bench_csv(const std::string& path);
+
 }  // namespace holdfast

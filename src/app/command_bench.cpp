@@ -3,18 +3,20 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "app/bench_table.hpp"
 #include "app/commands.hpp"
+#include "app/engine_catalog.hpp"
 #include "app/load_config.hpp"
 #include "app/report.hpp"
+#include "app/stop_signal.hpp"
 #include "io/input_paths.hpp"
 #include "io/layout_reader.hpp"
 #include "io/text_file.hpp"
+#include "io/text_output.hpp"
 #include "parallel/scheduler.hpp"
 
 namespace holdfast {
@@ -29,8 +31,8 @@ struct BenchOptions {
   std::vector<int> threads;
   std::vector<std::size_t> classes;
   int repeats = 3;
-  std::string folder;
-  std::string csv_path;
+  std::optional<std::string> folder;
+  std::optional<std::string> csv_path;
 };
 
 /// A folder for results, gone when the benchmark ends.
@@ -76,6 +78,13 @@ Result<std::vector<BenchCase>> sets_by_boxes(const BenchOptions& options, const 
   return sets;
 }
 
+/// What the runs would stumble over, or the table of theirs: told before anything is measured.
+std::optional<Error> check(const BenchOptions& options, const Settings& settings) {
+  for (const std::string& engine : options.engines)
+    if (const auto made = make_engine(engine, settings); !made) return made.error();
+  return options.csv_path ? check_bench_csv(*options.csv_path) : std::nullopt;
+}
+
 /// All layouts with every engine and number of threads; with the most threads also without series, and class by class.
 std::vector<BenchRow> all_rows(const BenchOptions& options, const std::vector<std::string>& layouts,
                                const std::vector<BenchCase>& sets) {
@@ -100,33 +109,46 @@ ExitCode bench(const BenchOptions& options) {
   std::vector<Error> warnings;
   const auto layouts = layout_paths(options.layouts, std::cin, warnings);
   if (!layouts) return fail(ExitCode::bad_usage, layouts.errors());
+  const auto accelerations = acceleration_paths(options.accelerations, std::cin, warnings);
+  if (!accelerations) return fail(ExitCode::bad_usage, accelerations.errors());
+  warn(warnings);
+  if (const auto error = check(options, config->settings)) return fail(ExitCode::bad_usage, *error);
   const auto sets =
       options.classes.empty() ? Result(std::vector<BenchCase>()) : sets_by_boxes(options, *layouts, config->settings);
   if (!sets) return fail(ExitCode::bad_usage, sets.errors());
-  const ScratchFolder scratch(options.folder);
-  if (scratch.path().empty())
-    return fail(ExitCode::bad_usage, {.file = options.folder, .what = "no folder can be made in it"});
+  const StopRequest& stop = watch_stop_signals();
+  std::error_code missing;
+  const std::string above = options.folder.value_or(std::filesystem::temp_directory_path(missing).string());
+  if (above.empty()) {
+    return fail(ExitCode::bad_usage, {.what = "there is no temporary folder",
+                                      .value = missing.message(),
+                                      .accepted = "set TMPDIR, or give a --folder"});
+  }
+  const ScratchFolder scratch(above);
+  if (scratch.path().empty()) return fail(ExitCode::bad_usage, {.file = above, .what = "no folder can be made in it"});
 
   std::vector<BenchRow> rows = all_rows(options, *layouts, *sets);
-  const BenchInputs inputs{options.config_path, options.accelerations, scratch.path()};
+  const BenchInputs inputs{options.config_path, *accelerations, scratch.path()};
   // Runs take turns, so that what else the machine does meets all cases alike.
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (BenchRow& row : rows) {
       const BenchCase& c = row.bench_case;
-      fmt::print(stderr, "run {} of {}: {}, {}, {} threads{}\n", repeat + 1, options.repeats, c.engine, c.set,
-                 c.threads, c.series ? "" : ", no series");
-      Result<BenchSample> sample = run_bench_case(c, inputs);
+      print_to(stderr, "run {} of {}: {}, {}, {} threads{}\n", repeat + 1, options.repeats, c.engine, c.set, c.threads,
+               c.series ? "" : ", no series");
+      Result<BenchSample> sample = run_bench_case(c, inputs, stop.no_more);
+      if (stop.no_more) {
+        print_to(stderr, "stopped; nothing is told of a benchmark that is not complete\n");
+        return exit_code_of(stop);
+      }
       if (!sample) return fail(ExitCode::some_failed, sample.errors());
       row.samples.push_back(std::move(*sample));
     }
   }
   if (const auto error = check_same_results(rows)) return fail(ExitCode::some_failed, *error);
-  fmt::print("{}", bench_tables(rows));
-  if (!options.csv_path.empty()) {
-    std::ofstream file(options.csv_path, std::ios::binary | std::ios::trunc);
-    file << bench_csv(rows);
-    file.close();
-    if (!file) return fail(ExitCode::some_failed, {.file = options.csv_path, .what = "cannot be written"});
+  print_to(stdout, "{}", bench_tables(rows));
+  if (options.csv_path) {
+    if (const auto error = write_text_file(*options.csv_path, bench_csv(rows)))
+      return fail(ExitCode::some_failed, *error);
   }
   return ExitCode::done;
 }
@@ -139,12 +161,12 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
       "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
       "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
       "Example:\n"
-      "  holdfast bench --layouts candidates/ --accelerations brake.txt --engine bullet bullet-stock --threads 1 2 4");
+      "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
+      "--engine native bullet --threads 1 2");
   auto options = std::make_shared<BenchOptions>();
   const int cores = thread_count(0);
   options->engines = {Settings{}.screening.engine};
   options->threads = cores > 1 ? std::vector{1, cores} : std::vector{1};
-  options->folder = std::filesystem::temp_directory_path().string();
   command->add_option("-c,--config", options->config_path, "Configuration of all runs")->type_name("FILE");
   command->add_option("--layouts", options->layouts, "Layouts, all of them good")->required()->type_name("PATH");
   command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
@@ -160,8 +182,9 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command->add_option("--folder", options->folder, "Where the results are written, and removed again")
-      ->capture_default_str()
+  command
+      ->add_option("--folder", options->folder,
+                   "Where the results are written, and removed again (default: TMPDIR, or else /tmp)")
       ->type_name("DIR");
   command->add_option("--csv", options->csv_path, "Write a line a run there")->type_name("FILE");
   command->callback([options, &chosen] { chosen.run = [options] { return bench(*options); }; });

@@ -89,7 +89,7 @@ void add_check_command(CLI::App& program, ChosenCommand& chosen) {
       program.add_subcommand("check", "Check inputs without simulating: layouts, accelerations, configs");
   command->footer(
       "Example:\n"
-      "  holdfast check candidates/ brake.txt config.ini");
+      "  holdfast check configs/layouts configs/accelerations configs/demo.ini");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("paths", options->paths, "Files, folders, or - for a list on standard input")
       ->required()

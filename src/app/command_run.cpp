@@ -71,7 +71,7 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
   command->footer(
       "Results and text files go to SavePath.\n\n"
       "Example:\n"
-      "  holdfast run config.ini");
+      "  holdfast run configs/free_container.ini");
   auto options = std::make_shared<ConfigRunOptions>();
   command->add_option("config", options->config_path, "Configuration")->required()->type_name("FILE");
   options->run.add_to(*command);

@@ -60,7 +60,8 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   command->footer(
       "PATH is a file, a folder, or - for a list of paths on standard input.\n\n"
       "Example:\n"
-      "  holdfast screen -c config.ini --layouts candidates/ --accelerations brake.txt corner.txt -o results.h5");
+      "  holdfast screen -c configs/demo.ini --layouts configs/layouts --accelerations configs/accelerations "
+      "-o results.h5");
   auto options = std::make_shared<ScreenOptions>();
   command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
       ->type_name("FILE");

@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -85,7 +84,7 @@ std::optional<Error> leave_out_missing(const ValidateOptions& options, Validatio
     if (engine) continue;
     problem = engine.error();
     if (!options.engines.empty()) return problem;
-    fmt::print(stderr, "left out: {}: {}\n", setting.engine, problem->message());
+    print_to(stderr, "left out: {}: {}\n", setting.engine, problem->message());
   }
   std::erase_if(plan.settings, [&](const EngineSetting& setting) { return problems.at(setting.engine).has_value(); });
   return std::nullopt;
@@ -127,7 +126,7 @@ Result<ValidationPlan> plan_of(const ValidateOptions& options) {
       is_wanted(options.suites, "load") && !options.quick && (!options.case_name || *options.case_name == "real_loads");
   if (const auto problem = loads ? missing_reference() : std::nullopt) {
     if (!options.suites.empty()) return *problem;
-    fmt::print(stderr, "left out: load: {}\n", problem->message());
+    print_to(stderr, "left out: load: {}\n", problem->message());
     loads = false;
   }
   if (loads) {
@@ -143,9 +142,9 @@ Result<ValidationPlan> plan_of(const ValidateOptions& options) {
 void print_rows(std::span<const ValidationRow> rows) {
   for (const ValidationRow& row : rows) {
     const Measurement& m = row.measurement;
-    fmt::print("{} {}, {}, {}: {:.6g}, expected {:.6g}, error {:.2g} of {:g}: {}\n", row.engine, row.setting,
-               row.case_name, m.metric, m.value, m.expected, m.error, tolerance_of(m.tolerance),
-               m.passes() ? "pass" : "fail");
+    print_to(stdout, "{} {}, {}, {}: {:.6g}, expected {:.6g}, error {:.2g} of {:g}: {}\n", row.engine, row.setting,
+             row.case_name, m.metric, m.value, m.expected, m.error, tolerance_of(m.tolerance),
+             m.passes() ? "pass" : "fail");
   }
 }
 
@@ -160,15 +159,15 @@ void print_table(const ValidationResult& result) {
     pass += row.measurement.passes() ? 1 : 0;
     ++all;
   }
-  fmt::print("\n{:<13} {:<16}", "passed of", "");
-  for (const std::string& suite : kSuites) fmt::print(" {:>9}", suite);
-  fmt::print(" {:>16}\n", "µs/box/s of time");
+  print_to(stdout, "\n{:<13} {:<16}", "passed of", "");
+  for (const std::string& suite : kSuites) print_to(stdout, " {:>9}", suite);
+  print_to(stdout, " {:>16}\n", "µs/box/s of time");
   for (const auto& [engine, setting] : settings) {
-    fmt::print("{:<13} {:<16}", engine, setting);
+    print_to(stdout, "{:<13} {:<16}", engine, setting);
     for (const std::string& suite : kSuites) {
       const auto found = passed.find({engine, setting, suite});
-      fmt::print(" {:>9}",
-                 found == passed.end() ? "-" : fmt::format("{}/{}", found->second.first, found->second.second));
+      print_to(stdout, " {:>9}",
+               found == passed.end() ? "-" : fmt::format("{}/{}", found->second.first, found->second.second));
     }
     RunCost cost;
     for (const SuiteCost& entry : result.costs) {
@@ -176,7 +175,7 @@ void print_table(const ValidationResult& result) {
       cost.cpu_seconds += entry.cost.cpu_seconds;
       cost.box_seconds += entry.cost.box_seconds;
     }
-    fmt::print(" {:>16.0f}\n", 1e6 * cost.cpu_seconds / cost.box_seconds);
+    print_to(stdout, " {:>16.0f}\n", 1e6 * cost.cpu_seconds / cost.box_seconds);
   }
 }
 
@@ -204,12 +203,12 @@ ExitCode judge_bounds(const ValidateOptions& options, const ValidationResult& re
   if (!bounds) return fail(ExitCode::bad_usage, bounds.errors());
   const std::vector<ValidationRow> above = missed(result.rows, *bounds);
   if (above.empty()) return ExitCode::done;
-  fmt::print(stderr, "{} measurements miss their recorded bounds (or have none):\n", above.size());
+  print_to(stderr, "{} measurements miss their recorded bounds (or have none):\n", above.size());
   for (const ValidationRow& row : above) {
     const auto bound = bounds->find({row.engine, row.setting, row.case_name, row.measurement.metric});
-    fmt::print(stderr, "  {} {}, {}, {}: error {:.3g}, {}\n", row.engine, row.setting, row.case_name,
-               row.measurement.metric, row.measurement.error,
-               bound == bounds->end() ? "no bound" : fmt::format("bound {:.3g}", bound->second));
+    print_to(stderr, "  {} {}, {}, {}: error {:.3g}, {}\n", row.engine, row.setting, row.case_name,
+             row.measurement.metric, row.measurement.error,
+             bound == bounds->end() ? "no bound" : fmt::format("bound {:.3g}", bound->second));
   }
   return ExitCode::some_failed;
 }
@@ -218,13 +217,16 @@ ExitCode validate(const ValidateOptions& options) {
   const StopRequest& stop = watch_stop_signals();
   const Result<ValidationPlan> plan = plan_of(options);
   if (!plan) return fail(ExitCode::bad_usage, plan.errors());
+  if (options.record_path) {
+    if (const auto error = check_bounds_file(*options.record_path)) return fail(ExitCode::bad_usage, *error);
+  }
   const ValidationResult result = run_validation(*plan, stop.no_more);
   if (!result.complete) {
-    fmt::print(stderr, "stopped; nothing is kept of a validation that is not complete\n");
-    return stop.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+    print_to(stderr, "stopped; nothing is kept of a validation that is not complete\n");
+    return exit_code_of(stop);
   }
   if (options.json) {
-    fmt::print("{}\n", validation_json(result.rows));
+    print_to(stdout, "{}\n", validation_json(result.rows));
   } else {
     if (result.rows.size() <= kRowsShown) print_rows(result.rows);
     print_table(result);
@@ -233,7 +235,7 @@ ExitCode validate(const ValidateOptions& options) {
     if (const auto error = write_validation(*options.folder, result.rows, result.costs))
       return fail(ExitCode::some_failed, *error);
     if (const auto error = draw_report(*options.folder)) return fail(ExitCode::some_failed, *error);
-    if (!options.json) fmt::print("report: {}/index.html\n", *options.folder);
+    if (!options.json) print_to(stdout, "report: {}/index.html\n", *options.folder);
   }
   if (options.record_path) {
     if (const auto error = write_bounds(*options.record_path, result.rows)) return fail(ExitCode::some_failed, *error);

@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <array>
-#include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <mutex>
+#include <string_view>
+#include <unordered_map>
 
 #include "app/crash_guard.hpp"
 #include "app/engine_catalog.hpp"
@@ -53,11 +54,29 @@ std::optional<Error> check_samples(const ScreeningJob& job, const std::string& p
       .accepted = fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", kMostSamples)};
 }
 
+/// What results call an input.
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// Says so where inputs share a file name, by which alone results tell them apart.
+void warn_of_same_names(const std::vector<std::string>& paths) {
+  std::unordered_map<std::string, std::string_view> first;
+  std::optional<Error> warning;
+  std::size_t count = 0;
+  for (const std::string& path : paths) {
+    const auto [same, is_new] = first.emplace(file_name(path), path);
+    if (is_new || ++count > 1) continue;
+    warning = Error{
+        .file = path, .what = "has the same name in the results as", .value = printable(std::string(same->second))};
+  }
+  if (count > 1) warning->accepted = fmt::format("one of {} such files", count);
+  if (warning) warn(std::span(&*warning, 1));
+}
+
 std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   std::vector<RunMotion> motions;
   for (const std::string& path : job.acceleration_paths) {
     RunMotion& entry = motions.emplace_back();
-    entry.motion.name = std::filesystem::path(path).filename().string();
+    entry.motion.name = file_name(path);
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
     Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
@@ -102,8 +121,7 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   run.host = host_name();
   run.config_text = job.config_text;
   run.settings = effective_settings(job.settings);
-  for (const std::string& path : job.layout_paths)
-    run.layout_names.push_back(std::filesystem::path(path).filename().string());
+  for (const std::string& path : job.layout_paths) run.layout_names.push_back(file_name(path));
   for (const RunMotion& motion : motions) run.accelerations.push_back(motion.motion);
   run.record_series = job.record_series;
   run.thresholds = recording_plan(job.settings, true).thresholds;
@@ -212,7 +230,7 @@ class Run {
     for (const Error& warning : record.warnings)
       if (!job_.quiet && ++warning_count_ <= kWarningsShown) notes_.push_back("warning: " + warning.message());
     for (const WorldRecord& world : record.worlds) {
-      const std::string layout = std::filesystem::path(job_.layout_paths[world.layout]).filename().string();
+      const std::string layout = file_name(job_.layout_paths[world.layout]);
       const std::string& acceleration = motions_[world.acceleration].motion.name;
       if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
       if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
@@ -293,11 +311,30 @@ class Run {
   bool stop_told_ = false;
 };
 
+/// The full path of a file that need not be there, without links.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unknown), unknown);
+}
+
+/// What keeps the files beside the results from being written, so that it is told before the run.
+std::optional<Error> check_side_files(const ScreeningJob& job, const RunDescription& description) {
+  if (job.costs_path) {
+    if (place_of(*job.costs_path) == place_of(job.results_path))
+      return Error{.file = *job.costs_path, .what = "is the results file", .accepted = "another name"};
+    if (auto error = check_costs_file(*job.costs_path)) return error;
+  }
+  if (!job.text_folder) return std::nullopt;
+  std::vector<std::string> accelerations;
+  for (const Motion& motion : description.accelerations) accelerations.push_back(motion.name);
+  return prepare_text_export(*job.text_folder, description.layout_names, accelerations, job.batch_name);
+}
+
 /// How a run ends that a signal stopped: what finished is kept.
 ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t total) {
   print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n", done,
            total, job.results_path);
-  return watch_stop_signals().signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+  return exit_code_of(watch_stop_signals());
 }
 
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
@@ -352,6 +389,7 @@ ExitCode run_screening(const ScreeningJob& job) {
   const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
   if (!lock) return fail(ExitCode::bad_usage, lock.error());
   if (warning) warn(std::span(&*warning, 1));
+  if (const auto error = check_side_files(job, description)) return fail(ExitCode::bad_usage, *error);
   if (job.overwrite) {
     if (const auto error = remove_results(job.results_path)) return fail(ExitCode::bad_usage, *error);
   }
@@ -380,6 +418,8 @@ ExitCode run_screening(const ScreeningJob& job) {
 
   watch_stop_signals();
   if (!job.quiet) {
+    warn_of_same_names(job.layout_paths);
+    warn_of_same_names(job.acceleration_paths);
     const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
     print_to(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
              counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),

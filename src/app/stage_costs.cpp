@@ -1,9 +1,9 @@
 #include "app/stage_costs.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "io/text_file.hpp"
+#include "io/text_output.hpp"
 
 namespace holdfast {
 
@@ -17,11 +17,11 @@ StageSeconds StageCosts::seconds() const {
 std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path) {
   nlohmann::ordered_json json;
   for (std::size_t i = 0; i < seconds.size(); ++i) json[kStageNames[i]] = seconds[i];
-  std::ofstream file(path, std::ios::trunc);
-  file << json.dump(2) << '\n';
-  file.close();
-  if (!file) return Error{.file = path, .what = "cannot be written"};
-  return std::nullopt;
+  return write_text_file(path, json.dump(2) + '\n');
+}
+
+std::optional<Error> check_costs_file(const std::string& path) {
+  return check_output_file(path, [](const std::string& old) { return bool(read_stage_seconds(old)); });
 }
 
 Result<StageSeconds> read_stage_seconds(const std::string& path) {

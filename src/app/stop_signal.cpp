@@ -28,6 +28,10 @@ const StopRequest& watch_stop_signals() {
   return request;
 }
 
+ExitCode exit_code_of(const StopRequest& stop) {
+  return stop.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+}
+
 void unwatch_stop_signals() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);

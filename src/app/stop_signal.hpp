@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "app/exit_code.hpp"
+
 namespace holdfast {
 
 /// What signals have asked of a run so far. One for the process, since signals are.
@@ -16,6 +18,9 @@ struct StopRequest {
 
 /// Routes SIGINT and SIGTERM to the process's request, and returns it.
 const StopRequest& watch_stop_signals();
+
+/// The exit code of what a signal has stopped.
+ExitCode exit_code_of(const StopRequest& stop);
 
 /// Gives SIGINT and SIGTERM their usual effect again: they end the process.
 void unwatch_stop_signals();

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "io/csv_field.hpp"
 #include "io/text_file.hpp"
+#include "io/text_output.hpp"
 #include "validate/case.hpp"
 
 namespace holdfast {
@@ -27,14 +25,6 @@ auto key_of(const ValidationRow& row) {
 double bound_of(const Measurement& measurement) {
   if (measurement.tolerance == ToleranceClass::verdict) return measurement.error;
   return kBoundFactor * measurement.error + kBoundSlack;
-}
-
-std::optional<Error> write_text(const std::filesystem::path& path, const std::string& text) {
-  errno = 0;
-  std::ofstream stream(path, std::ios::binary);
-  stream << text << std::flush;
-  if (stream) return std::nullopt;
-  return Error{.file = path.string(), .what = "cannot be written", .value = std::strerror(errno)};
 }
 
 }  // namespace
@@ -78,7 +68,11 @@ std::optional<Error> write_bounds(const std::string& path, std::span<const Valid
     text += fmt::format("{}\t{}\t{}\t{}\t{:.3g}\n", row.engine, row.setting, row.case_name, row.measurement.metric,
                         bound_of(row.measurement));
   }
-  return write_text(path, text);
+  return write_text_file(path, text);
+}
+
+std::optional<Error> check_bounds_file(const std::string& path) {
+  return check_output_file(path, [](const std::string& old) { return bool(read_bounds(old)); });
 }
 
 std::vector<ValidationRow> missed(std::span<const ValidationRow> rows, const Bounds& bounds) {
@@ -133,10 +127,10 @@ std::optional<Error> write_validation(const std::string& folder, std::span<const
     cases += fmt::format("{},{},{},{}\n", entry.suite, entry.name, csv_field(entry.question), csv_field(entry.trap));
 
   const std::filesystem::path base = folder;
-  if (auto error = write_text(base / "measurements.csv", measurements)) return error;
-  if (auto error = write_text(base / "costs.csv", cost_table)) return error;
-  if (auto error = write_text(base / "cases.csv", cases)) return error;
-  return write_text(base / "measurements.json", validation_json(rows) + "\n");
+  if (auto error = write_text_file(base / "measurements.csv", measurements)) return error;
+  if (auto error = write_text_file(base / "costs.csv", cost_table)) return error;
+  if (auto error = write_text_file(base / "cases.csv", cases)) return error;
+  return write_text_file(base / "measurements.json", validation_json(rows) + "\n");
 }
 
 }  // namespace holdfast

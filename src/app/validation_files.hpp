@@ -43,6 +43,9 @@ Result<Bounds> read_bounds(const std::string& path);
 /// error and 1e-9 more. Verdicts stay as they are.
 std::optional<Error> write_bounds(const std::string& path, std::span<const ValidationRow> rows);
 
+/// What keeps `write_bounds` from writing there, if anything.
+std::optional<Error> check_bounds_file(const std::string& path);
+
 /// The rows whose error is above its bound, or that have none.
 std::vector<ValidationRow> missed(std::span<const ValidationRow> rows, const Bounds& bounds);
 

@@ -15,8 +15,7 @@ WorkUnits::WorkUnits(std::size_t layout_count, std::size_t motion_count, const E
       motion_count_(motion_count),
       layouts_per_unit_(std::max<std::size_t>(1, traits.layouts_per_unit)),
       // Several layouts a unit take all their accelerations along, or the worlds would not be consecutive.
-      motions_per_unit_(layouts_per_unit_ > 1 ? std::max<std::size_t>(1, motion_count)
-                                              : std::max<std::size_t>(1, traits.motions_per_unit)),
+      motions_per_unit_(layouts_per_unit_ > 1 ? std::max<std::size_t>(1, motion_count) : 1),
       layout_blocks_(blocks(layout_count, layouts_per_unit_)),
       motion_blocks_(blocks(motion_count, motions_per_unit_)) {}
 

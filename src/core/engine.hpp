@@ -31,12 +31,9 @@ struct Counters {
 /// What the scheduler and the checks need to know of an engine.
 struct EngineTraits {
   std::string name;
-  /// Most layouts to hand out as one unit of work, and most accelerations with each: 1 and 1 for an engine that
-  /// shares nothing between worlds; many accelerations where geometry is shared; many layouts for a device.
+  /// Most layouts to hand out as one unit of work: 1 for an engine that shares nothing between worlds, which then gets
+  /// one world at a time; many for a device, which gets them with all their accelerations.
   std::size_t layouts_per_unit = 1;
-  std::size_t motions_per_unit = 1;
-  /// True when worlds under the same motion advance together, in one call.
-  bool lock_step = false;
   /// True when all worlds of a batch advance together, whatever their motions: by `Simulation::advance_all`.
   bool all_together = false;
 };
@@ -64,15 +61,14 @@ class Simulation {
   /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at
   /// the last step end not after `watch` and at the first one after it: between these two the caller
   /// interpolates. Steps that provably change nothing may be taken at once, past `watch`.
-  /// @param worlds indices into the batch, all at the same time inside `phase`; one world unless
-  ///               `EngineTraits::lock_step`
+  /// @param worlds indices into the batch, all at the same time inside `phase`
   /// @param phase  stretch of constant acceleration that contains the worlds' time, s
   /// @param watch  next time the caller wants to see, s; not before the worlds' time
   /// @return the time reached, s; exactly `phase.end` at the end of the phase
   virtual double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) = 0;
 
-  /// `advance` for an engine with `EngineTraits::all_together`: each world by the same rules, in its own phase and
-  /// towards its own `watch`. The worlds' times differ.
+  /// `advance` by the same rules for each world in its own phase and towards its own `watch`. The worlds' times differ;
+  /// one world unless `EngineTraits::all_together`.
   virtual void advance_all(std::span<Stride> strides) {
     for (Stride& stride : strides) stride.time = advance({&stride.world, 1}, stride.phase, stride.watch);
   }

@@ -1,7 +1,6 @@
 #include "core/simulate.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,14 +25,12 @@ bool is_quiet(const StateView& state, double threshold) {
          std::all_of(state.angular_velocity.begin(), state.angular_velocity.end(), slow);
 }
 
-/// Worlds that advance together, from settling to the end of the last one. Each has a clock of its own: unless the
-/// engine steps all of its worlds at once, those of a group have the same motion, and their clocks agree.
+/// Worlds that advance together, from settling to the end of the last one, each by a clock of its own.
 class Group {
  public:
-  Group(Simulation& simulation, const EngineTraits& traits, WorldBatch& batch, const Settings& settings,
-        std::span<Recorder* const> recorders, const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
+  Group(Simulation& simulation, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
+        const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
       : simulation_(simulation),
-        all_together_(traits.all_together),
         batch_(batch),
         settings_(settings),
         recorders_(recorders),
@@ -151,17 +148,10 @@ class Group {
   template <class Watch>
   void advance(const Watch& watch) {
     for (const std::size_t world : running_) copy_state(batch_.state, before_, world_of(world));
-    if (all_together_) {
-      strides_.clear();
-      for (const std::size_t world : running_) strides_.push_back({world, clocks_[world].now(), watch(world)});
-      simulation_.advance_all(strides_);
-      for (const Stride& stride : strides_) clocks_[stride.world].time = stride.time;
-    } else {
-      double first = std::numeric_limits<double>::infinity();
-      for (const std::size_t world : running_) first = std::min(first, watch(world));
-      const double time = simulation_.advance(running_, clocks_[running_.front()].now(), first);
-      for (const std::size_t world : running_) clocks_[world].time = time;
-    }
+    strides_.clear();
+    for (const std::size_t world : running_) strides_.push_back({world, clocks_[world].now(), watch(world)});
+    simulation_.advance_all(strides_);
+    for (const Stride& stride : strides_) clocks_[stride.world].time = stride.time;
     for (const std::size_t world : running_) simulation_.read_back(world, batch_.state);
   }
 
@@ -172,7 +162,6 @@ class Group {
   }
 
   Simulation& simulation_;
-  bool all_together_;
   WorldBatch& batch_;
   const Settings& settings_;
   std::span<Recorder* const> recorders_;
@@ -183,20 +172,12 @@ class Group {
   std::vector<Stride> strides_;
 };
 
-/// All worlds, or those of the same motion together, as the engine wants them; else each for itself.
+/// All worlds together where the engine wants them so; else each for itself.
 std::vector<std::vector<std::size_t>> groups_of(const WorldBatch& batch, const EngineTraits& traits) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
-    const auto together = [&](const std::vector<std::size_t>& group) {
-      return traits.all_together || batch.worlds[group.front()].motion == batch.worlds[world].motion;
-    };
-    const bool shared = traits.lock_step || traits.all_together;
-    const auto group = shared ? std::find_if(groups.begin(), groups.end(), together) : groups.end();
-    if (group == groups.end()) {
-      groups.push_back({world});
-    } else {
-      group->push_back(world);
-    }
+    if (groups.empty() || !traits.all_together) groups.emplace_back();
+    groups.back().push_back(world);
   }
   return groups;
 }
@@ -213,7 +194,7 @@ bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
               const std::atomic<bool>& abort) {
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (std::vector<std::size_t>& group : groups_of(batch, engine.traits())) {
-    if (!Group(*simulation, engine.traits(), batch, settings, recorders, abort, std::move(group)).run()) return false;
+    if (!Group(*simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "io/text_export.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "io/output_file.hpp"
 #include "io/summary.hpp"
+#include "io/text_lines.hpp"
 
 namespace holdfast {
 
@@ -21,7 +23,7 @@ std::vector<std::string> distinct_stems(const std::vector<std::string>& names) {
   std::set<std::string> taken;
   std::vector<std::string> stems;
   for (const std::string& name : names) {
-    std::string stem = std::filesystem::path(name).stem().string();
+    std::string stem = std::filesystem::path(valid_utf8(name)).stem().string();
     std::replace(stem.begin(), stem.end(), '$', '_');
     std::string distinct = stem;
     for (int i = 2; !taken.insert(distinct).second; ++i) distinct = fmt::format("{}~{}", stem, i);
@@ -35,6 +37,15 @@ std::string base_name(const std::string& folder) {
   if (!path.has_filename()) path = path.parent_path();
   const std::string name = path.filename().string();
   return name.empty() || name == "." || name == ".." ? "batch" : name;
+}
+
+std::string batch_file(const std::string& batch_directory) { return "[BATCH-RESUMED]$" + base_name(batch_directory); }
+std::string solution_file(const std::string& pair) { return "[SOLUTION]" + pair; }
+std::string resumed_file(const std::string& pair) { return "[SOLUTION_RESUMED]" + pair; }
+
+/// What both files of a world are called after.
+std::string pair_of(const std::string& layout, const std::string& acceleration) {
+  return "$" + layout + "$" + acceleration;
 }
 
 /// "nan" instead of the zeros of a world that was not simulated: nobody shall take it for one where all stood.
@@ -106,9 +117,9 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
                   OutputFile& batch) {
   for (std::size_t world = 0; world < slice.rows.size(); ++world) {
     const WorldRow& row = slice.rows[world];
-    const std::string pair = "$" + layouts.at(row.layout) + "$" + accelerations.at(row.acceleration);
-    write_solution(results, row, folder + "/[SOLUTION]" + pair);
-    write_resumed(results, slice, world, folder + "/[SOLUTION_RESUMED]" + pair);
+    const std::string pair = pair_of(layouts.at(row.layout), accelerations.at(row.acceleration));
+    write_solution(results, row, folder + "/" + solution_file(pair));
+    write_resumed(results, slice, world, folder + "/" + resumed_file(pair));
     batch.write(fmt::format("{}\t{}\t{}\t{}\n", printable(layout_name(results.info(), row)),
                             printable(acceleration_name(results.info(), row)),
                             outcome(row, slice.worlds.fallen_boxes[world]),
@@ -116,7 +127,31 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
   }
 }
 
+/// The longest of some names; empty when there is none.
+std::string longest(const std::vector<std::string>& names) {
+  const auto shorter = [](const std::string& a, const std::string& b) { return a.size() < b.size(); };
+  const auto found = std::max_element(names.begin(), names.end(), shorter);
+  return found == names.end() ? "" : *found;
+}
+
 }  // namespace
+
+std::optional<Error> prepare_text_export(const std::string& folder, const std::vector<std::string>& layout_names,
+                                         const std::vector<std::string>& acceleration_names,
+                                         const std::string& batch_directory) {
+  return h5::caught(folder, [&] {
+    make_output_folder(folder);
+    const long most = ::pathconf(folder.c_str(), _PC_NAME_MAX);
+    const std::string pair =
+        pair_of(longest(distinct_stems(layout_names)), longest(distinct_stems(acceleration_names)));
+    const std::string name = longest({resumed_file(pair), batch_file(batch_directory)});
+    if (most < 0 || name.size() <= static_cast<std::size_t>(most)) return;
+    throw h5::Failure(Error{.file = folder,
+                            .what = "takes no text file of so long a name",
+                            .value = printable(name),
+                            .accepted = fmt::format("at most {} bytes: shorter names, or no text files", most)});
+  });
+}
 
 std::optional<Error> export_text(const std::string& results_path, const std::string& folder,
                                  const std::string& batch_directory) {
@@ -132,7 +167,7 @@ std::optional<Error> export_text(const std::string& results_path, const std::str
     make_output_folder(folder);
     const std::vector<std::string> layouts = distinct_stems(info.layouts);
     const std::vector<std::string> accelerations = distinct_stems(info.accelerations);
-    OutputFile batch(folder + "/[BATCH-RESUMED]$" + base_name(batch_directory));
+    OutputFile batch(folder + "/" + batch_file(batch_directory));
     batch.write("# layout file\tacceleration file\tfallen boxes\ttotal kinetic energy [J]   (nan: not simulated)\n");
     const auto error =
         derive_summary(*results, info.thresholds, [&](const SummarySlice& slice) -> std::optional<Error> {

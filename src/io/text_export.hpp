@@ -2,10 +2,17 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/result.hpp"
 
 namespace holdfast {
+
+/// What keeps `export_text` from writing files of these names, told before the run that they are to tell of: a name
+/// longer than the file system takes, a folder that cannot be made. Makes the folder when missing.
+std::optional<Error> prepare_text_export(const std::string& folder, const std::vector<std::string>& layout_names,
+                                         const std::vector<std::string>& acceleration_names,
+                                         const std::string& batch_directory);
 
 /// Writes the three kinds of text files of a complete results file into the folder (made when missing, files of
 /// the same name replaced): `[SOLUTION]$Layout$Acceleration` with the raw samples, `[SOLUTION_RESUMED]$Layout

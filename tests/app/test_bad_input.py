@@ -217,7 +217,7 @@ class Usage(CliTest):
                     self.assertIn(word, done.stderr)
 
     def test_help_has_an_example(self):
-        commands = ("screen", "run", "summary", "check", "engines")
+        commands = ("screen", "run", "summary", "check", "bench", "validate", "engines")
         for command in ((), *((command,) for command in commands)):
             with self.subTest(command=command):
                 done = self.run_here(*command, "--help")

@@ -1,11 +1,14 @@
 """`holdfast bench`: its figures are those of the runs, and no speed is told where a run failed."""
+import os
+import pathlib
+import signal
 import subprocess
 import sys
 import unittest
 
 import pandas as pd
 
-from cli import CONFIG, HOLDFAST, SOURCE, CliTest, datasets
+from cli import CONFIG, HOLDFAST, PATIENCE, SOURCE, CliTest, datasets, start, wait_for
 
 STAGES = ("read", "build", "simulate", "compress", "write", "assemble")
 
@@ -55,13 +58,73 @@ class Bench(CliTest):
         done = self.bench("--layouts", *self.layouts, bad, "--engine", "bullet-stock", "--threads", 1, "--repeats", 1)
         self.assert_exit(done, 1)
         self.assertEqual(done.stdout, "")
+        self.assertIn("bad.txt:2:11: z2 of box 1 is not a number: x", done.stderr)
         self.assertIn("a run failed, so nothing is measured", done.stderr)
+
+    def test_what_cannot_be_measured_is_told_before(self):
+        self.write("odd.ini", CONFIG + "Scheduler = none\n")
+        (self.folder / "pipe").symlink_to("/dev/null")
+        for arguments, words in ((("--engine", "bullet-stock", "bulet"), ("unknown engine: bulet", "'bullet'")),
+                                 (("-c", "odd.ini"), ("odd.ini:5:13: Scheduler has a wrong value: none",)),
+                                 (("--accelerations", "none.txt"), ("none.txt: no such file",)),
+                                 (("--csv", "tower.txt"), ("tower.txt: holds something else",)),
+                                 (("--csv", "scratch"), ("scratch: is a folder",)),
+                                 (("--csv", "pipe"), ("pipe: is no file",)),
+                                 (("--csv", "none/bench.csv"), ("none/bench.csv: cannot be written",)),
+                                 (("--folder", "none"), ("none: no folder can be made in it",))):
+            with self.subTest(arguments=arguments):
+                given = {"-c": ["config.ini"], "--layouts": ["tower.txt"], "--accelerations": ["rest.txt"], "--folder": ["scratch"],
+                         "--engine": ["bullet-stock"]}
+                given[arguments[0]] = arguments[1:]
+                self.assert_refused(self.run_here("bench", *(word for key in given for word in (key, *given[key]))), *words)
+        self.assertTrue((self.folder / "tower.txt").read_text().startswith("1 5\n"))
+        self.assertFalse(list((self.folder / "scratch").iterdir()))
+
+    def test_a_table_of_an_earlier_benchmark_is_replaced(self):
+        arguments = ("--layouts", "seed.txt", "--engine", "bullet-stock", "--threads", 1, "--repeats", 1, "--csv", "bench.csv")
+        for _ in range(2):
+            self.assert_exit(self.bench(*arguments), 0)
+        self.assertEqual(len(pd.read_csv(self.folder / "bench.csv")), 2)
+
+    def test_the_temporary_folder_is_the_systems(self):
+        arguments = ("bench", "-c", "config.ini", "--layouts", "seed.txt", "--accelerations", "rest.txt", "--threads", 1,
+                     "--repeats", 1)
+        self.assert_exit(self.run_here(*arguments, env={**os.environ, "TMPDIR": str(self.folder / "scratch")}), 0)
+        nowhere = {**os.environ, "TMPDIR": "/nowhere"}
+        self.assert_refused(self.run_here(*arguments, env=nowhere), "no temporary folder", "TMPDIR", "--folder")
+        self.assert_exit(self.run_here("engines", env=nowhere), 0)
+
+    def test_stopped_it_leaves_nothing_behind(self):
+        self.write("endless.txt", "0 1000000 1 0 0\n")
+        self.write("rare.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 10\n")
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(signal=number):
+                process = start("bench", "-c", "rare.ini", "--layouts", "tower.txt", "--accelerations", "endless.txt",
+                                "--engine", "bullet-stock", "--folder", "scratch", cwd=self.folder)
+                self.addCleanup(process.kill)
+                wait_for(lambda: list((self.folder / "scratch").glob("*/results.h5.parts")), process)
+                children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+                process.send_signal(number)
+                out, said = process.communicate(timeout=PATIENCE)
+                self.assertEqual((process.returncode, out), (code, ""), said)
+                self.assertEqual(said.splitlines()[1:], ["stopped; nothing is told of a benchmark that is not complete"])
+                self.assertEqual(len(children), 1)
+                self.assertFalse(pathlib.Path("/proc", children[0]).exists())
+                self.assertFalse(list((self.folder / "scratch").iterdir()))
 
     def test_costs_of_a_run(self):
         _, done = self.screen("--costs", "costs.json")
         costs = pd.read_json(self.folder / "costs.json", typ="series")
         self.assertEqual(list(costs.index), list(STAGES))
         self.assertGreater(costs["simulate"], 0)
+        self.screen("--costs", "costs.json", "--overwrite")
+        for path, words in (("config.ini", "holds something else"), ("/dev/null", "is no file"), ("scratch", "is a folder"),
+                            ("none/costs.json", "cannot be written"), ("./other.h5", "is the results file")):
+            with self.subTest(path=path):
+                _, done = self.screen("--costs", path, output="other.h5", expect=2)
+                self.assert_refused(done, f"{path}: {words}")
+                self.assertFalse((self.folder / "other.h5").exists())
+        self.assertEqual((self.folder / "config.ini").read_text(), CONFIG)
 
 
 class Scale(CliTest):

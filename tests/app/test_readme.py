@@ -64,6 +64,20 @@ class Readme(CliTest):
                 self.run_command(["bash", "-c", line])
         self.assertTrue(any("holdfast screen" in line for line in lines))
 
+    def test_examples_of_the_help_pages(self):
+        for layout in (self.folder / "configs/layouts").iterdir():
+            if layout.name != "seed_example.txt":
+                layout.unlink()  # one layout is enough
+        for command in ("", "screen", "summary", "run", "check", "bench", "engines"):  # validate takes minutes
+            page = self.run_command(["bash", "-c", f"holdfast {command} --help"]).stdout
+            examples = re.findall(r"^  (holdfast .*)", page[page.index("\nExample:\n"):], re.MULTILINE)
+            self.assertGreater(len(examples), 0, command)
+            for example in examples:
+                with self.subTest(example=example):
+                    if "-o results.h5" in example:
+                        (self.folder / "results.h5").unlink(missing_ok=True)
+                    self.run_command(["bash", "-c", example])
+
     def test_python_snippets(self):
         snippets = blocks("README.md", "python")
         self.assertGreater(len(snippets), 0, "the README shows no Python")

@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, SOURCE, CliTest, datasets, layout_text, same_bits, schedulers
+from cli import CONFIG, REST, SEED, SOURCE, CliTest, datasets, layout_text, same_bits, schedulers
 
 DROP, MOVE, TILT = 0.05, 0.10, 10.0  # the defaults, m and degrees
 
@@ -333,6 +333,27 @@ class Output(CliTest):
         done = self.screen("--overwrite", output="precious.txt", expect=2)[1]
         self.assert_refused(done, "precious.txt", "not a results file")
         self.assertEqual(precious.read_text(), "mine\n")
+
+    def test_inputs_of_the_same_name_are_told(self):
+        self.layouts += [self.write("again/seed.txt", layout_text(SEED)), self.write("once/more/seed.txt", layout_text(SEED))]
+        _, done = self.screen()
+        self.assertIn(f"warning: {self.layouts[3]}: has the same name in the results as: {self.layouts[0]}; "
+                      "one of 2 such files\n", done.stderr)
+        self.assertEqual(done.stderr.count("warning: "), 1)
+        del self.layouts[3:]
+        self.accelerations.append(self.write("again/rest.txt", REST))
+        _, done = self.screen("--overwrite")
+        self.assertIn(f"warning: {self.accelerations[2]}: has the same name in the results as: {self.accelerations[1]}\n",
+                      done.stderr)
+
+    def test_text_files_that_cannot_be_are_told_before(self):
+        self.layouts.append(self.write(f"{'l' * 240}.txt", layout_text(SEED)))
+        for folder, words in (("text", ("text: takes no text file of so long a name: [SOLUTION_RESUMED]$lll", "at most 255 bytes")),
+                              ("seed.txt/text", ("seed.txt/text: cannot be made",))):
+            with self.subTest(folder=folder):
+                _, done = self.screen("--text", folder, expect=2)
+                self.assert_refused(done, *words)
+                self.assertFalse(list(self.folder.glob("results*")))
 
     def test_names_need_not_be_ascii(self):
         self.layouts = [self.write("Lädung, 1 \"x\".txt", layout_text([(0, 0, 0, 50, 50, 50)]))]

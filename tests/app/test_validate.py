@@ -99,6 +99,26 @@ class Validate(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn("slide_path, displacement (m): error 0.00417, bound 1e-09", done.stderr)
 
+    def test_bounds_are_recorded_over_nothing_else(self):
+        with tempfile.TemporaryDirectory() as folder:
+            layout = pathlib.Path(folder, "layout.txt")
+            layout.write_text("1 1\n0 0 0 80 60 100 1\n")
+            for path, words in ((layout, "holds something else"), (folder, "is a folder"), ("/dev/null", "is no file"),
+                                (pathlib.Path(folder, "none/bounds.tsv"), "cannot be written")):
+                with self.subTest(path=path):
+                    done = run("validate", "--case", "slide_path", "--engine", "bullet", "--record-bounds", path)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""))
+                    self.assertRegex(done.stderr, rf"\A{path}: {words}[^\n]*\n\Z")
+            self.assertEqual(layout.read_text(), "1 1\n0 0 0 80 60 100 1\n")
+
+    def test_a_full_standard_output_is_noticed(self):
+        with open("/dev/full", "w") as full:
+            # More than the stream's buffer takes.
+            done = subprocess.run([HOLDFAST, "validate", "--quick", "--suite", "slide", "--engine", "bullet", "--json"],
+                                  stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output: cannot be written", done.stderr)
+
     def test_unknown_names_are_said_with_what_was_meant(self):
         for arguments, said in ((("--suite", "slid"), "did you mean 'slide'"), (("--case", "slide_pat"), "slide_path"),
                                 (("--engine", "bulet"), "did you mean 'bullet'")):

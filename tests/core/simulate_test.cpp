@@ -195,12 +195,12 @@ TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simula
   const Motion motion = constant(2.0, 1.0);
   const Motion* const motions[] = {&motion};
   const std::vector<Layout> layouts = {kOneBox, kOneBox, kOneBox};
-  for (const bool lock_step : {false, true}) {
+  for (const bool all_together : {false, true}) {
     for (const double settle : {0.0, 0.6}) {
       Settings settings;
       settings.screening.settle_seconds = settle;
       const double breaks_at = settle > 0 ? -0.3 : 0.5;
-      const ScriptedEngine engine({.lock_step = lock_step, .breaks_at = breaks_at, .breaking_world = 1});
+      const ScriptedEngine engine({.all_together = all_together, .breaks_at = breaks_at, .breaking_world = 1});
       const std::vector<Run> runs = run_all(engine, layouts, motions, settings);
       CHECK(runs[1].record.outcome.status == Status::non_finite);
       for (const std::size_t i : {0U, 2U}) {
@@ -281,13 +281,13 @@ TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
   CHECK(recorder.steps == 3);
 }
 
-TEST_CASE("simulate: a world is the same alone, in a batch and in lock step", "[core][simulate]") {
+TEST_CASE("simulate: a world is the same alone, in a batch and together with others", "[core][simulate]") {
   const std::vector<Layout> layouts = {kOneBox, stack(3, {2, 0, 0}, {1, 2, 0.5}), layout_of({})};
   const Motion one = pulse();
   const Motion other = constant(-1.0, 1.3);
   const Motion* const motions[] = {&one, &other};
   const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, motions, {});
-  const std::vector<Run> together = run_all(ScriptedEngine({.lock_step = true}), layouts, motions, {});
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, {});
   REQUIRE(batch.size() == 6);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const Run alone = run(ScriptedEngine({}), layouts[i / 2], *motions[i % 2], {});

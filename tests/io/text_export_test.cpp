@@ -73,3 +73,17 @@ TEST_CASE("text_export: a part is refused, and so is a folder that cannot be mad
   require_ok(assemble(path, run.description));
   CHECK(export_text(path, path + "/text", "b"));
 }
+
+TEST_CASE("text_export: names too long for a file are told before", "[io][results]") {
+  const Folder folder;
+  const std::string text = folder / "text";
+  // "[SOLUTION_RESUMED]$" and "$" leave 235 bytes of 255.
+  const std::string layout(200, 'l');
+  require_ok(prepare_text_export(text, {"a.txt", layout + ".txt"}, {"b.txt", std::string(35, 'm') + ".txt"}, "batch"));
+  CHECK(list_directory(text).empty());
+  const auto error = prepare_text_export(text, {layout, layout}, {std::string(34, 'm')}, "batch");
+  REQUIRE(error);  // the second layout ends in ~2
+  CHECK(error->value == "[SOLUTION_RESUMED]$" + layout + "~2$" + std::string(34, 'm'));
+  CHECK(prepare_text_export(text, {"a"}, {"b"}, std::string(245, 'd')));
+  CHECK(prepare_text_export("/dev/null/text", {"a"}, {"b"}, "batch"));
+}
