@@ -21,9 +21,7 @@ TEST_CASE("results_removal: what is no results file is left as it is", "[io][res
 TEST_CASE("results_removal: results, an empty file, and nothing at all may be replaced", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
-  SECTION("results") {
-    write_run_to(path, make_run({{3, 4}}), every_unit());
-  }
+  SECTION("results") { write_run_to(path, make_run({{3, 4}}), every_unit()); }
   SECTION("an empty file") { std::ofstream{path}; }
   SECTION("nothing") {}
   CHECK_FALSE(remove_results(path));
