@@ -43,16 +43,14 @@ class ScriptedEngine final : public Engine {
       time_.resize(batch.worlds.size());
     }
 
-    double advance(std::span<const std::size_t> worlds, const Phase& phase, double /*watch*/) override {
+    double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
       const StepPlan plan(phase, script_.steps_per_second);
-      for (const std::size_t world : worlds) {
-        double& time = time_[world];
-        if (counters_[world].steps == 0) time = phase.begin;
-        std::uint64_t step = plan.steps_before(time);
-        for (std::size_t taken = 0; taken < script_.steps_a_call && step < plan.step_count(); ++taken, ++step)
-          move(world, phase.acceleration, std::exchange(time, plan.end_of(step)), plan.end_of(step));
-      }
-      return time_[worlds.front()];
+      double& time = time_[world];
+      if (counters_[world].steps == 0) time = phase.begin;
+      std::uint64_t step = plan.steps_before(time);
+      for (std::size_t taken = 0; taken < script_.steps_a_call && step < plan.step_count(); ++taken, ++step)
+        move(world, phase.acceleration, std::exchange(time, plan.end_of(step)), plan.end_of(step));
+      return time;
     }
 
     void read_back(std::size_t world, StateColumns& state) const override {

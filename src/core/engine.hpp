@@ -56,21 +56,21 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  /// Takes worlds forward from where they are by one step or more, never past `phase.end`.
+  /// Takes a world forward from where it is by one step or more, never past `phase.end`.
   ///
   /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at
   /// the last step end not after `watch` and at the first one after it: between these two the caller
   /// interpolates. Steps that provably change nothing may be taken at once, past `watch`.
-  /// @param worlds indices into the batch, all at the same time inside `phase`
-  /// @param phase  stretch of constant acceleration that contains the worlds' time, s
-  /// @param watch  next time the caller wants to see, s; not before the worlds' time
+  /// @param world  index into the batch
+  /// @param phase  stretch of constant acceleration that contains the world's time, s
+  /// @param watch  next time the caller wants to see, s; not before the world's time
   /// @return the time reached, s; exactly `phase.end` at the end of the phase
-  virtual double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) = 0;
+  virtual double advance(std::size_t world, const Phase& phase, double watch) = 0;
 
   /// `advance` by the same rules for each world in its own phase and towards its own `watch`. The worlds' times differ;
   /// one world unless `EngineTraits::all_together`.
   virtual void advance_all(std::span<Stride> strides) {
-    for (Stride& stride : strides) stride.time = advance({&stride.world, 1}, stride.phase, stride.watch);
+    for (Stride& stride : strides) stride.time = advance(stride.world, stride.phase, stride.watch);
   }
 
   /// Writes a world's state into its range of `state`, in the container's frame.

@@ -101,11 +101,10 @@ inline void watch(const Engine& engine, const Layout& layout, const Motion& moti
   WorldBatch batch = make_batch(std::span(&layout, 1), motions, settings);
   if (prepare) prepare(batch);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
-  const std::size_t worlds[] = {0};
   for (const Phase& phase : phases_of(motion, motion.end_time())) {
     if (begin) begin(batch, phase);
     for (double time = phase.begin; time < phase.end;) {
-      time = simulation->advance(worlds, phase, phase.end);
+      time = simulation->advance(0, phase, phase.end);
       simulation->read_back(0, batch.state);
       look(batch, phase);
     }

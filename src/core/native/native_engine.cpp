@@ -13,10 +13,8 @@ class NativeSimulation final : public Simulation {
       worlds_.push_back(std::make_unique<native::NativeWorld>(batch, world, settings, options));
   }
 
-  double advance(std::span<const std::size_t> worlds, const Phase& phase, double /*watch*/) override {
-    double time = phase.end;
-    for (const std::size_t world : worlds) time = worlds_[world]->advance(phase);
-    return time;
+  double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
+    return worlds_[world]->advance(phase);
   }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }

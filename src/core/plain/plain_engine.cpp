@@ -12,10 +12,8 @@ class PlainSimulation final : public Simulation {
     for (const World& world : batch.worlds) worlds_.emplace_back(batch, world, settings);
   }
 
-  double advance(std::span<const std::size_t> worlds, const Phase& phase, double /*watch*/) override {
-    double time = phase.end;
-    for (const std::size_t world : worlds) time = worlds_[world].advance(phase);
-    return time;
+  double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
+    return worlds_[world].advance(phase);
   }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world].read_back(state); }
   Counters counters(std::size_t world) const override { return worlds_[world].counters(); }

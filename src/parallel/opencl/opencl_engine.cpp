@@ -61,11 +61,10 @@ class OpenClSimulation final : public Simulation {
     for (ClockedWorld& world : worlds_) world.lost = !ready;
   }
 
-  double advance(std::span<const std::size_t> worlds, const Phase& phase, double watch) override {
-    std::vector<Stride> strides;
-    for (const std::size_t world : worlds) strides.push_back({world, phase, watch});
-    advance_all(strides);
-    return strides.front().time;
+  double advance(std::size_t world, const Phase& phase, double watch) override {
+    Stride stride{world, phase, watch};
+    advance_all({&stride, 1});
+    return stride.time;
   }
 
   void advance_all(std::span<Stride> strides) override {

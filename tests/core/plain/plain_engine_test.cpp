@@ -56,9 +56,8 @@ void watch(const Layout& layout, const Settings& settings, const Phase& phase,
   prepare(batch);
   const PlainEngine engine(settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
-  const std::size_t worlds[] = {0};
   for (double time = phase.begin; time < phase.end;) {
-    time = simulation->advance(worlds, phase, phase.end);
+    time = simulation->advance(0, phase, phase.end);
     simulation->read_back(0, batch.state);
     look(batch);
   }
