@@ -407,6 +407,8 @@ ExitCode run_screening(const ScreeningJob& job) {
     if (job.json) {
       if (const auto error = print_finished(job, description, finished)) return fail(ExitCode::bad_usage, *error);
     }
+    if (finished.world_count == 0 && !job.quiet)
+      print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job.results_path);
     if (finished.complete) {
       if (!job.quiet) print_to(stderr, "{} is complete already\n", job.results_path);
       StageCosts none;

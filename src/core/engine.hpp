@@ -19,8 +19,9 @@ struct Counters {
   std::uint64_t steps = 0;             ///< steps that the simulated time was cut into
   std::uint64_t steps_skipped = 0;     ///< of these, the ones proved to change nothing and not computed
   std::uint64_t solve_iterations = 0;  ///< of the contact solver, over all steps
-  /// Largest change of a contact's velocity in the last iteration of a step, over g times the step: 1 is what
-  /// gravity adds in that step. Worst of all steps; 0 without gravity.
+  /// Largest change of a contact's velocity in the last iteration of a step, over what the pull adds in that step: the
+  /// native engine's is |g − a| times the whole step, and where that is zero the number is in m/s; that of the others
+  /// is g times the step, and without gravity the number stays 0. Worst of all steps.
   double max_residual = 0.0;
   /// Deepest that a box was inside another or inside a side, m. Worst of all steps; 0 where the engine does not
   /// measure it.

@@ -6,6 +6,7 @@
 
 #include "core/error_list.hpp"
 #include "core/number_text.hpp"
+#include "core/setting_kinds.hpp"
 
 namespace holdfast {
 
@@ -17,18 +18,23 @@ constexpr std::array kExtentNames{"length", "width", "height"};
 constexpr double kExact = 1e-9;
 
 std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
+std::string centimetres(const Vec3& v) {
+  const Vec3 cm = 100.0 * v;
+  return rounded_text(cm.x()) + " x " + rounded_text(cm.y()) + " x " + rounded_text(cm.z()) + " cm";
+}
 std::string box_name(std::size_t index) { return "box " + std::to_string(index + 1); }
 
 /// The check of one layout: looks at single boxes first, then at pairs of those that are boxes at all.
 class LayoutCheck {
  public:
-  LayoutCheck(const Layout& layout, const ContainerSettings& container, const std::string& file)
-      : boxes_(layout.boxes), container_(container), errors_(file) {}
+  LayoutCheck(const Layout& layout, const Settings& settings, const std::string& file)
+      : boxes_(layout.boxes), settings_(settings), container_(settings.container), errors_(file) {}
 
   void check_boxes() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (!is_box(i)) continue;
       check_inside(i);
+      check_centre_of_mass(i);
       sound_.push_back(i);
     }
   }
@@ -62,13 +68,14 @@ class LayoutCheck {
     const Vec3 extents = box.corner_max - box.corner_min;
     bool positive = true;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      if (extents[axis] > 0.0) continue;
+      if (extents[axis] > kLayoutTolerance) continue;
       positive = false;
       const std::string kind = extents[axis] < 0.0 ? " has a negative " : " has no ";
       errors_.add({.line = box.line,
                    .what = box_name(i) + kind + kExtentNames[static_cast<std::size_t>(axis)],
                    .value = rounded_text(extents[axis] * 100.0) + " cm",
-                   .accepted = "the second corner must be beyond the first along every axis"});
+                   .accepted = "the second corner must be beyond the first along every axis, by more than " +
+                               millimetres(kLayoutTolerance)});
     }
     return positive;
   }
@@ -92,12 +99,22 @@ class LayoutCheck {
   void check_side(std::size_t i, const char* side, double depth) {
     if (depth <= kExact || is_open(side) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
-    const Vec3 size = container_.size * 100.0;
     errors_.add({.line = boxes_[i].line,
                  .what = box_name(i) + " is outside the container at the " + side,
                  .value = millimetres(depth),
-                 .accepted = "the container is " + rounded_text(size.x()) + " x " + rounded_text(size.y()) + " x " +
-                             rounded_text(size.z()) + " cm"});
+                 .accepted = "the container is " + centimetres(container_.size)});
+  }
+
+  void check_centre_of_mass(std::size_t i) {
+    const Box& box = boxes_[i];
+    const Vec3 offset = material_of(settings_, box.material).centre_of_mass;
+    const Vec3 most = 0.5 * (box.corner_max - box.corner_min) + Vec3::Constant(kExact);
+    if ((offset.cwiseAbs().array() <= most.array()).all()) return;
+    errors_.add({.line = box.line,
+                 .what = box_name(i) + " has its centre of mass outside, by CentreOfMass of [Material " +
+                         std::to_string(box.material) + ']',
+                 .value = setting_kinds::CentimetreVector::text(offset) + " cm",
+                 .accepted = "at most half of the box to either side, " + centimetres(most)});
   }
 
   void check_pair(std::size_t a, std::size_t b) {
@@ -120,6 +137,7 @@ class LayoutCheck {
   }
 
   const std::vector<Box>& boxes_;
+  const Settings& settings_;
   const ContainerSettings& container_;
   ErrorList errors_;
   std::vector<std::size_t> sound_;  ///< boxes with positive extents
@@ -129,9 +147,9 @@ class LayoutCheck {
 
 }  // namespace
 
-std::vector<Error> check_layout(const Layout& layout, const ContainerSettings& container, const std::string& file,
+std::vector<Error> check_layout(const Layout& layout, const Settings& settings, const std::string& file,
                                 std::vector<Error>& warnings) {
-  LayoutCheck check(layout, container, file);
+  LayoutCheck check(layout, settings, file);
   check.check_boxes();
   check.check_pairs();
   check.warn(file, warnings);

@@ -9,12 +9,10 @@ namespace holdfast {
 
 namespace {
 
-Float3 to_float(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-Float4 to_float(const Rotation& q) {
-  return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z())};
-}
+/// Adding 0 makes 0 of −0, which nobody wants to read.
+float to_float(double number) { return static_cast<float>(number) + 0.0F; }
+Float3 to_float(const Vec3& v) { return {to_float(v.x()), to_float(v.y()), to_float(v.z())}; }
+Float4 to_float(const Rotation& q) { return {to_float(q.w()), to_float(q.x()), to_float(q.y()), to_float(q.z())}; }
 
 /// Linear between `a` and `b`; exactly `b` at share 1, so that samples at step ends are the states themselves.
 Vec3 between(const Vec3& a, const Vec3& b, double share) { return share == 1.0 ? b : Vec3(a + share * (b - a)); }
@@ -110,8 +108,7 @@ void SeriesRecorder::add_sample(const Instant& instant) {
     const Vec3 angular_velocity = at_instant(step.before.angular_velocity, step.after.angular_velocity);
     const Vec3 velocity = at_instant(step.before.velocity, step.after.velocity);
     const double energy = kinetic_energy(box, velocity, angular_velocity, orientation);
-    // 0 − x keeps a zero acceleration from becoming a negative zero in the file.
-    const Vec3 force = plan_.external_force ? Vec3(Vec3::Zero() - boxes_.mass[box] * step.acceleration) : Vec3::Zero();
+    const Vec3 force = plan_.external_force ? Vec3(-boxes_.mass[box] * step.acceleration) : Vec3::Zero();
 
     series.displacement.push_back(displacement(at_instant(step.before.position, step.after.position), box));
     series.orientation.push_back(to_float(orientation));

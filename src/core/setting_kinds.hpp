@@ -39,17 +39,18 @@ struct Number : Range {
   static std::string text(double number) { return number_text(number); }
 };
 
+// What is beyond a million of any unit is a slip; a run would never end, or its products overflow.
 struct AnyRange {
-  static constexpr std::string_view kAccepted = "a number";
-  static bool holds(double) { return true; }
+  static constexpr std::string_view kAccepted = "a number from -1000000 to 1000000";
+  static bool holds(double number) { return std::abs(number) <= 1e6; }
 };
 struct PositiveRange {
-  static constexpr std::string_view kAccepted = "a number above 0";
-  static bool holds(double number) { return number > 0.0; }
+  static constexpr std::string_view kAccepted = "a number from 1e-12 to 1000000";
+  static bool holds(double number) { return number >= 1e-12 && number <= 1e6; }
 };
 struct NotNegativeRange {
-  static constexpr std::string_view kAccepted = "a number of at least 0";
-  static bool holds(double number) { return number >= 0.0; }
+  static constexpr std::string_view kAccepted = "a number from 0 to 1000000";
+  static bool holds(double number) { return number >= 0.0 && number <= 1e6; }
 };
 struct ShareRange {
   static constexpr std::string_view kAccepted = "a number from 0 to 1";
@@ -63,18 +64,9 @@ struct RateRange {
   static constexpr std::string_view kAccepted = "a number from 1 to 1000000";
   static bool holds(double number) { return number >= 1.0 && number <= 1e6; }
 };
-// Eleven days: more is a slip, and would never end.
-struct DurationRange {
-  static constexpr std::string_view kAccepted = "a number above 0, at most 1000000";
-  static bool holds(double number) { return number > 0.0 && number <= 1e6; }
-};
-struct PauseRange {
-  static constexpr std::string_view kAccepted = "a number from 0 to 1000000";
-  static bool holds(double number) { return number >= 0.0 && number <= 1e6; }
-};
 struct IntervalRange {
-  static constexpr std::string_view kAccepted = "a number of at least 0.000001";
-  static bool holds(double number) { return number >= 1e-6; }
+  static constexpr std::string_view kAccepted = "a number from 0.000001 to 1000000";
+  static bool holds(double number) { return number >= 1e-6 && number <= 1e6; }
 };
 
 using Any = Number<AnyRange>;
@@ -83,8 +75,6 @@ using NotNegative = Number<NotNegativeRange>;
 using Share = Number<ShareRange>;
 using Angle = Number<AngleRange>;
 using Rate = Number<RateRange>;
-using Duration = Number<DurationRange>;
-using Pause = Number<PauseRange>;
 using Interval = Number<IntervalRange>;
 
 /// Text of a length in centimetres that gives exactly `metres` when it is read again.

@@ -89,7 +89,7 @@ std::vector<SettingKey> make_table() {
   section = "Simulation Settings";
   add(OneOf<StoppingConditions>{}, "StoppingCondition", "", "timeout", MEMBER(stopping_condition),
       "Whether a world ends at a time, or already when all boxes have come to rest.");
-  add(Duration{}, "TimeoutInSeconds", "s", "", MEMBER(timeout),
+  add(Positive{}, "TimeoutInSeconds", "s", "", MEMBER(timeout),
       "Simulated time; when absent the end of the acceleration file.");
   add(NotNegative{}, "SleepingThreshold", "m/s and rad/s", "0.01", MEMBER(sleeping_threshold),
       "Speed below which a box is at rest for the stopping condition `sleeping`.");
@@ -154,7 +154,7 @@ std::vector<SettingKey> make_table() {
       "Worlds simulated at the same time; 0 stands for one a core.");
   add(Name<Schedulers>{}, "Scheduler", "", "tbb", MEMBER(screening.scheduler),
       "How worlds are handed out to threads; never changes a result.");
-  add(Pause{}, "SettleSeconds", "s", "0", MEMBER(screening.settle_seconds),
+  add(NotNegative{}, "SettleSeconds", "s", "0", MEMBER(screening.settle_seconds),
       "Time under gravity alone before t = 0, not recorded.");
   add(OneOf<ReferencePoses>{}, "ReferencePose", "", "layout", MEMBER(screening.reference_pose),
       "What displacement is measured from: the pose in the layout, or the one after settling.");

@@ -16,7 +16,7 @@ float length(const Float3& displacement) {
 BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
   const auto has_moved = [&](const Float3& d) { return static_cast<double>(length(d)) > thresholds.move; };
   BoxVerdict verdict;
-  verdict.drop = -end.displacement[i].z;
+  verdict.drop = 0.0F - end.displacement[i].z;  // never −0
   verdict.fallen = is_fallen(end.displacement[i], thresholds);
   verdict.moved = has_moved(end.displacement[i]);
   verdict.tilted = static_cast<double>(end.tilt[i]) > thresholds.tilt;

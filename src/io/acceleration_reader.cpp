@@ -50,6 +50,9 @@ std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields
   if (numbers[0] > kLatestSegment || numbers[1] > kLatestSegment)
     return refuse(numbers[0] > kLatestSegment ? 0 : 1, "a time that no run would reach", "times of at most 1e6 s");
   if (numbers[1] < kSameInstant) return refuse(1, "the duration is too short", "a duration of at least 1e-9 s");
+  for (std::size_t i = 2; i < kColumns; ++i)
+    if (std::abs(numbers[i]) > kLargestAcceleration)
+      return refuse(i, std::string(kNames[i]) + " is too large", "accelerations from -10000 to 10000 m/s²");
   return Segment{numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}, line};
 }
 

@@ -11,6 +11,9 @@ namespace holdfast {
 /// Latest start and longest duration of a segment, s: eleven days. More is a slip, and would never end.
 inline constexpr double kLatestSegment = 1e6;
 
+/// Largest acceleration along an axis, m/s²: a thousand times gravity. More is a slip, and nothing would stay whole.
+inline constexpr double kLargestAcceleration = 1e4;
+
 /// Reads an acceleration file: a line a segment, `initial-time duration ax ay az` in s and m/s², in the order of
 /// time and without overlap; gaps mean zero. `#` begins a comment anywhere in a line. A segment that starts within
 /// kSameInstant of the end of the one before starts exactly there.

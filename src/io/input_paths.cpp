@@ -158,10 +158,10 @@ InputKind classify(std::string_view text) {
   while (lines.next()) {
     split_fields(lines.line(), fields);
     if (fields.empty() || fields[0].text.starts_with(';')) continue;
+    if (fields[0].text.starts_with('[')) return InputKind::config;
     const std::string_view data = lines.line().substr(0, lines.line().find('#'));
-    if (fields[0].text.starts_with('[') || data.find('=') != std::string_view::npos) return InputKind::config;
-    const InputKind kind = kind_of_line(fields);
-    // The first line may be a layout's header, which can have any number of columns.
+    const InputKind kind = data.find('=') == std::string_view::npos ? kind_of_line(fields) : InputKind::config;
+    // The first line may be a layout's header, which can have any words, `seed=5` too.
     if (is_second) return kind == InputKind::unknown ? first : kind;
     first = kind;
     is_second = true;

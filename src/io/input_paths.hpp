@@ -13,8 +13,8 @@ namespace holdfast {
 /// What an input file is, by its content.
 enum class InputKind { layout, acceleration, config, unknown };
 
-/// What a text is, judged by its first two lines that are neither blank nor comments: `[section]` or `key = value`
-/// makes a config; else the second line, or the first where it is alone or undecided: 5 columns make an
+/// What a text is, judged by its first two lines that are neither blank nor comments: `[section]` makes a config; else
+/// the second line decides, or the first where that is alone or undecided: `key = value` makes a config, 5 columns an
 /// acceleration, 7 or more a layout, if at least half of these are numbers.
 /// @param text a file, or so much of its beginning as has these lines
 InputKind classify(std::string_view text);

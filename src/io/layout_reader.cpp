@@ -1,6 +1,7 @@
 #include "io/layout_reader.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -52,7 +53,7 @@ class LayoutReader {
                           .line = extra_line_,
                           .column = extra_column_,
                           .what = "columns after the seventh are ignored, here and in all further lines"});
-    std::vector<Error> geometry = check_layout(layout_, settings_.container, file_.path, warnings);
+    std::vector<Error> geometry = check_layout(layout_, settings_, file_.path, warnings);
     if (!geometry.empty()) return geometry;
     return std::move(layout_);
   }
@@ -115,10 +116,12 @@ class LayoutReader {
     bool good = true;
     for (std::size_t i = 0; i < corner.size(); ++i) {
       const std::optional<double> number = parse_number(fields[i].text);
-      if (number)
-        corner[i] = *number / 100.0;
-      else
+      if (!number)
         good = refuse(line, fields[i], kNames[i], "not a number", "a finite number of cm such as 80 or 12.5");
+      else if (std::abs(*number) > kFarthestCorner)
+        good = refuse(line, fields[i], kNames[i], "too far away", "a number of cm from -1000000 to 1000000");
+      else
+        corner[i] = *number / 100.0;
     }
     const std::optional<int> material = parse_material(fields[6].text);
     if (!material) good = refuse(line, fields[6], "the material", "not an id", "a whole number from 0 to 2147483647");

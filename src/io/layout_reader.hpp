@@ -14,6 +14,10 @@ namespace holdfast {
 /// memory of a world, stay bounded.
 inline constexpr std::size_t kMostBoxes = 20'000;
 
+/// Farthest that a corner may be from the origin along an axis, cm: ten kilometres. An open side does not bound, and
+/// more is a slip.
+inline constexpr double kFarthestCorner = 1e6;
+
 /// Longest header of a layout, byte: every results file keeps it.
 inline constexpr std::size_t kMostHeaderBytes = 4096;
 
@@ -28,7 +32,8 @@ inline constexpr std::size_t kMostHeaderBytes = 4096;
 /// and moved by the width W, so that what is inside the container stays inside and nothing is mirrored:
 /// (x, y, z) of the file is (x, W − z, y) of the container. Accelerations are in the container's axes always.
 ///
-/// All errors of the file are reported, up to the limit of ErrorList.
+/// All errors of the file are reported, up to the limit of ErrorList; those of the geometry only when there is no
+/// other.
 /// @param warnings gets one entry for columns beyond the seventh, one for overlaps within the tolerance
 Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings);
 

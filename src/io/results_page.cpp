@@ -72,7 +72,7 @@ effective setting as `Section/Key`.
 | `software`, `git_commit` | what wrote the file |
 | `engine` | name of the engine |
 | `command_line`, `created_utc`, `host` | how, when and where the run was started |
-| `fingerprint` | hashes of all inputs that must be the same to resume the run |
+| `fingerprint` | hashes of all that must be the same to resume the run |
 | `complete` | 1: all worlds of the run are in the file; 0: a part |
 | `worlds_begin`, `boxes_begin`, … | in a part, index in the run of the first entry, an attribute an axis; else 0 |
 

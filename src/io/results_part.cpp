@@ -99,6 +99,16 @@ PartRange read_range(const h5::File& file) {
   return range;
 }
 
+void check_same_run(const h5::File& file, const std::string& fingerprint) {
+  const auto text = [&](const char* attribute) { return h5::read_text_attribute(file, "/", attribute); };
+  const std::string difference = fingerprint_difference(text("fingerprint"), fingerprint);
+  if (difference.empty()) return;
+  throw h5::Failure(Error{.file = file.path(),
+                          .what = "is of a run with other " + difference,
+                          .value = "by " + printable(text("software") + ", commit " + text("git_commit")),
+                          .accepted = "the same inputs and version go on with it, --overwrite starts anew"});
+}
+
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint) {
   std::vector<PartRange> ranges;
   for (const std::uint64_t number : list_parts(results_path)) {
@@ -108,12 +118,7 @@ std::vector<PartRange> check_parts(const std::string& results_path, const std::s
            "remove " + parts_folder(results_path) + " to start anew");
     }
     const h5::File file = h5::File::open(path);
-    const std::string difference =
-        fingerprint_difference(h5::read_text_attribute(file, "/", "fingerprint"), fingerprint);
-    if (!difference.empty()) {
-      fail(path, "belongs to a run with other inputs (" + difference + " differ)",
-           "the same inputs, another results file, or removing " + parts_folder(results_path));
-    }
+    check_same_run(file, fingerprint);
     const PartRange range = read_range(file);
     check_chunks(file);
     check_follows(path, ranges.empty() ? PartRange{} : ranges.back(), range);

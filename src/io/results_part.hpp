@@ -33,8 +33,11 @@ void write_range_begin(const h5::File& file, const AxisCounts& begin);
 AxisCounts read_range_begin(const h5::File& file);
 PartRange read_range(const h5::File& file);
 
+/// A failure, which says what differs, when the file is of a run of another fingerprint.
+void check_same_run(const h5::File& file, const std::string& fingerprint);
+
 /// Ranges of all finished parts. A failure when a part is missing, damaged, does not follow on the one before, or
-/// belongs to a run of another fingerprint (it says what differs).
+/// is of a run of another fingerprint.
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint);
 
 }  // namespace holdfast

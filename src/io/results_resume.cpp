@@ -36,12 +36,7 @@ void add_counts(const PartRange& range, Progress& progress) {
 
 Progress progress_of_finished_file(const std::string& path, const std::string& fingerprint) {
   const h5::File file = h5::File::open(path);
-  const std::string difference = fingerprint_difference(h5::read_text_attribute(file, "/", "fingerprint"), fingerprint);
-  if (!difference.empty()) {
-    throw h5::Failure(Error{.file = path,
-                            .what = "is the results file of a run with other inputs (" + difference + " differ)",
-                            .accepted = "the same inputs, or another results file"});
-  }
+  check_same_run(file, fingerprint);
   Progress progress{.complete = true};
   add_counts(read_range(file), progress);
   append_layouts(file, progress);

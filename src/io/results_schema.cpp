@@ -58,7 +58,8 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/worlds/solve_iterations", ElementType::u64, 1, Axis::worlds, "1",
      "iterations of the contact solver over all steps"},
     {"/worlds/max_residual", ElementType::f64, 1, Axis::worlds, "1",
-     "largest change of a contact's velocity in the last iteration of a step, over gravity times the step; worst step"},
+     "largest change of a contact's velocity in the last iteration of a step; worst step. In units of what the pull "
+     "adds in the step: |g - a| (native; m/s where that is zero), or g (others; 0 without gravity), times the step"},
     {"/worlds/max_penetration", ElementType::f64, 1, Axis::worlds, "m",
      "deepest that a box was inside another or a side, over all steps; 0 where the engine does not measure it"},
     {"/worlds/peak_total_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",

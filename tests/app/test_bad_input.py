@@ -20,6 +20,8 @@ BAD_LAYOUTS = [
     ("reversed", HEAD + "80 0 0 0 60 100 1\n", "2", "box 1"),
     ("outside", HEAD + BOX + "550 0 0 630 60 100 1\n", "3", "box 2"),
     ("below", HEAD + "0 0 -10 80 60 100 1\n", "2", "box 1"),
+    ("far", HEAD + "0 0 0 1e300 60 100 1\n", "2:7", "x2 of box 1 is too far away: 1e300; a number of cm from -1000000 to 1000000"),
+    ("thin", HEAD + "0 0 0 80 60 1e-300 1\n", "2", "box 1 has no height: 1e-300 cm; the second corner must be beyond"),
     ("overlap", HEAD + BOX + "70 0 0 150 60 100 1\n", "3", "box 2 overlaps box 1 of line 2: 100 mm deep"),
     ("binary", b"1 2\n\x00\xff\xfe 0 0 80 60 100 1\n", "2:1", ""),
 ]
@@ -32,6 +34,8 @@ BAD_ACCELERATIONS = [
     ("infinite", "0 1 inf 0 0\n", "1:5", "ax is not a number: inf"),
     ("negative_time", "-1 1 0 0 0\n", "1:1", "the initial time is negative"),
     ("no_duration", "0 0 0 0 0\n", "1:3", "the duration is too short"),
+    ("endless", "0 1e300 0 0 0\n", "1:3", "a time that no run would reach: 1e300; times of at most 1e6 s"),
+    ("absurd", "0 1 0 -1e300 0\n", "1:7", "ay is too large: -1e300; accelerations from -10000 to 10000 m/s²"),
     ("overlap", "0 1 1 0 0\n0.5 1 2 0 0\n", "2:1", "the segment overlaps that of line 1"),
     ("unsorted", "1 1 1 0 0\n0 1 2 0 0\n", "2:1", "the segment is before that of line 1"),
 ]
@@ -40,7 +44,8 @@ BAD_CONFIGS = [
     ("unknown_section", "[Screning]\n", "1:1", "did you mean [Screening]?"),
     ("wrong_section", "[Screening]\nDensityValue = 3\n", "2:1", "it belongs to [Physics Engine]"),
     ("not_a_number", "[Physics Engine]\nDensityValue = heavy\n", "2:16", "DensityValue has a wrong value: heavy"),
-    ("negative", "[Physics Engine]\nDensityValue = -1\n", "2:16", "a number above 0 (kg/m³"),
+    ("negative", "[Physics Engine]\nDensityValue = -1\n", "2:16", "a number from 1e-12 to 1000000 (kg/m³"),
+    ("absurd", "[Screening]\nGravity = 1e300\n", "2:11", "Gravity has a wrong value: 1e300; a number from 0 to 1000000"),
     ("no_value", "[Physics Engine]\nDensityValue =\n", "2:15", "DensityValue has no value"),
     ("twice", "[Container]\nLength = 1\nLength = 2\n", "3:1", "the key is given twice: Length; its first value is on line 2"),
     ("no_section", "Length = 1\n", "1:1", "a key before any section"),
@@ -98,6 +103,14 @@ class Check(CliTest):
         self.write("long.txt", HEAD + "900 0 0 1000 60 100 1\n")
         self.assert_exit(self.run_here("check", "long.txt"), 2)
         self.assert_exit(self.run_here("check", "long.txt", "-c", "long.ini"), 0)
+
+    def test_the_centres_of_mass_of_the_config_count(self):
+        self.write("heavy.ini", "[Material 1]\nCentreOfMass = 41 0 0\n")
+        self.write("box.txt", HEAD + BOX)
+        done = self.run_here("check", "box.txt", "-c", "heavy.ini")
+        self.assert_exit(done, 2)
+        self.assertIn("box.txt:2: box 1 has its centre of mass outside, by CentreOfMass of [Material 1]: 41 0 0 cm; "
+                      "at most half of the box to either side, 40 x 30 x 50 cm\n", done.stderr)
 
 
 class Screen(CliTest):

@@ -72,7 +72,7 @@ class LongRun(CliTest):
         self.assert_exit(done, 0)
         self.assertIn("complete already", done.stderr)
         self.write("short.txt", "0 0.5 0 2 0\n")
-        self.assert_refused(self.run_here(*self.arguments(), "--resume"), "results.h5", "accelerations differ")
+        self.assert_refused(self.run_here(*self.arguments(), "--resume"), "results.h5", "is of a run with other accelerations")
 
     def test_json_tells_of_all_worlds(self):
         def told(done):
@@ -97,16 +97,25 @@ class LongRun(CliTest):
 
     def test_changed_inputs_are_refused(self):
         for name, old, new, said in (("layouts/layout00.txt", "106", "105", "layout00.txt: this layout has changed"),
-                                     ("long.txt", " 1 0 0", " 2 0 0", "accelerations differ"),
-                                     ("config.ini", "= 60", "= 61", "settings differ")):
+                                     ("long.txt", " 1 0 0", " 2 0 0", "is of a run with other accelerations"),
+                                     ("config.ini", "= 60", "= 61", "is of a run with other settings")):
             with self.subTest(changed=name):
                 text = (self.folder / name).read_text()
                 self.write(name, text.replace(old, new))
                 self.assert_refused(self.run_here(*self.arguments(), "--resume"), said)
                 self.write(name, text)
         with self.subTest(changed="option"):
-            self.assert_refused(self.run_here(*self.arguments(), "--resume", "--no-series"), "series differ")
+            self.assert_refused(self.run_here(*self.arguments(), "--resume", "--no-series"), "is of a run with other series")
         self.assertIn("part-000001.h5", self.parts())
+
+    def test_nothing_to_resume_is_told(self):
+        shutil.rmtree(self.folder / "results.h5.parts")
+        arguments = ("screen", "-c", "config.ini", "--layouts", "layouts/layout00.txt", "--accelerations", "short.txt")
+        done = self.run_here(*arguments, "--resume")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr.splitlines()[0],
+                         "results.h5: nothing is finished that could be resumed, all worlds are to be run")
+        self.assertNotIn("nothing is finished", self.run_here(*arguments, "--resume").stderr)
 
     def test_parts_are_not_lost_by_accident(self):
         before = self.parts()

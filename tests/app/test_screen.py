@@ -246,7 +246,8 @@ class NativeEngine(CliTest):
 
     def test_another_accuracy_is_another_run(self):
         self.screen("--accuracy", "screening")
-        self.assert_refused(self.screen("--resume", expect=2)[1], "results.h5", "settings differ")
+        self.assert_refused(self.screen("--resume", expect=2)[1], "results.h5: is of a run with other settings: by holdfast ",
+                            "--overwrite starts anew")
         self.screen("--accuracy", "screening", "--resume")
 
     def test_schedulers_and_threads_do_not_matter(self):

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "random.hpp"
+
 using namespace holdfast;
 
 namespace {
@@ -19,10 +21,10 @@ struct Outcome {
   std::vector<std::string> errors, warnings;
 };
 
-Outcome check(const Layout& layout, const ContainerSettings& container = {}) {
+Outcome check(const Layout& layout, const Settings& settings = {}) {
   std::vector<Error> warnings;
   Outcome outcome;
-  for (const Error& error : check_layout(layout, container, "a.txt", warnings))
+  for (const Error& error : check_layout(layout, settings, "a.txt", warnings))
     outcome.errors.push_back(error.message());
   for (const Error& warning : warnings) outcome.warnings.push_back(warning.message());
   return outcome;
@@ -82,10 +84,10 @@ TEST_CASE("layout_check: a box outside names the side and by how much", "[core][
 }
 
 TEST_CASE("layout_check: an open side does not bound", "[core][layout_check]") {
-  ContainerSettings container;
-  container.open_sides = {"rear", "roof"};
-  CHECK(check(cubes({{5, 0, 1.5}}), container).errors.empty());
-  CHECK(check(cubes({{-1, 0, 0}}), container).errors.size() == 1);
+  Settings settings;
+  settings.container.open_sides = {"rear", "roof"};
+  CHECK(check(cubes({{5, 0, 1.5}}), settings).errors.empty());
+  CHECK(check(cubes({{-1, 0, 0}}), settings).errors.size() == 1);
 }
 
 TEST_CASE("layout_check: zero, negative and non-finite extents", "[core][layout_check]") {
@@ -93,10 +95,30 @@ TEST_CASE("layout_check: zero, negative and non-finite extents", "[core][layout_
   layout.boxes[0].corner_max.z() = 0.0;
   layout.boxes[1].corner_max.x() = 1.5;
   layout.boxes[2].corner_max.y() = std::numeric_limits<double>::quiet_NaN();
-  const std::string accepted = "; the second corner must be beyond the first along every axis";
+  const std::string accepted = "; the second corner must be beyond the first along every axis, by more than 0.1 mm";
   CHECK(check(layout).errors == Messages{"a.txt:2: box 1 has no height: 0 cm" + accepted,
                                          "a.txt:3: box 2 has a negative length: -50 cm" + accepted,
                                          "a.txt:4: box 3 has a corner that is not finite"});
+}
+
+TEST_CASE("layout_check: a box no thicker than rounding is none", "[core][layout_check]") {
+  Layout layout = cubes({{0, 0, 0}, {2, 0, 0}});
+  layout.boxes[0].corner_max.z() = 1e-300;
+  layout.boxes[1].corner_max.z() = 0.0002;
+  CHECK(check(layout).errors == Messages{"a.txt:2: box 1 has no height: 1e-298 cm; the second corner must be beyond "
+                                         "the first along every axis, by more than 0.1 mm"});
+}
+
+TEST_CASE("layout_check: a centre of mass outside its box names box and material", "[core][layout_check]") {
+  Layout layout = cubes({{0, 0, 0}, {2, 0, 0}});
+  layout.boxes[1].material = 7;
+  Settings settings;
+  settings.materials[1].centre_of_mass = {0.5, -0.5, 0.0};
+  CHECK(check(layout, settings).errors.empty());
+  settings.materials[7].centre_of_mass = {0.0, 0.1, -0.51};
+  CHECK(check(layout, settings).errors ==
+        Messages{"a.txt:3: box 2 has its centre of mass outside, by CentreOfMass of [Material 7]: 0 10 -51 cm; at most "
+                 "half of the box to either side, 50 x 50 x 50 cm"});
 }
 
 TEST_CASE("layout_check: many errors are counted, not listed", "[core][layout_check]") {
@@ -107,11 +129,10 @@ TEST_CASE("layout_check: many errors are counted, not listed", "[core][layout_ch
 
 TEST_CASE("layout_check: the sweep finds the same pairs as looking at all of them", "[core][layout_check]") {
   Layout layout;
-  unsigned state = 1;
-  const auto random = [&] { return static_cast<double>((state = state * 1664525U + 1013904223U) >> 16U) / 65536.0; };
+  Random random(1);
   for (long i = 0; i < 200; ++i) {
-    const Vec3 corner(5.0 * random(), 2.0 * random(), 2.0 * random());
-    layout.boxes.push_back({corner, corner + Vec3(0.1 + 0.3 * random(), 0.2, 0.2), 1, i});
+    const Vec3 corner = random.vector(0, 2) + Vec3(random.between(0, 3), 0, 0);
+    layout.boxes.push_back({corner, corner + Vec3(random.between(0.1, 0.4), 0.2, 0.2), 1, i});
   }
   std::size_t expected = 0;
   for (std::size_t a = 0; a < layout.boxes.size(); ++a)
@@ -121,9 +142,9 @@ TEST_CASE("layout_check: the sweep finds the same pairs as looking at all of the
                        .minCoeff() > kLayoutTolerance)
                       ? 1U
                       : 0U;
-  ContainerSettings container;
-  container.size = {9, 9, 9};
-  const Outcome outcome = check(layout, container);
+  Settings settings;
+  settings.container.size = {9, 9, 9};
+  const Outcome outcome = check(layout, settings);
   REQUIRE(expected > 20);
   CHECK(outcome.errors.back() == "a.txt: further errors: " + std::to_string(expected - 20));
 }

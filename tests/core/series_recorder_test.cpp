@@ -148,6 +148,19 @@ TEST_CASE("series_recorder: the force is -m a and never a negative zero", "[core
   CHECK(is_positive_zero(series.force[0].x));
 }
 
+TEST_CASE("series_recorder: what is too small for a float is 0, not -0", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.velocity[0] = Vec3(-1e-60, 0, 0);
+  world.now.angular_velocity[0] = Vec3(-1e-60, -0.0, 0);
+  world.step(0.1, Vec3(-0.0, 0, 0));
+  const WorldRecord record = world.finish();
+  CHECK(is_positive_zero(record.series.angular_velocity.back().x));
+  CHECK(is_positive_zero(record.series.angular_velocity.back().y));
+  CHECK(is_positive_zero(record.series.container_acceleration.back().x));
+  CHECK(is_positive_zero(record.series.linear_acceleration.back().x));
+}
+
 TEST_CASE("series_recorder: no external force on boxes in a free container", "[core][series_recorder]") {
   Settings settings;
   settings.container.motion = ContainerMotion::free;

@@ -119,6 +119,23 @@ TEST_CASE("setting_table: numbers are read whole, finite and in range", "[core][
   CHECK(takes("Bullet", "SplitImpulseThreshold", "-0.04"));
 }
 
+TEST_CASE("setting_table: no number is so large or so small that a run cannot compute with it",
+          "[core][setting_table]") {
+  int numbers = 0;
+  for (const SettingKey& key : setting_table()) {
+    INFO(key.section << " " << key.name);
+    Settings settings;
+    if (key.accepted.starts_with("a number")) {
+      ++numbers;
+      CHECK_FALSE(key.set(settings, 1, "1e300"));
+      CHECK_FALSE(key.set(settings, 1, "-1e300"));
+    }
+  }
+  CHECK(numbers > 30);
+  for (const char* length : {"Length", "Width", "Height", "Mass"}) CHECK_FALSE(takes("Container", length, "1e-300"));
+  CHECK_FALSE(takes("Physics Engine", "DensityValue", "1e-300"));
+}
+
 TEST_CASE("setting_table: booleans, words and lists", "[core][setting_table]") {
   for (const char* yes : {"true", "TRUE", "Yes", "1"}) CHECK(round_trip("Bullet", "RandomOrder", yes) == "true");
   for (const char* no : {"false", "False", "NO", "0"}) CHECK(round_trip("Bullet", "RandomOrder", no) == "false");

@@ -68,6 +68,11 @@ TEST_CASE("verdict: a state that is not a number makes no verdict of a fall", "[
   CHECK_FALSE(is_fallen({0, 0, NAN}, kThresholds));
 }
 
+TEST_CASE("verdict: a box that is no lower has a drop of 0, not of -0", "[core][verdict]") {
+  CHECK_FALSE(std::signbit(judge_box(ends({{}}), 0, kThresholds).drop));
+  CHECK(judge_box(ends({{0, 0, 0.5F}}), 0, kThresholds).drop == -0.5F);
+}
+
 TEST_CASE("verdict: a world counts its boxes and keeps the largest", "[core][verdict]") {
   EndTable end = ends({{0, 0, -0.2F}, {0.3F, 0.4F, 0}, {}});
   end.tilt = {90.0F, 0.0F, 0.0F};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error_list.hpp"
+#include "core/layout_check.hpp"
 #include "core/setting_table.hpp"
 #include "io/acceleration_reader.hpp"
 #include "io/config_reader.hpp"
@@ -50,7 +51,7 @@ void check_errors(const Result<T>& result, const std::vector<Error>& warnings) {
 
 void check_box(const Box& box) {
   require(box.corner_min.allFinite() && box.corner_max.allFinite(), "a corner is not finite");
-  require((box.corner_max.array() > box.corner_min.array()).all(), "a box has no extent");
+  require((box.corner_max - box.corner_min).minCoeff() > kLayoutTolerance, "a box has no extent");
   require(box.material >= 0 && box.line > 0, "a box has no material or line");
 }
 

@@ -76,6 +76,15 @@ TEST_CASE("acceleration_reader: times must make sense", "[io][acceleration_reade
   CHECK(errors_of("0 -2 0 0 0") == Messages{"a.txt:1:3: the duration is too short: -2; a duration of at least 1e-9 s"});
 }
 
+TEST_CASE("acceleration_reader: what no drive has is a slip", "[io][acceleration_reader]") {
+  CHECK(errors_of("0 1e300 0 0 0") ==
+        Messages{"a.txt:1:3: a time that no run would reach: 1e300; times of at most 1e6 s"});
+  const std::string accepted = "; accelerations from -10000 to 10000 m/s²";
+  CHECK(errors_of("0 1 0 1e300 0") == Messages{"a.txt:1:7: ay is too large: 1e300" + accepted});
+  CHECK(errors_of("0 1 0 0 -10000.5") == Messages{"a.txt:1:9: az is too large: -10000.5" + accepted});
+  CHECK(parse("0 1 10000 -10000 0"));
+}
+
 TEST_CASE("acceleration_reader: five columns, at least one segment", "[io][acceleration_reader]") {
   const std::string columns = "; the five columns are initial-time duration ax ay az";
   CHECK(errors_of("0 1 0 0") == Messages{"a.txt:1:1: too few columns: 4" + columns});

@@ -90,15 +90,15 @@ TEST_CASE("config_reader: materials", "[io][config_reader]") {
 
 TEST_CASE("config_reader: a wrong value names its column and what is accepted", "[io][config_reader]") {
   CHECK(errors_of("[Simulation Settings]\n  BoxFriction =  1,5 ; comma\n") ==
-        Messages{"in/c.ini:2:18: BoxFriction has a wrong value: 1,5; a number of at least 0"});
+        Messages{"in/c.ini:2:18: BoxFriction has a wrong value: 1,5; a number from 0 to 1000000"});
   CHECK(errors_of("[Simulation Settings]\nTimeoutInSeconds=nan\n") ==
-        Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number above 0, at most 1000000 (s)"});
+        Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number from 1e-12 to 1000000 (s)"});
   CHECK(errors_of("[Container]\nLength = 0x10\nWidth = inf\nHeight=-1\n") ==
-        Messages{"in/c.ini:2:10: Length has a wrong value: 0x10; a number above 0 (cm)",
-                 "in/c.ini:3:9: Width has a wrong value: inf; a number above 0 (cm)",
-                 "in/c.ini:4:8: Height has a wrong value: -1; a number above 0 (cm)"});
+        Messages{"in/c.ini:2:10: Length has a wrong value: 0x10; a number from 1e-12 to 1000000 (cm)",
+                 "in/c.ini:3:9: Width has a wrong value: inf; a number from 1e-12 to 1000000 (cm)",
+                 "in/c.ini:4:8: Height has a wrong value: -1; a number from 1e-12 to 1000000 (cm)"});
   CHECK(errors_of("[Container]\nMass =\nUpAxis = x\nOpenSides = rear, top\n") ==
-        Messages{"in/c.ini:2:7: Mass has no value; a number above 0 (kg)",
+        Messages{"in/c.ini:2:7: Mass has no value; a number from 1e-12 to 1000000 (kg)",
                  "in/c.ini:3:10: UpAxis has a wrong value: x; z or y",
                  "in/c.ini:4:13: OpenSides has a wrong value: rear, top; any of front, rear, left, right, roof, "
                  "separated by spaces or commas"});
@@ -163,7 +163,7 @@ TEST_CASE("config_reader: a line too long for the parser is an error, not a cut"
   CHECK(longest->settings.save_path == std::string(187, 'p'));
   CHECK(errors_of(start + std::string(188, 'p') + "\n[Contact]\nBoxBox = x\n") ==
         Messages{"in/c.ini:2:1: the line is too long: 199 bytes; at most 198",
-                 "in/c.ini:4:10: BoxBox has a wrong value: x; a number of at least 0"});
+                 "in/c.ini:4:10: BoxBox has a wrong value: x; a number from 0 to 1000000"});
 }
 
 TEST_CASE("config_reader: a zero byte does not hide the rest of a line", "[io][config_reader]") {

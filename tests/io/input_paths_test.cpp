@@ -73,7 +73,11 @@ TEST_CASE("input_paths: the kind of a file shows in its first lines", "[io][inpu
   CHECK(classify("1\n0 0 nan 80 1,5 106 wood\n") == InputKind::layout);
   CHECK(classify("0 1 zero 0 0\n") == InputKind::acceleration);
   CHECK(classify("3 1 # seed=12\n0 0 0 80 59 106 1\n") == InputKind::layout);
+  CHECK(classify("seed=12 boxes=1\n0 0 0 80 59 106 1\n") == InputKind::layout);
+  CHECK(classify("BoxBox = 0.5\nBoxWall = 0.5\n") == InputKind::config);
   CHECK(classify("0 1 0 0 0 # a=0\n") == InputKind::acceleration);
+  CHECK(classify("1 2 \r\n\t0\t0 0 80  59 106 1x # c\r\n") == InputKind::layout);
+  CHECK(classify("time duration x y z\n0 1 0 0 0") == InputKind::acceleration);
   CHECK(classify("A licence in words.\nThese are seven words or some more.\n") == InputKind::unknown);
   CHECK(classify("These are five words exactly\n") == InputKind::unknown);
   CHECK(classify("") == InputKind::unknown);

@@ -74,6 +74,16 @@ TEST_CASE("layout_reader: numbers must be whole, finite, decimal", "[io][layout_
         Messages{std::string("a.txt:2:11: z2 of box 1 is not a number: 9cm") + kNumber});
 }
 
+TEST_CASE("layout_reader: a corner that no container reaches is a slip", "[io][layout_reader]") {
+  Settings open;
+  open.container.open_sides = {"front", "rear"};
+  const std::string accepted = "; a number of cm from -1000000 to 1000000";
+  CHECK(messages_of(parse("1\n-1e300 0 0 1000001 9 9 1", open)) ==
+        Messages{"a.txt:2:1: x1 of box 1 is too far away: -1e300" + accepted,
+                 "a.txt:2:12: x2 of box 1 is too far away: 1000001" + accepted});
+  CHECK(parse("1\n-1000000 0 0 1000000 9 9 1", open));
+}
+
 TEST_CASE("layout_reader: the material is a whole number from 0", "[io][layout_reader]") {
   for (const std::string bad : {"1.0", "-1", "wood", "2147483648", "99999999999999999999"}) {
     CHECK(errors_of("0 0 0 9 9 9 " + bad) ==
@@ -117,7 +127,7 @@ TEST_CASE("layout_reader: the geometry is checked", "[io][layout_reader]") {
         Messages{
             "a.txt:3: box 2 overlaps box 1 of line 2: 10 mm deep; boxes may touch; up to 0.1 mm is taken as rounding"});
   CHECK(errors_of("0 0 0 80 59 0 1") == Messages{"a.txt:2: box 1 has no height: 0 cm; the second corner must be beyond "
-                                                 "the first along every axis"});
+                                                 "the first along every axis, by more than 0.1 mm"});
   CHECK(errors_of("0 0 0 600 59 100 1") ==
         Messages{"a.txt:2: box 1 is outside the container at the rear: 130 mm; the container is 587 x 233 x 220 cm"});
 }

@@ -4,22 +4,17 @@
 
 #include <atomic>
 #include <csignal>
-#include <cstring>
 #include <thread>
 
 #include "io/hdf5_file.hpp"
 #include "io/results_columns.hpp"
 #include "io/results_fixture.hpp"
 #include "io/summary.hpp"
+#include "same_bits.hpp"
 
 using namespace results_fixture;
 
 namespace {
-
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
 
 void check_series(const Series& got, const Series& put) {
   CHECK(same_bits(got.time, put.time));

@@ -15,6 +15,7 @@
 #include "io/layout_reader.hpp"
 #include "io/text_file.hpp"
 #include "random.hpp"
+#include "same_bits.hpp"
 #include "scenes.hpp"
 
 /// What tests of an engine's physics measure, from outside the engine, and the scenes that they measure it on.
@@ -115,13 +116,6 @@ inline void watch(const Engine& engine, const Layout& layout, const Motion& moti
 inline void fix(WorldBatch& batch, std::size_t i) {
   batch.boxes.mass[i] = std::numeric_limits<double>::infinity();
   batch.boxes.inertia[i].setConstant(std::numeric_limits<double>::infinity());
-}
-
-inline bool same_bits(const StateColumns& a, const StateColumns& b) {
-  const auto whole = [](const StateColumns& s) {
-    return StateView{s.position, s.orientation, s.velocity, s.angular_velocity};
-  };
-  return a.position.size() == b.position.size() && state_hash(whole(a)) == state_hash(whole(b));
 }
 
 /// Names of the layouts that come with the program.

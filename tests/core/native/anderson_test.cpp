@@ -30,7 +30,7 @@ struct OneNumber {
 
 }  // namespace
 
-TEST_CASE("anderson: of a linear iteration in one direction the second step is the last", "[native][anderson]") {
+TEST_CASE("anderson: of a linear iteration in one direction the second step is the last", "[core][anderson]") {
   // x <- 0.9 x + 1 ends at 10.
   OneNumber one;
   Anderson anderson;
@@ -39,7 +39,7 @@ TEST_CASE("anderson: of a linear iteration in one direction the second step is t
   CHECK(one.next(anderson, 1.9, 0.9) == Approx(10.0));
 }
 
-TEST_CASE("anderson: pauses grow with every residual that jumps, and never end by themselves", "[native][anderson]") {
+TEST_CASE("anderson: pauses grow with every residual that jumps, and never end by themselves", "[core][anderson]") {
   OneNumber one;
   Anderson anderson;
   anderson.restart();

@@ -3,10 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <numeric>
 
 #include "random.hpp"
+#include "same_bits.hpp"
 
 using namespace holdfast;
 using namespace holdfast::native;
@@ -94,10 +94,6 @@ double error_of(const std::vector<BodyVector>& x, const System& system) {
     for (std::size_t k = 0; k < kBodyRows; ++k)
       worst = std::max(worst, std::abs(x[i].row[k] - exact[static_cast<Eigen::Index>(i * kBodyRows + k)]));
   return worst / exact.cwiseAbs().maxCoeff();
-}
-
-bool same_bits(const std::vector<BodyVector>& a, const std::vector<BodyVector>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(BodyVector)) == 0;
 }
 
 }  // namespace

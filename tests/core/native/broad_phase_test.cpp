@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "random.hpp"
+
+using holdfast::Random;
 using holdfast::Vec3;
 using holdfast::native::BroadPhase;
 using holdfast::native::IndexPair;
@@ -48,29 +51,17 @@ std::vector<IndexPair> brute_force(const Bounds& bounds) {
   return pairs;
 }
 
-/// Numbers in [0, 1) that are the same with every standard library.
-class Dice {
- public:
-  double operator()() {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<double>(state_ >> 11U) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_ = 17;
-};
-
 /// Boxes in a room, on a grid of 0.1 m so that many only just touch.
-Bounds scattered(Dice& dice, std::size_t count, const Vec3& room, double awake) {
+Bounds scattered(Random& random, std::size_t count, const Vec3& room, double awake) {
   Bounds bounds;
   for (std::size_t n = 0; n < count; ++n) {
     Vec3 low;
     Vec3 high;
     for (int k = 0; k < 3; ++k) {
-      low[k] = 0.1 * std::floor(10.0 * room[k] * dice());
-      high[k] = low[k] + 0.1 * std::floor(1.0 + 6.0 * dice());
+      low[k] = 0.1 * random.below(static_cast<std::uint32_t>(10.0 * room[k]));
+      high[k] = low[k] + 0.1 * (1.0 + random.below(6));
     }
-    bounds.add(low, high, dice() < awake);
+    bounds.add(low, high, random.between(0, 1) < awake);
   }
   return bounds;
 }
@@ -107,14 +98,14 @@ TEST_CASE("broad_phase: no boxes and one box have no pairs", "[core][broad_phase
 }
 
 TEST_CASE("broad_phase: finds what comparing all with all finds, in its order", "[core][broad_phase]") {
-  Dice dice;
+  Random random(17);
   BroadPhase phase;
   std::size_t pairs = 0;
   for (int round = 0; round < 200; ++round) {
     // Long in each direction in turn; sizes change between calls as between worlds.
     Vec3 room(2.0, 2.0, 2.0);
     room[round % 3] = 12.0;
-    const Bounds bounds = scattered(dice, static_cast<std::size_t>(150.0 * dice()), room, dice());
+    const Bounds bounds = scattered(random, random.below(150), room, random.between(0, 1));
     const std::vector<IndexPair> expected = brute_force(bounds);
     const std::vector<IndexPair> got = found(phase, bounds);
     CAPTURE(round, bounds.lower.size(), expected.size(), got.size());
@@ -126,17 +117,17 @@ TEST_CASE("broad_phase: finds what comparing all with all finds, in its order", 
 }
 
 TEST_CASE("broad_phase: follows boxes that move from step to step", "[core][broad_phase]") {
-  Dice dice;
+  Random random(17);
   BroadPhase phase;
-  Bounds bounds = scattered(dice, 120, {6.0, 2.4, 2.4}, 0.7);
+  Bounds bounds = scattered(random, 120, {6.0, 2.4, 2.4}, 0.7);
   for (int step = 0; step < 200; ++step) {
     for (std::size_t i = 0; i < bounds.lower.size(); ++i) {
       // The load is drawn out along y, until that is the longest way.
-      Vec3 shift(0.2 * (dice() - 0.5), 0.2 * (dice() - 0.5), 0.2 * (dice() - 0.5));
+      Vec3 shift = random.vector(-0.1, 0.1);
       shift.y() += 0.001 * static_cast<double>(i);
       bounds.lower[i] += shift;
       bounds.upper[i] += shift;
-      bounds.awake[i] = dice() < 0.7 ? 1 : 0;
+      bounds.awake[i] = random.below(10) < 7 ? 1 : 0;
     }
     const std::vector<IndexPair> expected = brute_force(bounds);
     const std::vector<IndexPair> got = found(phase, bounds);
@@ -148,8 +139,8 @@ TEST_CASE("broad_phase: follows boxes that move from step to step", "[core][broa
 }
 
 TEST_CASE("broad_phase: bounds that are not numbers overlap none and hide none", "[core][broad_phase]") {
-  Dice dice;
-  Bounds bounds = scattered(dice, 80, {3.0, 2.0, 2.0}, 1.0);
+  Random random(17);
+  Bounds bounds = scattered(random, 80, {3.0, 2.0, 2.0}, 1.0);
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   bounds.lower[3].x() = bounds.upper[3].x() = nan;

@@ -8,8 +8,10 @@
 
 #include "core/native/boxes.hpp"
 #include "core/native/contact_geometry.hpp"
+#include "random.hpp"
 
 using namespace holdfast::native;
+using holdfast::Random;
 using holdfast::Vec3;
 
 namespace {
@@ -114,34 +116,18 @@ double distance_of(const OrientedBox& a, const OrientedBox& b) {
   return least;
 }
 
-/// Numbers that are the same with every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
+/// From plates to cubes. One throw a line: arguments are evaluated in no given order.
+OrientedBox any_box(Random& random, double reach, double largest_angle) {
+  const Vec3 size{random.between(0.01, 1.0), random.between(0.1, 1.0), random.between(0.3, 1.0)};
+  const Vec3 centre = random.vector(-reach, reach);
+  const Vec3 axis = random.vector(-1.0, 1.0);
+  return turned(box_at(centre, size), axis, random.between(0.0, largest_angle));
+}
 
-  double between(double low, double high) {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (static_cast<double>(state_ >> 11U) * 0x1p-53);
-  }
-
-  Vec3 vector(double low, double high) { return {between(low, high), between(low, high), between(low, high)}; }
-
-  /// From plates to cubes. One throw a line: arguments are evaluated in no given order.
-  OrientedBox box(double reach, double largest_angle) {
-    const Vec3 size{between(0.01, 1.0), between(0.1, 1.0), between(0.3, 1.0)};
-    const Vec3 centre = vector(-reach, reach);
-    const Vec3 axis = vector(-1.0, 1.0);
-    return turned(box_at(centre, size), axis, between(0.0, largest_angle));
-  }
-
-  OrientedBox aligned_box(double reach) {
-    const Vec3 centre = vector(-reach, reach);
-    return box_at(centre, vector(0.05, 1.0));
-  }
-
- private:
-  std::uint64_t state_;
-};
+OrientedBox aligned_box(Random& random, double reach) {
+  const Vec3 centre = random.vector(-reach, reach);
+  return box_at(centre, random.vector(0.05, 1.0));
+}
 
 /// What every contact must be, whatever the boxes.
 void check_consistent(const ContactSet& contact, const OrientedBox& a, const OrientedBox& b, double margin) {
@@ -167,11 +153,11 @@ void check_consistent(const ContactSet& contact, const OrientedBox& a, const Ori
 
 TEST_CASE("contact_geometry: points lie on both surfaces, and exchanging the boxes turns the contact round",
           "[core][contact_geometry]") {
-  Dice dice(1);
+  Random random(1);
   int contacts = 0;
   for (int round = 0; round < 20000; ++round) {
-    const OrientedBox a = dice.box(0.5, 1.5);
-    const OrientedBox b = dice.box(0.5, 1.5);
+    const OrientedBox a = any_box(random, 0.5, 1.5);
+    const OrientedBox b = any_box(random, 0.5, 1.5);
     CAPTURE(round, a.centre.transpose(), b.centre.transpose(), a.half_extents.transpose(), b.half_extents.transpose());
     const ContactSet contact = contact_of(a, b, kMargin, kNoAxis);
     check_consistent(contact, a, b, kMargin);
@@ -197,12 +183,12 @@ TEST_CASE("contact_geometry: points lie on both surfaces, and exchanging the box
 
 TEST_CASE("contact_geometry: boxes further apart than the margin have no contact", "[core][contact_geometry]") {
   constexpr double kWide = 0.05;
-  Dice dice(2);
+  Random random(2);
   int apart = 0;
   int within = 0;
   for (int round = 0; round < 20000; ++round) {
-    const OrientedBox a = dice.box(0.6, 1.5);
-    const OrientedBox b = dice.box(0.6, 1.5);
+    const OrientedBox a = any_box(random, 0.6, 1.5);
+    const OrientedBox b = any_box(random, 0.6, 1.5);
     if (greatest_separation(a, b) <= 0.0) continue;
     const double distance = distance_of(a, b);
     const ContactSet contact = contact_of(a, b, kWide, kNoAxis);
@@ -227,13 +213,13 @@ TEST_CASE("contact_geometry: boxes that overlap are parted along the axis of lea
           "[core][contact_geometry]") {
   // Handicap of edges, hysteresis and ties together: the axis may be worse than the best by this.
   constexpr double kTolerated = 90e-6;
-  Dice dice(3);
+  Random random(3);
   int overlapping = 0;
   for (int round = 0; round < 20000; ++round) {
     // Every other pair is nearly aligned.
     const double angle = round % 2 == 0 ? 1.5 : 0.004;
-    const OrientedBox a = dice.box(0.4, angle);
-    const OrientedBox b = dice.box(0.4, angle);
+    const OrientedBox a = any_box(random, 0.4, angle);
+    const OrientedBox b = any_box(random, 0.4, angle);
     const double separation = greatest_separation(a, b);
     if (separation > -1e-4) continue;
     ++overlapping;
@@ -255,12 +241,12 @@ TEST_CASE("contact_geometry: boxes that overlap are parted along the axis of lea
 }
 
 TEST_CASE("contact_geometry: a contact moves with its boxes", "[core][contact_geometry]") {
-  Dice dice(4);
+  Random random(4);
   for (int round = 0; round < 2000; ++round) {
-    OrientedBox a = dice.box(0.4, 1.5);
-    OrientedBox b = dice.box(0.4, 1.5);
+    OrientedBox a = any_box(random, 0.4, 1.5);
+    OrientedBox b = any_box(random, 0.4, 1.5);
     const ContactSet here = contact_of(a, b, kMargin, kNoAxis);
-    const Vec3 shift = dice.vector(-20.0, 20.0);
+    const Vec3 shift = random.vector(-20.0, 20.0);
     a.centre += shift;
     b.centre += shift;
     const ContactSet there = contact_of(a, b, kMargin, kNoAxis);
@@ -275,11 +261,11 @@ TEST_CASE("contact_geometry: a contact moves with its boxes", "[core][contact_ge
 }
 
 TEST_CASE("contact_geometry: the path of aligned boxes agrees with that of rotated ones", "[core][contact_geometry]") {
-  Dice dice(5);
+  Random random(5);
   int contacts = 0;
   for (int round = 0; round < 5000; ++round) {
-    const OrientedBox a = dice.aligned_box(0.4);
-    const OrientedBox b = dice.aligned_box(0.4);
+    const OrientedBox a = aligned_box(random, 0.4);
+    const OrientedBox b = aligned_box(random, 0.4);
     OrientedBox rotated = b;
     rotated.aligned = false;
     const ContactSet aligned = contact_of(a, b, kMargin, kNoAxis);

@@ -7,7 +7,7 @@
 
 #include "core/native/each_instruction_set.hpp"
 #include "core/native/random_contacts.hpp"
-#include "core/native/same_bits.hpp"
+#include "same_bits.hpp"
 
 using namespace holdfast;
 using namespace holdfast::native;
@@ -91,7 +91,7 @@ Wrench total(const LaneWrench& wrench) {
 }
 
 /// Impulses and slips only: a patch has padding.
-bool same_bits(const std::vector<Patch>& a, const std::vector<Patch>& b) {
+bool same_patches(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Patch& p, const Patch& q) {
     return same_bits(std::vector{p.impulse}, std::vector{q.impulse}) &&
            same_bits(std::vector{p.slip}, std::vector{q.slip});
@@ -222,7 +222,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
     CAPTURE(&out - &first);
     CHECK(out.mismatch.largest == first.mismatch.largest);
     CHECK(out.mismatch.squares == first.mismatch.squares);
-    CHECK(same_bits(out.patches, first.patches));
+    CHECK(same_patches(out.patches, first.patches));
     CHECK(same_bits(out.swept, first.swept));
     CHECK(same_bits(out.added, first.added));
     CHECK(out.product == first.product);

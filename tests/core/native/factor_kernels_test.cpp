@@ -7,7 +7,7 @@
 
 #include "core/native/each_instruction_set.hpp"
 #include "core/native/random_contacts.hpp"
-#include "core/native/same_bits.hpp"
+#include "same_bits.hpp"
 
 using namespace holdfast;
 using namespace holdfast::native;

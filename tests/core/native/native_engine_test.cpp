@@ -126,10 +126,8 @@ TEST_CASE("native_engine: a stack of ten stays below its limit and slides above 
       settings.native.accuracy = accuracy;
       const Run below = native_run(layout, constant(share * limit, 1), settings);
       CAPTURE(static_cast<int>(accuracy), share, text(largest_displacement(below)));
-      CHECK(largest_displacement(below) < 1e-9);
-      CHECK(below.state.velocity[9] == Vec3::Zero());
+      CHECK(stayed(below));
       CHECK(below.record.outcome.status == Status::ok);
-      if (accuracy == Accuracy::reference) CHECK(stayed(below));
     }
   }
   // The stack goes as one: only its lowest box slides.
@@ -143,16 +141,6 @@ TEST_CASE("native_engine: a stack of ten stays below its limit and slides above 
       worst = std::max(worst, (above.displacement(i) + Vec3(path, 0, 0)).norm() / path);
     CAPTURE(static_cast<int>(accuracy), text(worst));
     CHECK(worst < bound);
-  }
-}
-
-TEST_CASE("native_engine: a stack of ten at rest does not move at all at standard accuracy", "[core][native_engine]") {
-  Settings settings = open_floor(0.4);
-  settings.contact.box_box = 0.8;
-  for (const double share : {0.0, 0.999}) {
-    const Run below = native_run(stack(10, {10, 10, 0}, {1, 1, 0.2}), constant(share * 0.4 * kGravity, 1), settings);
-    CAPTURE(share, text(largest_displacement(below)));
-    CHECK(stayed(below));
   }
 }
 
