@@ -63,7 +63,7 @@ struct Golden {
 constexpr Golden kGolden[] = {
     {"brake", brake, 0xbaf279784f776689},
     {"lean", lean, 0x598a51e3df923ed8},
-    {"tumble", tumble, 0xe5bdc345cda10082},
+    {"tumble", tumble, 0xbbf1a15cee1ab006},
     {"drop", drop, 0x1e1b60d96986a19a},
 };
 

@@ -103,7 +103,7 @@ void check_random_scenes(Accuracy accuracy, const Bounds& bounds) {
 
 /// Boxes in any orientation that fall onto each other.
 void check_tumbling(const Bounds& bounds) {
-  for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 16; ++seed) {
     Random random(seed);
     Layout layout = layout_of({});
     for (int i = 0; i < 8; ++i) {
@@ -152,7 +152,34 @@ TEST_CASE("native_invariants: the deepest penetration that is told is the one th
       CAPTURE(seed, static_cast<int>(accuracy), text(seen), text(told));
       // Of two ways out of each other a contact keeps the one it had while they are near ties.
       CHECK(told > 0.95 * seen - 1e-9);
-      CHECK(told < 1.5 * seen + 1e-9);
+      CHECK(told < 3 * seen + 1e-9);
+    }
+  }
+}
+
+// Expected: without friction impacts that rebound keep the energy, whoever hits whom; the floor's and the wall's
+// rounding and what a contact may overlap are all that is left.
+TEST_CASE("native_invariants: a row of elastic boxes rattles between walls and gains no energy",
+          "[physics][native_invariants]") {
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    const std::uint32_t count = 2 + random.below(4);
+    const double gap = random.between(1e-5, 1e-3);
+    Layout layout = layout_of({});
+    for (std::uint32_t i = 0; i < count; ++i)
+      layout.boxes.push_back(box({gap + i * (0.3 + gap), 0.3, 0}, {0.3, 0.3, 0.3}));
+    const double speed = random.between(0.2, 6);
+    for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard}) {
+      Settings settings = open_floor(0.0);
+      settings.container.size = {gap + count * (0.3 + gap), 1, 1};
+      settings.contact.restitution = 1.0;
+      settings.native.accuracy = accuracy;
+      const Worst worst = worst_of(layout, constant(0, 0.3), settings, [&](WorldBatch& batch) {
+        batch.state.velocity[0].x() = speed;
+        if (count > 2) batch.state.velocity[2].x() = -0.7 * speed;
+      });
+      CAPTURE(seed, static_cast<int>(accuracy), count, text(worst.rise));
+      CHECK(worst.rise < 1e-3);
     }
   }
 }

@@ -14,6 +14,9 @@ namespace {
 /// The point of two edges and a corner of a face's contact that are nearer than this are one, m.
 constexpr double kSameEdgePoint = 1e-3;
 
+/// Points of a face contact that are farther than the point of two edges by more than this are not beside it, m.
+constexpr double kBesideEdge = 1e-3;
+
 /// Signs of the corners of a rectangle, around it.
 constexpr std::array<std::array<double, 2>, 4> kAround = {{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
 
@@ -99,11 +102,16 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
 /// Whether the point of two edges is one of several of the faces' contact. What faces overlap beyond each other's sides
 /// makes them worse than those edges, and has no part in the contact: a box that has sunk a little into the edge that
 /// it lies on has that edge in its face, and needs both of its ends. With the one point of two edges it would be held
-/// at one end, sink at the other, and go on so from step to step.
+/// at one end, sink at the other, and go on so from step to step. Points farther away hold nothing beside it: how far
+/// contacts are looked for must not decide.
 bool has_point_of(const ContactSet& faces, const ContactSet& edges) {
   const ContactPoint& wanted = edges.points[0];
-  return faces.count > 1 &&
-         std::any_of(faces.points.begin(), faces.points.begin() + faces.count, [&](const ContactPoint& point) {
+  const auto end = faces.points.begin() + faces.count;
+  const auto is_beside = [&](const ContactPoint& point) {
+    return point.gap <= std::max(0.0, wanted.gap) + kBesideEdge;
+  };
+  return std::count_if(faces.points.begin(), end, is_beside) > 1 &&
+         std::any_of(faces.points.begin(), end, [&](const ContactPoint& point) {
            return std::abs(point.gap - wanted.gap) <= kEdgeHandicap &&
                   (point.on_a - wanted.on_a).squaredNorm() + (point.on_b - wanted.on_b).squaredNorm() <=
                       kSameEdgePoint * kSameEdgePoint;

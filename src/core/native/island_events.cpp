@@ -111,7 +111,10 @@ bool IslandStepper::pass_on(const Scene& scene, const IslandView& island, const 
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const auto bit = static_cast<std::uint8_t>(1U << i);
-      if ((struck_[index] & bit) != 0 || !is_solved(point, parting(bodies, manifold, point), terms, step)) continue;
+      const double before = parting(bodies, manifold, point);
+      if ((struck_[index] & bit) != 0 || !is_solved(point, before, terms, step)) continue;
+      // An impulse on what parts already gives energy, which nothing takes where impacts rebound.
+      if (manifold.restitution > 0.0 && before > kSlipShare * terms.velocity_unit) continue;
       touching_[index] |= bit;
       const double after = end_parting(bodies, manifold, point);
       pushes = pushes || std::max(0.0, point.gap) + step * after < -kSlipShare * terms.velocity_unit * step;

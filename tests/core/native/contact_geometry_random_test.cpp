@@ -181,6 +181,22 @@ TEST_CASE("contact_geometry: points lie on both surfaces, and exchanging the box
   CHECK(contacts > 5000);
 }
 
+TEST_CASE("contact_geometry: how far contacts are looked for does not decide along what", "[core][contact_geometry]") {
+  Random random(7);
+  int edges = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const OrientedBox a = any_box(random, 0.5, 1.5);
+    const OrientedBox b = any_box(random, 0.5, 1.5);
+    const ContactSet near = contact_of(a, b, 0.01, kNoAxis);
+    const double gap = least_gap(near);
+    if (near.count == 0 || std::abs(gap) > 5e-3) continue;
+    CAPTURE(round, gap);
+    CHECK(contact_of(a, b, 0.3, kNoAxis).normal == near.normal);
+    edges += near.axis.kind == ContactAxis::Kind::edges ? 1 : 0;
+  }
+  CHECK(edges > 20);
+}
+
 TEST_CASE("contact_geometry: boxes further apart than the margin have no contact", "[core][contact_geometry]") {
   constexpr double kWide = 0.05;
   Random random(2);
