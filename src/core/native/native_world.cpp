@@ -307,6 +307,40 @@ bool NativeWorld::merge_overlapping() {
   return true;
 }
 
+/// Whether a body that a blow has turned off its course has passed another in the step: contacts are looked for along
+/// the courses at its start, and bodies that are apart again show nothing.
+bool NativeWorld::has_passed_unseen(double step) const {
+  const Bodies& bodies = scene_.bodies;
+  const std::size_t stride = bodies.count() + scene_.sides.size();
+  const auto shift = [&](std::size_t i) -> Vec3 {
+    if (moving_[i] == 0) return Vec3::Zero();
+    return bodies.state.position[i] - before_.position[i];
+  };
+  const auto extent = [&](std::size_t i) -> Vec3 {
+    return bodies.shape[i].axes.cwiseAbs() * bodies.shape[i].half_extents;
+  };
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (moving_[i] == 0 || (shift(i) - step * before_.velocity[i]).norm() <= terms_.reach) continue;
+    for (std::size_t j = 0; j < bodies.count(); ++j) {
+      if (j == i || slot_[std::max(i, j) * stride + std::min(i, j)] >= 0) continue;
+      const Vec3 apart = bodies.shape[i].centre - bodies.shape[j].centre;
+      const Vec3 apart_before = apart - (shift(i) - shift(j));
+      const Vec3 room = extent(i) + extent(j);
+      for (int k = 0; k < 3; ++k) {
+        if (!(apart_before[k] * apart[k] < 0.0) ||
+            std::min(std::abs(apart_before[k]), std::abs(apart[k])) < room[k] - options_.deep_overlap)
+          continue;
+        // Where they were level along this axis, were they across each other along the others?
+        const double share = apart_before[k] / (apart_before[k] - apart[k]);
+        Vec3 level = (apart_before + share * (apart - apart_before)).cwiseAbs();
+        level[k] = 0.0;
+        if ((level.array() < room.array()).all()) return true;
+      }
+    }
+  }
+  return false;
+}
+
 double NativeWorld::step_moving() {
   scene_.undo.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
@@ -361,6 +395,7 @@ void NativeWorld::take_step(double step, int halvings) {
   }
   met_deep_ = false;
   const double residual = step_moving();
+  met_deep_ = met_deep_ || has_passed_unseen(step);
   find_contacts(moving_);
   if ((!met_deep_ && residual <= kBadResidual) || halvings == kHalvings) {
     counters_.max_residual = std::max(counters_.max_residual, residual);

@@ -37,6 +37,7 @@ class NativeWorld {
   bool is_moving(const Manifold& manifold) const;
   bool activate_predicted();
   bool merge_overlapping();
+  bool has_passed_unseen(double step) const;
   void spread_motion();
   double step_moving();
   void take_step(double step, int halvings);

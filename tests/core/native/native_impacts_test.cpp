@@ -90,6 +90,37 @@ TEST_CASE("native_impacts: a thin plate stops another that comes fast, right aft
   }
 }
 
+// Expected: the blow gives the light plate its speed within the step, beyond the fixed one, which it stands still above
+// before: there is no contact to look along.
+TEST_CASE("native_impacts: a plate that is struck does not pass the one behind it", "[core][native_impacts]") {
+  for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard}) {
+    for (const double speed : {3.0, 6.0}) {
+      for (const double thickness : {0.005, 0.01, 0.02, 0.05}) {
+        for (const double gap : {0.003, 0.01, 0.03}) {
+          Settings settings = with(accuracy, open_floor(0.5));
+          settings.materials[1].mass = 5;
+          settings.materials[2].mass = 500;
+          const Layout layout =
+              layout_of({box({9, 9, 1 - thickness}, {2, 2, thickness}), box({9.7, 9.7, 1 + gap}, {0.6, 0.6, thickness}),
+                         box({9.7, 9.7, 1.002 + gap + thickness}, {0.6, 0.6, 0.3}, 2)});
+          double lowest = 1.0;
+          watch(
+              NativeEngine(settings), layout, constant(0, 0.3), settings,
+              [&](WorldBatch& batch) {
+                fix(batch, 0);
+                batch.state.velocity[2].z() = -speed;
+              },
+              [&](const WorldBatch& batch, const Phase&) {
+                lowest = std::min(lowest, batch.state.position[1].z() - 0.5 * thickness);
+              });
+          CAPTURE(static_cast<int>(accuracy), speed, thickness, gap, text(lowest - 1));
+          CHECK(lowest > 1 - 1e-3);
+        }
+      }
+    }
+  }
+}
+
 // Expected: it slides to the fixed box, comes back as fast as it went, and hands its speed to the other, which slides
 // on; what it meets on its way back was no neighbour in contact before.
 TEST_CASE("native_impacts: a box goes from one impact to the next within a step", "[core][native_impacts]") {
