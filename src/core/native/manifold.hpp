@@ -42,7 +42,6 @@ struct Manifold {
   }
 
   bool with_side() const { return a < 0; }
-  std::size_t side() const { return static_cast<std::size_t>(-1 - a); }
 };
 
 /// The manifold's directions: the normal and two tangents that depend on it alone.

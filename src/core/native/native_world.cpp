@@ -47,6 +47,27 @@ std::vector<Side> sides_of(const ContainerSettings& container) {
   return sides;
 }
 
+/// Whether an end of the manifold is among the marked bodies. What is fixed never is.
+bool has_end_in(const Manifold& manifold, const std::vector<std::uint8_t>& marked) {
+  return marked[at(manifold.b)] != 0 || (!manifold.with_side() && marked[at(manifold.a)] != 0);
+}
+
+/// Whether two boxes went from one side of each other to the other.
+/// @param before,after from the one's centre to the other's, m
+/// @param room         how near these can be, along each axis, before the boxes overlap, m
+/// @param slack        overlap along an axis that does not count, m
+bool have_passed(const Vec3& before, const Vec3& after, const Vec3& room, double slack) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(before[k] * after[k] < 0.0)) continue;
+    if (std::min(std::abs(before[k]), std::abs(after[k])) < room[k] - slack) continue;
+    // Where they were level along this axis, were they across each other along the others?
+    Vec3 level = (before + before[k] / (before[k] - after[k]) * (after - before)).cwiseAbs();
+    level[k] = 0.0;
+    if ((level.array() < room.array()).all()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings,
@@ -82,10 +103,16 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   }
 }
 
+/// Place in `slot_` of the pair of body or side `a` and body `b`; of two bodies `a` is the first.
+std::size_t NativeWorld::slot_index(std::int32_t a, std::int32_t b) const {
+  const std::size_t count = scene_.bodies.count();
+  const std::size_t other = a < 0 ? count + static_cast<std::size_t>(-1 - a) : at(a);
+  return at(b) * (count + scene_.sides.size()) + other;
+}
+
 void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const Bodies& bodies = scene_.bodies;
-  const std::size_t other = a < 0 ? bodies.count() + static_cast<std::size_t>(-1 - a) : at(a);
-  std::int32_t& slot = slot_[at(b) * (bodies.count() + scene_.sides.size()) + other];
+  std::int32_t& slot = slot_[slot_index(a, b)];
   static const ContactSet kNone;
   const ContactSet& before = slot < 0 ? kNone : scene_.manifolds[at(slot)].contact;
   const ContactSet contact = contact_now(bodies, scene_.sides, a, b, contact_reach(terms_, bodies, a, b), before.axis);
@@ -108,9 +135,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
 
 void NativeWorld::end_manifold(std::size_t index) {
   const auto slot_of = [&](const Manifold& manifold) -> std::int32_t& {
-    const std::size_t count = scene_.bodies.count();
-    const std::size_t other = manifold.with_side() ? count + manifold.side() : at(manifold.a);
-    return slot_[at(manifold.b) * (count + scene_.sides.size()) + other];
+    return slot_[slot_index(manifold.a, manifold.b)];
   };
   slot_of(scene_.manifolds[index]) = -1;
   if (index + 1 < scene_.manifolds.size()) {
@@ -128,7 +153,7 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
     const double speed = bodies.state.velocity[i].norm() + bodies.spin(i);
-    const Vec3 extent = (box.axes.cwiseAbs() * box.half_extents).array() + 0.5 * contact_reach(terms_, 2.0 * speed);
+    const Vec3 extent = box.reach_along_axes().array() + 0.5 * contact_reach(terms_, 2.0 * speed);
     lower_[i] = box.centre - extent;
     upper_[i] = box.centre + extent;
     if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
@@ -215,10 +240,6 @@ void NativeWorld::restore(std::size_t body) {
   bodies.update_shape(body);
 }
 
-bool NativeWorld::is_moving(const Manifold& manifold) const {
-  return moving_[at(manifold.b)] != 0 || (!manifold.with_side() && moving_[at(manifold.a)] != 0);
-}
-
 /// Activates the pairs that would overlap after the step if velocities changed as in the last one: solving without
 /// them first would be in vain.
 bool NativeWorld::activate_predicted() {
@@ -233,7 +254,7 @@ bool NativeWorld::activate_predicted() {
   };
   bool any = false;
   for (Manifold& manifold : scene_.manifolds) {
-    if (manifold.active || !is_moving(manifold)) continue;
+    if (manifold.active || !has_end_in(manifold, moving_)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
@@ -263,7 +284,7 @@ bool NativeWorld::merge_overlapping() {
       continue;
     const std::uint32_t of_a = islands_.of(at(manifold.a));
     const std::uint32_t of_b = islands_.of(at(manifold.b));
-    if (of_a == of_b || !is_moving(manifold)) continue;
+    if (of_a == of_b || !has_end_in(manifold, moving_)) continue;
     const std::size_t together = islands_[of_a].bodies.size() + islands_[of_b].bodies.size();
     const double overlap = least_overlap(terms_, options_.effort(together).late_overlap);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
@@ -288,19 +309,15 @@ bool NativeWorld::merge_overlapping() {
       restore(body);
     }
   }
-  // A contact belongs to the island that its free ends are of: what is fixed is never put back.
-  const auto is_restored = [&](const Manifold& manifold) {
-    return restored_[at(manifold.b)] != 0 || (!manifold.with_side() && restored_[at(manifold.a)] != 0);
-  };
   // Backwards: of several copies the first one counts. What is active stays active.
   for (auto copy = scene_.undo.rbegin(); copy != scene_.undo.rend(); ++copy) {
     Manifold& manifold = scene_.manifolds[copy->first];
-    if (!is_restored(manifold)) continue;
+    if (!has_end_in(manifold, restored_)) continue;
     const bool active = manifold.active;
     manifold = copy->second;
     manifold.active = active;
   }
-  std::erase_if(scene_.undo, [&](const auto& copy) { return is_restored(scene_.manifolds[copy.first]); });
+  std::erase_if(scene_.undo, [&](const auto& copy) { return has_end_in(scene_.manifolds[copy.first], restored_); });
   // Who was merged moves now.
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (restored_[i] != 0) moving_[i] = 2;
@@ -308,34 +325,24 @@ bool NativeWorld::merge_overlapping() {
 }
 
 /// Whether a body that a blow has turned off its course has passed another in the step: contacts are looked for along
-/// the courses at its start, and bodies that are apart again show nothing.
+/// the courses at its start, and bodies that are apart again, or nearly, show nothing.
 bool NativeWorld::has_passed_unseen(double step) const {
   const Bodies& bodies = scene_.bodies;
-  const std::size_t stride = bodies.count() + scene_.sides.size();
   const auto shift = [&](std::size_t i) -> Vec3 {
     if (moving_[i] == 0) return Vec3::Zero();
     return bodies.state.position[i] - before_.position[i];
   };
-  const auto extent = [&](std::size_t i) -> Vec3 {
-    return bodies.shape[i].axes.cwiseAbs() * bodies.shape[i].half_extents;
-  };
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (moving_[i] == 0 || (shift(i) - step * before_.velocity[i]).norm() <= terms_.reach) continue;
     for (std::size_t j = 0; j < bodies.count(); ++j) {
-      if (j == i || slot_[std::max(i, j) * stride + std::min(i, j)] >= 0) continue;
-      const Vec3 apart = bodies.shape[i].centre - bodies.shape[j].centre;
-      const Vec3 apart_before = apart - (shift(i) - shift(j));
-      const Vec3 room = extent(i) + extent(j);
-      for (int k = 0; k < 3; ++k) {
-        if (!(apart_before[k] * apart[k] < 0.0) ||
-            std::min(std::abs(apart_before[k]), std::abs(apart[k])) < room[k] - options_.deep_overlap)
-          continue;
-        // Where they were level along this axis, were they across each other along the others?
-        const double share = apart_before[k] / (apart_before[k] - apart[k]);
-        Vec3 level = (apart_before + share * (apart - apart_before)).cwiseAbs();
-        level[k] = 0.0;
-        if ((level.array() < room.array()).all()) return true;
-      }
+      const auto first = static_cast<std::int32_t>(std::min(i, j));
+      const auto second = static_cast<std::int32_t>(std::max(i, j));
+      if (j == i || slot_[slot_index(first, second)] >= 0) continue;
+      const OrientedBox& box = bodies.shape[i];
+      const OrientedBox& other = bodies.shape[j];
+      const Vec3 apart = box.centre - other.centre;
+      const Vec3 room = box.reach_along_axes() + other.reach_along_axes();
+      if (have_passed(apart - (shift(i) - shift(j)), apart, room, options_.deep_overlap)) return true;
     }
   }
   return false;
@@ -413,7 +420,7 @@ void NativeWorld::take_step(double step, int halvings) {
 
 void NativeWorld::finish_step() {
   for (Manifold& manifold : scene_.manifolds) {
-    if (!is_moving(manifold)) continue;
+    if (!has_end_in(manifold, moving_)) continue;
     const double nearest = manifold.contact.nearest_gap();
     counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     if (!manifold.active) continue;

@@ -28,13 +28,13 @@ class NativeWorld {
  private:
   void begin_phase(const Phase& phase);
   void find_contacts(const std::vector<std::uint8_t>& moved);
+  std::size_t slot_index(std::int32_t a, std::int32_t b) const;
   void update_pair(std::int32_t a, std::int32_t b);
   void end_manifold(std::size_t index);
   bool try_rest(const IslandView& island);
   void set_at_rest(const IslandView& island);
   void save(const IslandView& island);
   void restore(std::size_t body);
-  bool is_moving(const Manifold& manifold) const;
   bool activate_predicted();
   bool merge_overlapping();
   bool has_passed_unseen(double step) const;
@@ -51,7 +51,7 @@ class NativeWorld {
   StepTerms terms_;
   IslandStepper stepper_;
 
-  std::vector<std::int32_t> slot_;              ///< manifold of a pair of body and body or side; −1: none
+  std::vector<std::int32_t> slot_;              ///< manifold of a pair, by `slot_index`; −1: none
   std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
   std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step; 2: put back, to be stepped again
   std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that

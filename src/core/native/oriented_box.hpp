@@ -15,6 +15,9 @@ struct OrientedBox {
   Vec3 half_extents = Vec3::Zero();  ///< along the body's axes, m
   Mat3 axes = Mat3::Identity();      ///< container_from_body; its columns are the body's axes
   bool aligned = true;               ///< axes are exactly the identity
+
+  /// Half of its extent along the container's axes, m.
+  Vec3 reach_along_axes() const { return axes.cwiseAbs() * half_extents; }
 };
 
 /// A side of the container: everything with normal · x ≥ offset is free.
