@@ -5,6 +5,10 @@
 
 namespace holdfast {
 
+double side_play(SurfaceKind kind, double gap) {
+  return kind == SurfaceKind::floor ? 0.0 : std::max(0.0, kLeastPlay - gap);
+}
+
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container) {
   struct NamedSide {
     const char* name;

@@ -14,6 +14,14 @@ struct ContainerSide {
   SurfaceKind kind = SurfaceKind::wall;
 };
 
+/// Play that every box has at least at every side but the floor when a world starts, m. A box that fits exactly is not
+/// clamped: hard contacts with friction would allow it to be, with any pressure, though nothing presses. With less than
+/// 1 µm some steps of a tilting column end clamped; ten times as much would show in results.
+inline constexpr double kLeastPlay = 1e-5;
+
+/// How far behind its place a side stands for a box that begins at a distance `gap` of it, m.
+double side_play(SurfaceKind kind, double gap);
+
 /// The sides that are not open, floor first: floor, front, rear, left, right, roof.
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container);
 

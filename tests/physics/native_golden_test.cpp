@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xbaf279784f776689},
-    {"lean", lean, 0x598a51e3df923ed8},
-    {"tumble", tumble, 0xbbf1a15cee1ab006},
-    {"drop", drop, 0x1e1b60d96986a19a},
+    {"brake", brake, 0xb7996e6b12686081},
+    {"lean", lean, 0xf9c68bbef50fd0d0},
+    {"tumble", tumble, 0x8c997bd47a46b049},
+    {"drop", drop, 0x7108b9f927ff33d1},
 };
 
 }  // namespace

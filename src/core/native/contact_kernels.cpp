@@ -107,14 +107,22 @@ HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const Body
   return {largest(worst), total(squares[0] + (squares[1] + squares[2]))};
 }
 
-HWY_ATTR void project_kernel(Patch* patches, const Arms* mid_arms, std::size_t count, const PatchVector* in_x,
-                             const PatchVector* in_u, LaneWrench* wrench) {
+HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* mid_arms, std::size_t count,
+                             const PatchVector* in_x, const PatchVector* in_u, const Lanes* most, LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
     Patch& patch = patches[p];
     const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
-    // The exact law: the normal part is cut at zero, the tangential part at the disc it allows (no dilation).
-    const Four normal = max(x[0], Four::all(0.0));
-    const Four share = shrink(Four::all(patch.friction) * normal, x[1] * x[1] + x[2] * x[2]);
+    const Four friction = Four::all(patch.friction);
+    const Four square = x[1] * x[1] + x[2] * x[2];
+    Four normal = max(x[0], Four::all(0.0));
+    if (projection == Projection::orthogonal) {
+      // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
+      // one.
+      const Four raise = Four::all(1.0 / (1.0 + patch.friction * patch.friction));
+      normal = max(normal, raise * (x[0] + friction * square.sqrt()));
+      if (most != nullptr) normal = min(normal, Four::load(most[p].data()));
+    }
+    const Four share = shrink(friction * normal, square);
     const Four y[3] = {normal, x[1] * share, x[2] * share};
     Four f[3];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -184,10 +192,12 @@ Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocit
                                           g.data(), r.data());
 }
 
-void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
-             std::span<const PatchVector> u, std::span<LaneWrench> wrench) {
+void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const Lanes> most,
+             std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(project_kernel)
-  (patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(), wrench.data());
+  (projection, patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),
+   most.empty() ? nullptr : most.data(), wrench.data());
 }
 
 double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b) {

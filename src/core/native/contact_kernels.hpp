@@ -24,12 +24,24 @@ struct Mismatch {
 Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
              std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
 
+/// How impulses are brought into Coulomb's cone K, |y_t| ≤ μ y_n.
+enum class Projection {
+  /// The normal part is cut at zero, the tangential part at the disc of radius μ y_n: at the fixed point friction
+  /// opposes the slip and the normal velocity is free of it. Not a projection onto a convex set.
+  coulomb,
+  /// To the nearest point of K. Convex, so that the iteration converges to forces that hold the bodies whenever there
+  /// are any; where there are none, the motion that it ends with separates surfaces as they slip, which none does.
+  orthogonal
+};
+
 /// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
 /// J_midᵀ (y + R (z − u)) to `wrench`.
 /// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the patches
 /// @param wrench   a body, added to
-void project(std::span<Patch> patches, std::span<const Arms> mid_arms, std::span<const PatchVector> x,
-             std::span<const PatchVector> u, std::span<LaneWrench> wrench);
+/// @param most     a patch: largest normal impulses, heeded by the orthogonal projection alone; empty: none is bounded
+void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const Lanes> most,
+             std::span<LaneWrench> wrench);
 
 /// Σ a b / R over all points: an inner product of impulses.
 double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);

@@ -66,7 +66,9 @@ class IslandStepper {
   /// True when the bodies, all without velocity, stay where they are under the pull: forces within every contact's
   /// cone are found that balance each body to the tolerance. The manifolds' memory is set to these forces; it stays
   /// as it is where it already balances.
-  bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
+  /// @param leans some bodies lean on others that they have not yet pushed: they rest only where Coulomb's law, solved
+  ///              from no forces between them, brings them to rest
+  bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans, IslandReport& report);
 
   /// Takes the island a step forward, cut at impacts. Activates manifolds that the bodies would overlap at.
   void advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
@@ -83,7 +85,7 @@ class IslandStepper {
   void load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose, double step);
   void add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose, double step);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
-  void remember(Scene& scene, const IslandView& island, double step) const;
+  void remember(Scene& scene, const IslandView& island, Purpose purpose, double step) const;
   void resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
@@ -96,6 +98,11 @@ class IslandStepper {
   bool is_closed(const ContactPoint& point, const StepTerms& terms, double step) const;
   double slow_gap(const StepTerms& terms, double step) const;
   double fast_approach(const StepTerms& terms) const;
+  void begin_motion(const IslandView& island, const StepTerms& terms, IslandReport& report);
+  SplittingOptions cold_options() const;
+  bool take_wall_loads(const Scene& scene);
+  bool moves_slowly(const StepTerms& terms) const;
+  bool find_balance(const StepTerms& terms, IslandReport& report);
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   bool renew(Scene& scene, const IslandView& island, const StepTerms& terms);
   void project(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);

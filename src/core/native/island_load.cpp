@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/native/island_motion.hpp"
 #include "core/native/rotation_step.hpp"
@@ -14,6 +15,11 @@ namespace {
 
 /// Impacts below this share of |g − a| h do not rebound: rest would otherwise never come.
 constexpr double kReboundShare = 2.0;
+
+/// Points of a contact that was pressed in the last step count as touching in a proof of rest up to this gap, m: bodies
+/// that come to rest rock by a few micrometres for some steps. With 0.1 µm loads under the road accelerations took 15 %
+/// more time at `screening`, with 50 µm 2 % less.
+constexpr double kPressedTouch = 1.01e-5;
 
 /// Slip above this many times |g − a| h does not end within the step: friction opposes its mean over the step.
 constexpr double kLastingSlip = 3.0;
@@ -64,6 +70,7 @@ void IslandStepper::load(const Scene& scene, const IslandView& island, const Ste
   solver_.patches.clear();
   solver_.mid_arms.clear();
   solver_.patch_pair.clear();
+  solver_.most_normal.clear();
   sources_.clear();
   std::uint32_t pair = 0;
   for (const std::uint32_t index : island.manifolds) {
@@ -116,6 +123,10 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
   const std::int32_t place_a = a_fixed ? fixed_ : place_[at(manifold.a)];
   const std::int32_t place_b = b_fixed ? fixed_ : place_[at(manifold.b)];
   const std::size_t first = solver_.patches.size();
+  const bool border = is_border(bodies, manifold);
+  const bool pressed = std::any_of(manifold.memory.begin(), manifold.memory.begin() + manifold.contact.count,
+                                   [](const PointMemory& memory) { return memory.pressed > 0.0; });
+  const double touch = purpose != Purpose::rest ? kTouch : pressed ? kPressedTouch : leaning_gap(bodies, manifold);
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
@@ -123,7 +134,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
     const double parting_speed = manifold.contact.normal.dot(slip);
     const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
     const bool met = purpose == Purpose::smooth && (met_[index] >> i & 1) != 0;
-    if (moving ? !met && !is_solved(point, parting_speed, terms, step) : point.gap > kTouch) continue;
+    if (moving ? !met && !is_solved(point, parting_speed, terms, step) : point.gap > touch) continue;
     if (purpose == Purpose::impact && (struck_[index] >> i & 1) == 0) continue;
     const std::size_t lane = static_cast<std::size_t>(used % kLanes);
     if (lane == 0) {
@@ -135,6 +146,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       patch.b = place_b;
       solver_.mid_arms.emplace_back();
       sources_.push_back({index, {}});
+      if (purpose == Purpose::rest) solver_.most_normal.emplace_back();
     }
     ++used;
     Patch& patch = solver_.patches.back();
@@ -158,6 +170,9 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
 
     const PointMemory& memory = manifold.memory[at(i)];
     patch.load[lane] = step * memory.force.dot(directions[0]);
+    if (purpose == Purpose::rest)
+      solver_.most_normal.back()[lane] =
+          border ? kPressedMore * step * memory.pressed : std::numeric_limits<double>::infinity();
     switch (purpose) {
       case Purpose::projection:
         patch.allowance.row[0][lane] = point.gap + kTouch;
@@ -170,7 +185,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
       }
       case Purpose::rest:
       case Purpose::smooth:
-        patch.allowance.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
+        patch.allowance.row[0][lane] = purpose == Purpose::smooth && point.gap > kTouch ? point.gap / step : 0.0;
         if (purpose == Purpose::smooth) {
           if (std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step) {
             captures_ = true;

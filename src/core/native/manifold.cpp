@@ -68,7 +68,10 @@ void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& 
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
                        double margin, const ContactAxis& previous) {
   const OrientedBox& box = bodies.shape[static_cast<std::size_t>(b)];
-  if (a < 0) return contact_of(sides[static_cast<std::size_t>(-1 - a)].space, box, margin);
+  if (a < 0) {
+    const Side& side = sides[static_cast<std::size_t>(-1 - a)];
+    return contact_of({side.space.normal, side.space.offset - side.play[static_cast<std::size_t>(b)]}, box, margin);
+  }
   return contact_of(bodies.shape[static_cast<std::size_t>(a)], box, margin, previous);
 }
 

@@ -13,12 +13,14 @@ namespace holdfast::native {
 struct Side {
   HalfSpace space;
   Surface surface;
+  std::vector<double> play;  ///< a body: how far behind its place the side stands for it, m
 };
 
 /// What a point's last solve left for the next to start from, container frame.
 struct PointMemory {
   Vec3 force = Vec3::Zero();  ///< on b, N
   Vec3 slip = Vec3::Zero();   ///< m/s
+  double pressed = 0.0;       ///< normal force of the last step, not of a proof of rest, N
 };
 
 /// A pair of bodies that touch or soon may, with the memory of its points.
@@ -43,6 +45,12 @@ struct Manifold {
 
   bool with_side() const { return a < 0; }
 };
+
+/// Whether an end of the manifold is among the marked bodies. What is fixed never is.
+inline bool has_end_in(const Manifold& manifold, const std::vector<std::uint8_t>& marked) {
+  return marked[static_cast<std::size_t>(manifold.b)] != 0 ||
+         (!manifold.with_side() && marked[static_cast<std::size_t>(manifold.a)] != 0);
+}
 
 /// The manifold's directions: the normal and two tangents that depend on it alone.
 std::array<Vec3, 3> directions_of(const Vec3& normal);

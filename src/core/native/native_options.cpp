@@ -11,6 +11,7 @@ NativeOptions native_options(const Settings& settings) {
     case Accuracy::screening:
       options.steps_per_second = 60.0;
       options.crowd = {.tolerance = 1e-3,
+                       .cold_tolerance = 1e-6,
                        .iterations = 8,
                        .cold_iterations = 60,
                        .mean_residual = 0.05,
@@ -21,7 +22,7 @@ NativeOptions native_options(const Settings& settings) {
                        .late_overlap = 1e-4};
       options.few.overlap = 2e-4;
       options.rest_tolerance = 1e-6;
-      options.rest_iterations = 120;
+      options.rest_iterations = 1000;
       options.deep_overlap = 1e-3;
       break;
     case Accuracy::standard:
@@ -29,6 +30,7 @@ NativeOptions native_options(const Settings& settings) {
     case Accuracy::reference:
       options.steps_per_second = 1440.0;
       options.few = options.crowd = {.tolerance = 1e-9,
+                                     .cold_tolerance = 1e-14,
                                      .iterations = 400,
                                      .cold_iterations = 4000,
                                      .impact_cuts = 32,
@@ -41,7 +43,10 @@ NativeOptions native_options(const Settings& settings) {
   options.steps_per_second =
       given.steps_per_second.value_or(settings.steps_per_second.value_or(options.steps_per_second));
   for (Effort* effort : {&options.few, &options.crowd}) {
-    effort->tolerance = given.tolerance.value_or(effort->tolerance);
+    if (given.tolerance) {
+      effort->tolerance = *given.tolerance;
+      effort->cold_tolerance = 1e-3 * *given.tolerance;
+    }
     effort->iterations = given.iterations.value_or(effort->iterations);
     effort->cold_iterations = std::max(effort->cold_iterations, effort->iterations);
     effort->impact_cuts = given.impact_cuts.value_or(effort->impact_cuts);

@@ -12,20 +12,11 @@ namespace holdfast::native {
 
 namespace {
 
-/// A contact supports, rather than merely touches, when its normal is this much along the vertical.
-constexpr double kSupporting = 0.5;
-
 /// Supports with gaps up to this carry load when a world starts, and contacts without load stay active up to it, m.
 constexpr double kStartTouch = 1e-5;
 
 /// Manifolds of a box, about as many as there are in a snug load: room made at once costs less than room that grows.
 constexpr std::size_t kLikelyManifolds = 8;
-
-/// Speeds below this share of |g − a| h may be rest: it is tried.
-constexpr double kRestShare = 0.02;
-
-/// Longest wait between two tries, steps.
-constexpr std::uint32_t kLongestWait = 16;
 
 /// Solved steps without load after which a manifold is no longer active.
 constexpr int kIdleSteps = 8;
@@ -37,19 +28,21 @@ constexpr int kHalvings = 4;
 /// in a step.
 constexpr double kBadResidual = 0.5;
 
-std::vector<Side> sides_of(const ContainerSettings& container) {
+std::vector<Side> sides_of(const ContainerSettings& container, const std::vector<OrientedBox>& boxes) {
   std::vector<Side> sides;
   for (const ContainerSide& side : closed_sides(container)) {
     Vec3 normal = Vec3::Zero();
     normal[side.axis] = side.far ? -1.0 : 1.0;
-    sides.push_back({{normal, side.far ? -container.size[side.axis] : 0.0}, {side.kind, container.friction, 0.0}});
+    Side& made = sides.emplace_back();
+    made.space = {normal, side.far ? -container.size[side.axis] : 0.0};
+    made.surface = {side.kind, container.friction, 0.0};
+    made.play.assign(boxes.size(), 0.0);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const ContactSet contact = contact_of(made.space, boxes[i], kLeastPlay);
+      if (contact.count > 0) made.play[i] = side_play(side.kind, contact.nearest_gap());
+    }
   }
   return sides;
-}
-
-/// Whether an end of the manifold is among the marked bodies. What is fixed never is.
-bool has_end_in(const Manifold& manifold, const std::vector<std::uint8_t>& marked) {
-  return marked[at(manifold.b)] != 0 || (!manifold.with_side() && marked[at(manifold.a)] != 0);
 }
 
 /// Whether two boxes went from one side of each other to the other.
@@ -78,12 +71,14 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
       contact_(settings.contact),
       stepper_(options) {
   scene_.bodies = bodies_of(batch, world);
-  scene_.sides = sides_of(settings.container);
+  scene_.sides = sides_of(settings.container, scene_.bodies.shape);
   const std::size_t count = scene_.bodies.count();
   slot_.assign(count * (count + scene_.sides.size()), -1);
   scene_.manifolds.reserve(kLikelyManifolds * count);
   resting_.assign(count, 0);
   moving_.assign(count, 0);
+  leaves_.assign(count, 0);
+  undecided_.assign(count, 0);
   wait_.assign(count, 0);
   patience_.assign(count, 0);
   before_ = scene_.bodies.state;
@@ -96,10 +91,10 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   terms_.reach = terms_.longest_step * terms_.longest_step * (settings.gravity + strongest);
   find_contacts(std::vector<std::uint8_t>(count, 1));
   for (Manifold& manifold : scene_.manifolds) {
-    const bool supports = std::abs(manifold.contact.normal.z()) > kSupporting;
     const auto& points = manifold.contact.points;
-    manifold.active = supports && std::any_of(points.begin(), points.begin() + manifold.contact.count,
-                                              [](const ContactPoint& p) { return p.gap <= kStartTouch; });
+    manifold.active =
+        supports(scene_.bodies, manifold) && std::any_of(points.begin(), points.begin() + manifold.contact.count,
+                                                         [](const ContactPoint& p) { return p.gap <= kStartTouch; });
   }
 }
 
@@ -186,42 +181,6 @@ void NativeWorld::begin_phase(const Phase& phase) {
   std::fill(resting_.begin(), resting_.end(), 0);
   std::fill(wait_.begin(), wait_.end(), 0);
   std::fill(patience_.begin(), patience_.end(), 0);
-}
-
-bool NativeWorld::try_rest(const IslandView& island) {
-  const Bodies& bodies = scene_.bodies;
-  bool due = true;
-  for (const std::uint32_t body : island.bodies) {
-    const double speed = bodies.state.velocity[body].norm() + bodies.spin(body);
-    if (speed > kRestShare * terms_.velocity_unit) return false;
-  }
-  for (const std::uint32_t body : island.bodies) {
-    if (wait_[body] == 0) continue;
-    --wait_[body];
-    due = false;
-  }
-  if (!due) return false;
-  IslandReport report;
-  const bool rests = stepper_.rests(scene_, island, terms_, report);
-  counters_.solve_iterations += report.iterations;
-  if (rests) return true;
-  for (const std::uint32_t body : island.bodies) {
-    patience_[body] = std::min(kLongestWait, std::max(1U, 2 * patience_[body]));
-    wait_[body] = patience_[body];
-  }
-  return false;
-}
-
-void NativeWorld::set_at_rest(const IslandView& island) {
-  for (const std::uint32_t body : island.bodies) {
-    resting_[body] = 1;
-    patience_[body] = 0;
-    wait_[body] = 0;
-    scene_.bodies.state.velocity[body] = Vec3::Zero();
-    scene_.bodies.state.angular_velocity[body] = Vec3::Zero();
-    scene_.bodies.acceleration[body] = Vec3::Zero();
-    scene_.bodies.angular_acceleration[body] = Vec3::Zero();
-  }
 }
 
 void NativeWorld::save(const IslandView& island) {
@@ -438,17 +397,7 @@ double NativeWorld::advance(const Phase& phase) {
   terms_.step = plan.step();
   terms_.velocity_unit = terms_.pull.norm() * terms_.step;
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
-  islands_.find(scene_.bodies, scene_.manifolds);
-  bool any_moving = false;
-  for (std::size_t i = 0; i < islands_.size(); ++i) {
-    const IslandView view = islands_[i];
-    const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(),
-                                                      [&](std::uint32_t body) { return resting_[body] != 0; });
-    const bool rests = known || try_rest(view);
-    if (rests) set_at_rest(view);
-    for (const std::uint32_t body : view.bodies) moving_[body] = rests ? 0 : 1;
-    any_moving = any_moving || !rests;
-  }
+  const bool any_moving = find_moving();
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;
     counters_.steps += left;

@@ -31,7 +31,11 @@ class NativeWorld {
   std::size_t slot_index(std::int32_t a, std::int32_t b) const;
   void update_pair(std::int32_t a, std::int32_t b);
   void end_manifold(std::size_t index);
-  bool try_rest(const IslandView& island);
+  bool find_moving();
+  bool is_slow(const IslandView& island) const;
+  bool is_due(const IslandView& island);
+  bool prove_rest(const IslandView& island, bool leans);
+  bool lean();
   void set_at_rest(const IslandView& island);
   void save(const IslandView& island);
   void restore(std::size_t body);
@@ -54,6 +58,8 @@ class NativeWorld {
   std::vector<std::int32_t> slot_;              ///< manifold of a pair, by `slot_index`; −1: none
   std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
   std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step; 2: put back, to be stepped again
+  std::vector<std::uint8_t> leaves_;            ///< a body: its proof of rest has failed in this step
+  std::vector<std::uint8_t> undecided_;         ///< a body: whether it rests is not yet known in this step
   std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
   Islands islands_;
   BroadPhase broad_phase_;

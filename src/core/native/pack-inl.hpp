@@ -60,9 +60,17 @@ struct Pack {
   friend HWY_INLINE Pack max(const Pack& a, const Pack& b) {
     return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Max(x, y); });
   }
+  friend HWY_INLINE Pack min(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Min(x, y); });
+  }
   HWY_INLINE Pack abs() const {
     Pack p;
     for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
+    return p;
+  }
+  HWY_INLINE Pack sqrt() const {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Sqrt(part[i]);
     return p;
   }
 };

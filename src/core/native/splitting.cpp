@@ -129,7 +129,7 @@ SplittingResult Splitting::solve(const SplittingOptions& options, double velocit
     wrench_.assign(bodies.size() + 1, LaneWrench{});
     mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
     if (options.accelerate) anderson_.accelerate(patches, g_, r_);
-    project(patches, mid_arms, g_, u_, wrench_);
+    project(options.projection, patches, mid_arms, g_, u_, most_normal, wrench_);
     residual_force(false);
     factor.solve(change_);
     double largest_change = 0.0;
@@ -161,6 +161,40 @@ void Splitting::restart(std::span<const BodyVector> start) {
     patch.slip = PatchVector{};
     patch.load = Lanes{};
   }
+}
+
+bool Splitting::refutes_rest(double most) {
+  const auto speed = [&](std::size_t i) {
+    const double* v = velocity[i].row;
+    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+           bodies[i].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+  };
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) fastest = std::max(fastest, speed(i));
+  // Every motion may be the proof: without those that hardly move it is one sooner.
+  for (const double share : {0.0, 0.01, 0.1, 0.5}) {
+    motion_ = velocity;
+    double power = 0.0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (speed(i) < share * fastest) motion_[i] = BodyVector{};
+      for (int k = 0; k < 3; ++k) power += bodies[i].mass * motion_[i].row[k] * free_velocity[i].row[k];
+    }
+    if (power > supported_power(motion_, most)) return true;
+  }
+  return false;
+}
+
+double Splitting::supported_power(std::span<const BodyVector> motion, double most) {
+  aim(patches, motion, 1.0, u_, g_, r_);
+  double power = 0.0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(patches[p].count); ++i) {
+      const auto& u = u_[p].row;
+      const double slip = std::sqrt(u[1][i] * u[1][i] + u[2][i] * u[2][i]);
+      power += std::min(most, most_normal[p][i]) * std::max(0.0, patches[p].friction * slip - u[0][i]);
+    }
+  }
+  return power;
 }
 
 double Splitting::imbalance_at_rest(double velocity_unit) {

@@ -6,6 +6,7 @@
 
 #include "core/native/anderson.hpp"
 #include "core/native/block_factor.hpp"
+#include "core/native/contact_kernels.hpp"
 #include "core/native/oriented_box.hpp"
 #include "core/native/patch.hpp"
 
@@ -31,7 +32,8 @@ struct SplittingOptions {
   double ready = 0.1;           ///< share of its bodies' mass that a contact without load stands ready for
   int refit_every = 12;         ///< iterations between two looks at R
   double refit_share = 0.2;     ///< of the points, above which it is fitted anew where so many call for another one
-  bool accelerate = false;      ///< Anderson's acceleration: for solves that go on to the end
+  Projection projection = Projection::coulomb;  ///< Π
+  bool accelerate = false;                      ///< Anderson's acceleration: for solves that go on to the end
 };
 
 /// How far a solve came.
@@ -58,6 +60,7 @@ class Splitting {
   std::vector<Patch> patches;
   std::vector<Arms> mid_arms;             ///< a patch; empty when nothing turns
   std::vector<std::uint32_t> patch_pair;  ///< pair of the factor that a patch belongs to; `kNoPair` with what is fixed
+  std::vector<Lanes> most_normal;         ///< of a proof of rest, a patch: largest normal impulses, kg m/s; else empty
   BlockFactor factor;
   double load_unit = 1.0;  ///< impulse that a kilogram brings to bear in the step, m/s
 
@@ -73,6 +76,13 @@ class Splitting {
   /// diverged, because bodies turn far within the step.
   void restart(std::span<const BodyVector> start);
 
+  /// Whether the velocities that are there prove that no impulses in Coulomb's cones balance the bodies at rest.
+  /// Balance means Jᵀy = −M v*; then v · M v* = −Σ y · J v for every motion v, and an impulse y of the cone takes no
+  /// more than −y · u ≤ y_n (μ |u_t| − u_n). A motion to which the load gives more than that refutes balance. (It is
+  /// Farkas' lemma; the iteration with the orthogonal projection converges to such a motion where there is one.)
+  /// @param most no impulse of a balance is larger than this, kg m/s
+  bool refutes_rest(double most);
+
   /// Largest force that is left on a body at rest under the impulses that are there, over its weight m · velocity
   /// unit; torques over the radius.
   double imbalance_at_rest(double velocity_unit);
@@ -87,6 +97,8 @@ class Splitting {
   Resistance wanted_resistance(const Patch& patch, std::size_t lane, const SplittingOptions& options) const;
   bool choose_resistance(const SplittingOptions& options);
   void assemble();
+  /// Most that impulses can take from the motion, kg m²/s².
+  double supported_power(std::span<const BodyVector> motion, double most);
   /// Into `change_`: what M (v* − v) and the impulses leave over, for the velocities that are there or for none.
   void residual_force(bool at_rest);
 
@@ -95,7 +107,7 @@ class Splitting {
   Anderson anderson_;
   std::vector<PatchVector> u_, g_, r_;
   std::vector<LaneWrench> wrench_;
-  std::vector<BodyVector> change_;
+  std::vector<BodyVector> change_, motion_;
 };
 
 }  // namespace holdfast::native

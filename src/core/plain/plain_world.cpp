@@ -72,7 +72,15 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
   for (const ContainerSide& side : closed_sides(settings.container)) {
     const Vec3 normal = (side.far ? -1.0 : 1.0) * Vec3::Unit(side.axis);
     const double offset = side.far ? -settings.container.size[side.axis] : 0.0;
-    sides_.push_back({{normal, offset}, {side.kind, settings.container.friction, 0.0}});
+    Side& made = sides_.emplace_back();
+    made.half_space = {normal, offset};
+    made.surface = {side.kind, settings.container.friction, 0.0};
+    for (const Body& body : bodies_) {
+      double gap = std::numeric_limits<double>::infinity();
+      for (const ContactPoint& point : contact_points(made.half_space, body.block(), kLeastPlay))
+        gap = std::min(gap, point.gap);
+      made.play.push_back(side_play(side.kind, gap));
+    }
   }
 }
 
@@ -130,7 +138,8 @@ std::vector<PlainWorld::Touch> PlainWorld::find_touches(double step, double slac
     if (!second.is_fixed()) {
       const double margin = gain + step * second.velocity.norm() + reach(second);
       for (const Side& side : sides_)
-        for (const ContactPoint& point : contact_points(side.half_space, block, margin))
+        for (const ContactPoint& point :
+             contact_points({side.half_space.normal, side.half_space.offset - side.play[b]}, block, margin))
           touches.push_back(touch_at(point, bodies_.size(), b, side.surface));
     }
     for (std::size_t a = 0; a < b; ++a) {

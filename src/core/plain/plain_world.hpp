@@ -56,6 +56,7 @@ class PlainWorld {
   struct Side {
     HalfSpace half_space;
     Surface surface;
+    std::vector<double> play;  ///< a box: how far behind its place the side stands for it, m
   };
   /// A point where two bodies touch, or will within a step.
   struct Touch {

@@ -4,6 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "core/native/each_instruction_set.hpp"
 #include "core/native/random_contacts.hpp"
@@ -24,7 +25,8 @@ struct Sweep {
 
   Sweep(Contacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
     mismatch = aim(contacts.patches, contacts.velocity, relaxation, u, g, r);
-    project(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, wrench);
+    project(Projection::coulomb, contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, {},
+            wrench);
   }
 };
 
@@ -278,4 +280,45 @@ TEST_CASE("contact_kernels: products and differences of impulses are what they a
   CAPTURE(product, worst);
   CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
   CHECK(worst < 1e-14);
+}
+
+TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of Coulomb's cone",
+          "[core][contact_kernels]") {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    Contacts contacts = random_contacts(seed);
+    Random random(100 + seed);
+    std::vector<PatchVector> x(kPatches);
+    const std::vector<PatchVector> u(kPatches);
+    std::vector<Lanes> most(kPatches);
+    for (std::size_t p = 0; p < kPatches; ++p) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        most[p][lane] = lane % 2 == 0 ? std::numeric_limits<double>::infinity() : random.between(0.0, 1.0);
+        for (auto& row : x[p].row) row[lane] = random.between(-2, 2);
+      }
+    }
+    std::vector<LaneWrench> wrench(kBodies + 1);
+    project(Projection::orthogonal, contacts.patches, {}, x, u, most, wrench);
+    for (std::size_t p = 0; p < kPatches; ++p) {
+      const double friction = contacts.patches[p].friction;
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(contacts.patches[p].count); ++lane) {
+        const auto& row = contacts.patches[p].impulse.row;
+        const Vec3 y(row[0][lane], row[1][lane], row[2][lane]);
+        // Without friction the tangents are no part of the problem.
+        const double tangent = friction > 0.0 ? 1.0 : 0.0;
+        const Vec3 from(x[p].row[0][lane], tangent * x[p].row[1][lane], tangent * x[p].row[2][lane]);
+        const double slip = std::hypot(y[1], y[2]);
+        CHECK(y[0] >= 0.0);
+        CHECK(y[0] <= most[p][lane]);
+        CHECK(slip <= friction * y[0] + 1e-12);
+        // No point of the set is nearer: for every one of them, w, (x − y) · (w − y) ≤ 0.
+        for (int k = 0; k < 50; ++k) {
+          const double normal = random.between(0.0, std::min(3.0, most[p][lane]));
+          const double angle = random.between(0.0, 6.3);
+          const double size = friction * normal * random.between(0.0, 1.0);
+          const Vec3 w(normal, size * std::cos(angle), size * std::sin(angle));
+          CHECK((from - y).dot(w - y) <= 1e-12);
+        }
+      }
+    }
+  }
 }

@@ -73,7 +73,7 @@ TEST_CASE("manifold: points keep their memory where both bodies go and turn far"
 TEST_CASE("manifold: a box that slides far over a side keeps the memory of its corners", "[core][manifold]") {
   Bodies bodies;
   bodies.shape = {box_at({2, 1, 0.5}, {2, 2, 1})};
-  const std::vector<Side> floor(1);
+  const std::vector<Side> floor = {{.play = {0.0}}};
   Manifold manifold = marked_manifold(-1, 0, bodies, floor);
   bodies.shape[0].centre.x() += 0.3;
   renew(manifold, bodies, floor);

@@ -202,7 +202,8 @@ TEST_CASE("plain_engine: a frictionless wall stops what is across it, and lets i
   rough.contact.box_wall = 0.3;
   const Run along = plain_run(layout_of({box({0, 10, 0}, kFlat)}), motion_of({{1, Vec3(8, -4, 0)}}), rough);
   CAPTURE(along.displacement().transpose());
-  CHECK(along.displacement().y() == Approx(0.5 * (4 - 0.3 * 8)).epsilon(1e-6));
+  // Until it has gone through the play that it has at the wall, nothing holds.
+  CHECK(along.displacement().y() == Approx(0.5 * (4 - 0.3 * 8)).epsilon(1e-4));
 }
 
 TEST_CASE("plain_engine: a fixed box holds another", "[core][plain_engine]") {

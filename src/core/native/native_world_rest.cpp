@@ -1,0 +1,118 @@
+// Which islands of a world rest and which move, at the start of a step.
+
+#include <algorithm>
+
+#include "core/native/island_motion.hpp"
+#include "core/native/native_world.hpp"
+
+namespace holdfast::native {
+
+namespace {
+
+/// Longest wait between two tries, steps.
+constexpr std::uint32_t kLongestWait = 16;
+
+/// Acceleration that closes a contact, over |g − a|, from which a body leans on its neighbour.
+constexpr double kLeaning = 1e-3;
+
+/// Rounds in which bodies are found that lean on others, in a step.
+constexpr int kLeaningRounds = 12;
+
+}  // namespace
+
+/// Decides which islands rest and which move. True when any moves.
+bool NativeWorld::find_moving() {
+  islands_.find(scene_.bodies, scene_.manifolds);
+  std::fill(leaves_.begin(), leaves_.end(), 0);
+  std::fill(undecided_.begin(), undecided_.end(), 1);
+  for (int round = 0;; ++round) {
+    for (std::size_t i = 0; i < islands_.size(); ++i) {
+      const IslandView view = islands_[i];
+      const auto marked = [](const std::vector<std::uint8_t>& mark) {
+        return [&](std::uint32_t body) { return mark[body] != 0; };
+      };
+      if (std::none_of(view.bodies.begin(), view.bodies.end(), marked(undecided_))) continue;
+      const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(), marked(resting_));
+      const bool rests = known || (is_slow(view) && (round > 0 || is_due(view)) && prove_rest(view, round > 0));
+      if (rests) set_at_rest(view);
+      for (const std::uint32_t body : view.bodies) {
+        moving_[body] = rests ? 0 : 1;
+        if (!rests) resting_[body] = 0;
+        undecided_[body] = 0;
+      }
+    }
+    if (!terms_.cold || round == kLeaningRounds || !lean()) break;
+    islands_.find(scene_.bodies, scene_.manifolds);
+  }
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    if (leaves_[i] != 0) wait_[i] = patience_[i] = std::min(kLongestWait, std::max(1U, 2 * patience_[i]));
+    if (moving_[i] == 0) wait_[i] = patience_[i] = 0;
+  }
+  return std::any_of(moving_.begin(), moving_.end(), [](std::uint8_t moving) { return moving != 0; });
+}
+
+/// Whether the bodies are slow enough to be at rest.
+bool NativeWorld::is_slow(const IslandView& island) const {
+  const Bodies& bodies = scene_.bodies;
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
+    return bodies.state.velocity[body].norm() + bodies.spin(body) <= kRestShare * terms_.velocity_unit;
+  });
+}
+
+/// Whether a proof of rest is tried in this step; after one that failed, some steps pass.
+bool NativeWorld::is_due(const IslandView& island) {
+  bool due = true;
+  for (const std::uint32_t body : island.bodies) {
+    if (wait_[body] == 0) continue;
+    --wait_[body];
+    due = false;
+  }
+  return due;
+}
+
+bool NativeWorld::prove_rest(const IslandView& island, bool leans) {
+  IslandReport report;
+  const bool rests = stepper_.rests(scene_, island, terms_, leans, report);
+  counters_.solve_iterations += report.iterations;
+  for (const std::uint32_t body : island.bodies) leaves_[body] = rests ? 0 : 1;
+  return rests;
+}
+
+/// Activates contacts that touch and that the motion which has refuted rest would close: who leans on a neighbour may
+/// rest with its help. True when there are any.
+bool NativeWorld::lean() {
+  const Bodies& bodies = scene_.bodies;
+  const double least = kLeaning * terms_.pull.norm();
+  const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (body < 0 || leaves_[at(body)] == 0) return Vec3::Zero();
+    const std::size_t i = at(body);
+    return bodies.acceleration[i] + bodies.angular_acceleration[i].cross(point - bodies.state.position[i]);
+  };
+  bool any = false;
+  for (Manifold& manifold : scene_.manifolds) {
+    if (manifold.active || !has_end_in(manifold, leaves_)) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      if (point.gap > leaning_gap(bodies, manifold)) continue;
+      const Vec3 closing = acceleration(manifold.a, point.on_a) - acceleration(manifold.b, point.on_b);
+      if (manifold.contact.normal.dot(closing) <= least) continue;
+      manifold.activate();
+      undecided_[at(manifold.b)] = 1;
+      if (!manifold.with_side()) undecided_[at(manifold.a)] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+void NativeWorld::set_at_rest(const IslandView& island) {
+  for (const std::uint32_t body : island.bodies) {
+    resting_[body] = 1;
+    scene_.bodies.state.velocity[body] = Vec3::Zero();
+    scene_.bodies.state.angular_velocity[body] = Vec3::Zero();
+    scene_.bodies.acceleration[body] = Vec3::Zero();
+    scene_.bodies.angular_acceleration[body] = Vec3::Zero();
+  }
+}
+
+}  // namespace holdfast::native
