@@ -26,6 +26,7 @@ packages=(
   catch2             # Catch2 2.13, the tests
   python3            # the checks in tools/, benchmarks and examples
   python3-h5py       # the tests read results files as a user would
+  python3-scipy      # the linear programs that tests compare the proof of rest with
   python3-pandas     # tables in examples and benchmarks
   python3-matplotlib # plots in examples and benchmarks
 )

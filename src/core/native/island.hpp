@@ -66,8 +66,8 @@ class IslandStepper {
   /// True when the bodies, all without velocity, stay where they are under the pull: forces within every contact's
   /// cone are found that balance each body to the tolerance. The manifolds' memory is set to these forces; it stays
   /// as it is where it already balances.
-  /// @param leans some bodies lean on others that they have not yet pushed: they rest only where Coulomb's law, solved
-  ///              from no forces between them, brings them to rest
+  /// @param leans some bodies lean on others that they have not yet pushed: only those may hold them that they push as
+  ///              they begin to move by Coulomb's law
   bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans, IslandReport& report);
 
   /// Takes the island a step forward, cut at impacts. Activates manifolds that the bodies would overlap at.
@@ -100,8 +100,8 @@ class IslandStepper {
   double fast_approach(const StepTerms& terms) const;
   void begin_motion(const IslandView& island, const StepTerms& terms, IslandReport& report);
   SplittingOptions cold_options() const;
-  bool take_wall_loads(const Scene& scene);
-  bool moves_slowly(const StepTerms& terms) const;
+  double fastest_of_solve() const;
+  bool admit_pushed(const Scene& scene);
   bool find_balance(const StepTerms& terms, IslandReport& report);
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   bool renew(Scene& scene, const IslandView& island, const StepTerms& terms);

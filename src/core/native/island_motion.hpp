@@ -16,9 +16,6 @@ inline constexpr double kTouch = 1e-7;
 /// Approach, and change of velocity beyond that of the step before, above this share of |g − a| h are an impact.
 inline constexpr double kJumpShare = 0.1;
 
-/// Speeds below this share of |g − a| h may be rest: it is tried.
-inline constexpr double kRestShare = 0.02;
-
 /// Slip below this share of |g − a| h is none.
 inline constexpr double kSlipShare = 1e-3;
 

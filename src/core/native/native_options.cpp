@@ -22,7 +22,7 @@ NativeOptions native_options(const Settings& settings) {
                        .late_overlap = 1e-4};
       options.few.overlap = 2e-4;
       options.rest_tolerance = 1e-6;
-      options.rest_iterations = 1000;
+      options.rest_iterations = 3000;
       options.deep_overlap = 1e-3;
       break;
     case Accuracy::standard:

@@ -29,7 +29,7 @@ struct NativeOptions {
   Effort few;                       ///< for islands of at most `kFewBodies`
   Effort crowd{.iterations = 30};   ///< for larger ones
   double rest_tolerance = 1e-8;     ///< imbalance of a body that counts as none, over its weight |g − a| m
-  int rest_iterations = 1000;       ///< of a proof of rest, at most
+  int rest_iterations = 3000;       ///< of a proof of rest, at most
   double deep_overlap = 2e-4;       ///< that bodies meet with unseen and still go on, instead of in half the step, m
   bool jump = true;                 ///< go to the end of the phase when all is at rest
   bool freeze = true;               ///< leave islands at rest alone until something touches them

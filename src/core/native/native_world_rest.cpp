@@ -9,6 +9,9 @@ namespace holdfast::native {
 
 namespace {
 
+/// Speeds below this share of |g − a| h may be rest: it is tried.
+constexpr double kRestShare = 0.02;
+
 /// Longest wait between two tries, steps.
 constexpr std::uint32_t kLongestWait = 16;
 
