@@ -1,7 +1,10 @@
 #include "io/hdf5_file.hpp"
 
+#include <sys/stat.h>
+
 #include <cstring>
 
+#include "io/regular_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast::h5 {
@@ -111,6 +114,9 @@ File File::create_in_memory(const std::string& path) {
 
 File File::open(const std::string& path) {
   be_quiet();
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) == 0)
+    if (const auto error = why_no_regular_file(path, status.st_mode)) throw Failure(*error);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail_with(path, "cannot be opened as an HDF5 file");
   return {path, id};

@@ -1,5 +1,6 @@
 #include "io/input_paths.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <optional>
 
 #include "core/number_text.hpp"
+#include "io/regular_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast {
@@ -60,11 +62,12 @@ Result<std::vector<std::string>> list_folder(const std::string& path) {
 
 /// Why what is in a folder cannot be read as a file, if it cannot.
 std::optional<Error> why_unreadable(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return Error{.file = path, .what = "is a link to nothing"};
-  if (!fs::status_known(status)) return Error{.file = path, .what = "cannot be looked at", .value = error.message()};
-  if (!fs::is_regular_file(status)) return Error{.file = path, .what = "is no file"};
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) return Error{.file = path, .what = "is a link to nothing"};
+    return Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)};
+  }
+  if (auto error = why_no_regular_file(path, status.st_mode)) return error;
   if (::access(path.c_str(), R_OK) == 0) return std::nullopt;
   return Error{.file = path, .what = "cannot be read", .value = std::strerror(errno)};
 }
@@ -76,14 +79,17 @@ class InputFinder {
   InputFinder(InputKind wanted, std::vector<Error>& warnings) : wanted_(wanted), warnings_(warnings) {}
 
   void add(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (path.empty() || status.type() == fs::file_type::not_found)
-      fail(path, "no such file or folder");
-    else if (!fs::status_known(status))
-      errors_.push_back({.file = path, .what = "cannot be looked at", .value = error.message()});
-    else if (fs::is_directory(status))
+    struct stat status = {};
+    if (path.empty())
+      errors_.push_back({.what = "an empty path"});  // which would leave the message without a subject
+    else if (::stat(path.c_str(), &status) != 0)
+      errors_.push_back(errno == ENOENT || errno == ENOTDIR
+                            ? Error{.file = path, .what = "no such file or folder"}
+                            : Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)});
+    else if (S_ISDIR(status.st_mode))
       add_folder(path);
+    else if (const auto error = why_no_regular_file(path, status.st_mode))
+      errors_.push_back(*error);
     else
       files_.push_back({path, wanted_ == InputKind::unknown ? classify_file(path) : wanted_});
   }
@@ -94,11 +100,6 @@ class InputFinder {
       if (const std::string_view path = trimmed(line); !path.empty()) add(std::string(path));
     if (files_.size() + errors_.size() == before)
       errors_.push_back({.what = "the list of paths on standard input is empty", .accepted = "one path a line"});
-  }
-
-  void fail(const std::string& path, const char* what) {
-    // An empty path would leave the message without a subject.
-    errors_.push_back(path.empty() ? Error{.what = "an empty path"} : Error{.file = path, .what = what});
   }
 
   Result<std::vector<InputFile>> take() {

@@ -1,7 +1,9 @@
 """Bad input and bad usage: one line that says where and what, the right exit code, and never a crash."""
+import os
+import signal
 import unittest
 
-from cli import SEED, SHOVE, SOURCE, CliTest, datasets, layout_text
+from cli import CONFIG, PATIENCE, SEED, SHOVE, SOURCE, CliTest, datasets, layout_text, start
 
 HEAD = "1 2\n"
 BOX = "0 0 0 80 60 100 1\n"
@@ -248,6 +250,51 @@ class Usage(CliTest):
         self.assertTrue(engines.stdout.startswith("native "), "the default comes first")
         for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
             self.assertRegex(engines.stdout, f"(?m)^{name}")
+
+
+class NoRegularFiles(CliTest):
+    """What may keep its reader waiting for ever is refused at once, wherever a file is named."""
+
+    def test_a_pipe_or_a_device_is_refused(self):
+        self.write_inputs()
+        os.mkfifo(self.folder / "pipe")
+        (self.folder / "link").symlink_to("pipe")
+        layout, acceleration = self.layouts[0], self.accelerations[0]
+        for path, kind in (("pipe", "a pipe"), ("link", "a pipe"), ("/dev/zero", "a device")):
+            for words in (("screen", "--layouts", path, "--accelerations", acceleration),
+                          ("screen", "--layouts", layout, "--accelerations", path),
+                          ("screen", "-c", path, "--layouts", layout, "--accelerations", acceleration),
+                          ("screen", "--layouts", layout, "--accelerations", acceleration, "-o", path, "--resume"),
+                          ("run", path), ("check", path), ("summary", path)):
+                with self.subTest(path=path, words=words[:2]):
+                    self.assert_refused(self.run_here(*words), f"{path}: is {kind}, not a file; save what it gives in a file")
+
+    def test_a_pipe_in_a_folder_is_told(self):
+        self.write("layouts/seed.txt", layout_text(SEED))
+        os.mkfifo(self.folder / "layouts/pipe.txt")
+        self.write("shove.txt", SHOVE)
+        done = self.run_here("screen", "--layouts", "layouts", "--accelerations", "shove.txt")
+        self.assert_refused(done, "layouts/pipe.txt: is a pipe, not a file")
+
+    def test_a_layout_that_becomes_a_pipe_during_the_run_is_a_row(self):
+        self.write("config.ini", CONFIG)
+        for name in ("a.txt", "b.txt"):
+            self.write(name, layout_text(SEED))
+        self.write("short.txt", "0 0.1 1 0 0\n")
+        self.write("long.txt", "0 1000 1 0 0\n")
+        process = start("screen", "-c", "config.ini", "--layouts", "a.txt", "b.txt", "--accelerations", "short.txt",
+                        "long.txt", "--json", "--threads", 1, "--scheduler", "serial", "--no-series", cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertIn("a.txt", process.stdout.readline())
+        process.send_signal(signal.SIGSTOP)  # while it is at the long world
+        (self.folder / "b.txt").unlink()
+        os.mkfifo(self.folder / "b.txt")
+        process.send_signal(signal.SIGCONT)
+        said = process.communicate(timeout=PATIENCE)[1]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("b.txt: is a pipe, not a file", said)
+        self.assertEqual(datasets(self.folder / "results.h5")["/worlds/status"].tolist(), [0, 0, 1, 1])
 
 
 if __name__ == "__main__":

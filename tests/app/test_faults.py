@@ -106,19 +106,6 @@ class Streams(ManyWorlds):
         self.assertEqual(closed.returncode, 0)
         self.assert_exit(self.run_here("summary", "closed.h5"), 0)
 
-    def test_a_layout_that_changes_during_the_run_is_one_and_the_same(self):
-        self.write_many(1, 0.5)
-        layout = self.folder / "layouts/0000.txt"
-        pipe = self.folder / "pipe.txt"
-        os.mkfifo(pipe)
-        text = layout.read_text()
-        process = start("screen", "-c", "config.ini", "--layouts", "pipe.txt", "--accelerations", "left.txt", "right.txt",
-                        "-o", "results.h5", "--quiet", cwd=self.folder)
-        self.addCleanup(process.kill)
-        pipe.write_text(text)  # a pipe gives its text once
-        process.communicate(timeout=PATIENCE)
-        self.assertEqual(process.returncode, 0)
-
 
 class TwoRuns(CliTest):
     def setUp(self):
