@@ -100,6 +100,20 @@ class Check(CliTest):
                          ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
         self.assertEqual(done.stdout, "good.txt: ok: layout, 1 boxes\n")
 
+    def test_a_layout_that_was_cut_off_is_told(self):
+        text = layout_text(SEED)
+        self.write("whole.txt", text)
+        self.write("cut.txt", "".join(text.splitlines(keepends=True)[:-1]))
+        self.write("shove.txt", SHOVE)
+        warning = "warning: cut.txt:1: the header announces 3 boxes and the file has 2, as a copy that was cut off would\n"
+        done = self.run_here("check", "whole.txt", "cut.txt")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr, warning)
+        done = self.run_here("screen", "--layouts", "whole.txt", "cut.txt", "--accelerations", "shove.txt")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr.count("the header announces"), 1)
+        self.assertIn(warning, done.stderr)
+
     def test_the_container_of_the_config_counts(self):
         self.write("long.ini", "[Container]\nLength = 1200\n")
         self.write("long.txt", HEAD + "900 0 0 1000 60 100 1\n")
