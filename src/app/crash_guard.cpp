@@ -28,7 +28,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>& work) {
+ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>& work, const std::string& cure) {
   std::fflush(nullptr);  // or both would print what is still in the buffers
   const pid_t child = fork();
   if (child == 0) {
@@ -49,7 +49,8 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
   if (WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
   if (is_crash(signal))
-    return fail(ExitCode::bad_usage, {.file = path, .what = "is damaged: the HDF5 library crashed on it"});
+    return fail(ExitCode::bad_usage,
+                {.file = path, .what = "is damaged: the HDF5 library crashed on it", .accepted = cure});
   // Killed by somebody: so are we.
   std::signal(signal, SIG_DFL);
   std::raise(signal);

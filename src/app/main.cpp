@@ -73,7 +73,8 @@ int main(int argc, char** argv) {
   program.footer(
       "Example:\n"
       "  holdfast screen --layouts configs/layouts --accelerations configs/accelerations -o results.h5\n\n"
-      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal.");
+      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal (Ctrl-C, kill),\n"
+      "141 ended by the shell's pipe, whose reader took no more.");
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
   add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);

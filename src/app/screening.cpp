@@ -106,6 +106,26 @@ ExitCode stopped(const ScreeningJob& job, std::uint64_t done, std::uint64_t tota
   return exit_code_of(watch_stop_signals());
 }
 
+/// Says after a failure what a resumed run would find. What was written to the part that failed is lost: only the
+/// finished parts count.
+void tell_what_is_safe(const ScreeningJob& job, const RunDescription& description, std::size_t total) {
+  const std::string folder = job.results_path + ".parts";
+  const Result<Progress> safe = find_finished(job.results_path, fingerprint(description));
+  std::error_code unknown;
+  if (!std::filesystem::exists(folder, unknown)) {
+    print_to(stderr, "{} is gone, and with it all worlds; the same command without --resume starts anew\n", folder);
+  } else if (!safe) {
+    print_to(stderr, "{}\n", safe.error().message());
+  } else if (safe->world_count == 0) {
+    print_to(stderr, "none of {} is safe; the same command without --resume starts anew\n", counted(total, "world"));
+  } else if (safe->world_count == total) {
+    print_to(stderr, "all {} are in {}; --resume puts them together once the cause is gone\n", counted(total, "world"),
+             folder);
+  } else {
+    print_to(stderr, "{} of {} worlds are safe in {}; --resume goes on from there\n", safe->world_count, total, folder);
+  }
+}
+
 /// What is left to do when all worlds are in parts or in the results file: assemble, export, show, judge.
 ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bool assembled, StageCosts& costs) {
   if (!assembled) {
@@ -118,8 +138,7 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, bo
     if (error && stop) return stopped(job, total, total);
     if (error) {
       fail(ExitCode::some_failed, *error);
-      print_to(stderr, "all {} are safe in {}.parts; --resume puts them together\n", counted(total, "world"),
-               job.results_path);
+      tell_what_is_safe(job, description, total);
       return ExitCode::some_failed;
     }
   }
@@ -148,6 +167,10 @@ ExitCode run_screening(const ScreeningJob& job) {
   }
   const Result<std::unique_ptr<Engine>> engine = make_engine(job.settings.screening.engine, job.settings);
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
+  std::error_code unknown;
+  if (std::filesystem::is_directory(job.results_path, unknown))
+    return fail(ExitCode::bad_usage,
+                {.file = job.results_path, .what = "is a folder", .accepted = "the name of the results file"});
   if (job.text_folder && !job.record_series)
     return fail(ExitCode::bad_usage,
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
@@ -165,8 +188,8 @@ ExitCode run_screening(const ScreeningJob& job) {
   Progress finished;
   if (job.resume) {
     const auto look = [&] { return find_finished(job.results_path, fingerprint(description)); };
-    const ExitCode readable =
-        guard_reading(job.results_path, [&] { return look() ? ExitCode::done : ExitCode::some_failed; });
+    const ExitCode readable = guard_reading(
+        job.results_path, [&] { return look() ? ExitCode::done : ExitCode::some_failed; }, "--overwrite starts anew");
     if (readable == ExitCode::bad_usage) return readable;
     const Result<Progress> found = look();
     if (!found) return fail(ExitCode::bad_usage, found.error());
@@ -201,10 +224,7 @@ ExitCode run_screening(const ScreeningJob& job) {
   WorldRun run(job, **engine, motions, **writer, finished, costs);
   const bool all_there = run.go();
   if (run.write_failed()) {
-    // What was written to the part that failed is lost: only the finished parts count.
-    const Result<Progress> safe = find_finished(job.results_path, fingerprint(description));
-    print_to(stderr, "{} of {} worlds are safe in {}.parts; --resume goes on from there\n",
-             safe ? safe->world_count : 0, run.total(), job.results_path);
+    tell_what_is_safe(job, description, run.total());
     return ExitCode::some_failed;
   }
   if (!all_there) return stopped(job, run.done(), run.total());

@@ -58,6 +58,18 @@ auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work
   }
 }
 
+/// Runs `work`; a failure of it that has no cure yet gets one.
+template <class Work>
+auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    Error error = failure.error();
+    if (error.accepted.empty()) error.accepted = cure;
+    throw Failure(std::move(error));
+  }
+}
+
 /// Owner of an HDF5 identifier.
 class Id {
  public:

@@ -13,6 +13,7 @@
 
 #include "core/number_text.hpp"
 #include "io/regular_file.hpp"
+#include "io/text_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast {
@@ -148,10 +149,14 @@ Result<std::vector<std::string>> paths_of(const Result<std::vector<InputFile>>& 
   return paths;
 }
 
-}  // namespace
+/// What the beginning of a text shows.
+struct Look {
+  InputKind kind = InputKind::unknown;
+  bool decided = false;  ///< whatever follows
+};
 
-InputKind classify(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) return InputKind::unknown;
+Look look_at(std::string_view text) {
+  if (text.find('\0') != std::string_view::npos) return {InputKind::unknown, true};
   InputKind first = InputKind::unknown;
   bool is_second = false;
   LineReader lines(text);
@@ -159,30 +164,34 @@ InputKind classify(std::string_view text) {
   while (lines.next()) {
     split_fields(lines.line(), fields);
     if (fields.empty() || fields[0].text.starts_with(';')) continue;
-    if (fields[0].text.starts_with('[')) return InputKind::config;
+    if (fields[0].text.starts_with('[')) return {InputKind::config, true};
     const std::string_view data = lines.line().substr(0, lines.line().find('#'));
     const InputKind kind = data.find('=') == std::string_view::npos ? kind_of_line(fields) : InputKind::config;
     // The first line may be a layout's header, which can have any words, `seed=5` too.
-    if (is_second) return kind == InputKind::unknown ? first : kind;
+    if (is_second) return {kind == InputKind::unknown ? first : kind, true};
     first = kind;
     is_second = true;
   }
-  return first;
+  return {first, false};
 }
+
+}  // namespace
+
+InputKind classify(std::string_view text) { return look_at(text).kind; }
 
 InputKind classify_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string head;
-  // Most files show their kind in the first block; a long comment may come before that.
-  for (const std::size_t size : {std::size_t{4096}, std::size_t{65536}}) {
+  // Most files show their kind in the first block; a long comment, or a long line, may take as much as a file may have.
+  for (std::size_t size = 4096; size <= kMostTextBytes; size *= 8) {
     const std::size_t old_size = head.size();
     head.resize(size);
     file.read(head.data() + old_size, static_cast<std::streamsize>(size - old_size));
     head.resize(old_size + static_cast<std::size_t>(file.gcount()));
     // The last line may be cut.
     const bool whole = head.size() < size;
-    const InputKind kind = classify(whole ? head : std::string_view(head).substr(0, head.rfind('\n') + 1));
-    if (whole || kind != InputKind::unknown) return kind;
+    const Look look = look_at(whole ? head : std::string_view(head).substr(0, head.rfind('\n') + 1));
+    if (whole || look.decided) return look.kind;
   }
   return InputKind::unknown;
 }

@@ -29,7 +29,12 @@ class Parts {
     if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
     return part_path(path_, part + 1);
   }
-  h5::File open(std::size_t part) const { return h5::File::open(path(part)); }
+  /// Shows one to a reader; a failure of it is told with its cure.
+  template <class Work>
+  void with(std::size_t part, Work&& work) const {
+    const std::string file = path(part);
+    h5::with_cure(kCureOfPart, [&] { work(h5::File::open(file)); });
+  }
 
   /// Removes them from the disk.
   void remove() const { remove_parts(path_); }
@@ -93,9 +98,10 @@ class TableGroup {
   void assemble(const h5::File& file, const Parts& parts) const {
     std::vector<std::vector<Piece>> columns(specs_.size());
     for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
-      const h5::File source = parts.open(part);
-      for (std::size_t i = 0; i < specs_.size(); ++i)
-        columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
+      parts.with(part, [&](const h5::File& source) {
+        for (std::size_t i = 0; i < specs_.size(); ++i)
+          columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
+      });
     }
     for (std::size_t i = 0; i < specs_.size(); ++i)
       write_pieces(file, *specs_[i], at(parts.end(), specs_[i]->axis), std::exchange(columns[i], {}));
@@ -114,18 +120,19 @@ ChunkPlaces find_chunks(const Parts& parts) {
   ChunkPlaces places;
   const auto& ranges = parts.ranges();
   for (std::size_t part = 0; part < ranges.size(); ++part) {
-    const h5::File source = parts.open(part);
-    for (std::size_t column = 0; column < kLongDatasets; ++column) {
-      const DatasetSpec& spec = kSchema[long_datasets()[column]];
-      const std::uint64_t entries = chunk_entries(spec.axis);
-      const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
-      const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
-                                                         : (at(ranges[part].end, spec.axis) + entries - 1) / entries;
-      std::vector<h5::ChunkPlace>& found = places[column].emplace_back();
-      if (begin == end) continue;
-      const h5::Dataset dataset = h5::Dataset::open(source, spec);
-      for (std::uint64_t chunk = begin; chunk < end; ++chunk) found.push_back(dataset.chunk_place(chunk - begin));
-    }
+    parts.with(part, [&](const h5::File& source) {
+      for (std::size_t column = 0; column < kLongDatasets; ++column) {
+        const DatasetSpec& spec = kSchema[long_datasets()[column]];
+        const std::uint64_t entries = chunk_entries(spec.axis);
+        const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
+        const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
+                                                           : (at(ranges[part].end, spec.axis) + entries - 1) / entries;
+        std::vector<h5::ChunkPlace>& found = places[column].emplace_back();
+        if (begin == end) continue;
+        const h5::Dataset dataset = h5::Dataset::open(source, spec);
+        for (std::uint64_t chunk = begin; chunk < end; ++chunk) found.push_back(dataset.chunk_place(chunk - begin));
+      }
+    });
   }
   return places;
 }

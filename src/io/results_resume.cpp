@@ -81,7 +81,8 @@ std::optional<Error> visit_finished(const std::string& path, const Progress& pro
                                     const std::function<void(const WorldRecord&)>& visit) {
   return h5::caught(path, [&] {
     if (progress.complete) return visit_file(path, visit);
-    for (std::uint64_t part = 1; part <= progress.part_count; ++part) visit_file(part_path(path, part), visit);
+    for (std::uint64_t part = 1; part <= progress.part_count; ++part)
+      h5::with_cure(kCureOfPart, [&] { visit_file(part_path(path, part), visit); });
   });
 }
 
@@ -89,14 +90,17 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
   return h5::caught_result(path, [&] {
     remove_temporaries(path);
     if (std::filesystem::exists(path)) {
-      Progress progress = progress_of_finished_file(path, fingerprint);
+      Progress progress =
+          h5::with_cure("--overwrite starts anew", [&] { return progress_of_finished_file(path, fingerprint); });
       remove_parts(path);  // a run that was killed after assembling did not come to it
       return progress;
     }
     Progress progress;
     for (const PartRange& range : check_parts(path, fingerprint)) {
       add_counts(range, progress);
-      append_layouts(h5::File::open(part_path(path, ++progress.part_count)), progress);
+      ++progress.part_count;
+      h5::with_cure(kCureOfPart,
+                    [&] { append_layouts(h5::File::open(part_path(path, progress.part_count)), progress); });
     }
     return progress;
   });

@@ -1,9 +1,10 @@
 """Bad input and bad usage: one line that says where and what, the right exit code, and never a crash."""
 import os
 import signal
+import subprocess
 import unittest
 
-from cli import CONFIG, PATIENCE, SEED, SHOVE, SOURCE, CliTest, datasets, layout_text, start
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, SHOVE, SOURCE, CliTest, datasets, layout_text, start
 
 HEAD = "1 2\n"
 BOX = "0 0 0 80 60 100 1\n"
@@ -113,6 +114,18 @@ class Check(CliTest):
         self.assert_exit(done, 0)
         self.assertEqual(done.stderr.count("the header announces"), 1)
         self.assertIn(warning, done.stderr)
+
+    def test_a_line_of_a_million_digits_is_read_by_check_as_by_screen(self):
+        digits = "0" * 1_000_000
+        self.write("layout.txt", f"1 1\n0 0 0 80.{digits} 59 106 1\n")
+        self.write("acceleration.txt", f"0 1.{digits} 0 0 0\n")
+        self.write("config.ini", f"# {digits}\n[Container]\nWidth = 233\n")
+        done = self.run_here("check", "layout.txt", "acceleration.txt", "config.ini")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stdout, "layout.txt: ok: layout, 1 boxes\nacceleration.txt: ok: acceleration, 1 segments, 1 s\n"
+                                      "config.ini: ok: config, 1 keys\n")
+        self.assert_exit(self.run_here("screen", "-c", "config.ini", "--layouts", "layout.txt", "--accelerations",
+                                       "acceleration.txt", "--quiet"), 0)
 
     def test_the_container_of_the_config_counts(self):
         self.write("long.ini", "[Container]\nLength = 1200\n")
@@ -255,6 +268,28 @@ class Usage(CliTest):
                 self.assertIn("\nExample:\n  holdfast " + "".join(command), done.stdout)
         for command in commands:
             self.assertIn(f"\n  {command} ", self.run_here("--help").stdout)
+
+    def test_exit_codes_are_told(self):
+        told = self.run_here("--help").stdout
+        for code in ("0 done", "1 some", "2 bad", "130 and 143", "141"):
+            self.assertIn(code, told)
+        # More than a pipe holds, so that the program still writes when its reader is gone.
+        ended = subprocess.run(["bash", "-c", f"(for i in $(seq 40); do '{HOLDFAST}' --help-config || echo $? >&2; done) | head -1"],
+                               capture_output=True, text=True, timeout=PATIENCE, check=False)
+        self.assertIn("141\n", ended.stderr)
+
+    def test_a_folder_is_no_output(self):
+        self.write_inputs()
+        (self.folder / "taken").mkdir()
+        inputs = ("--layouts", self.layouts[0], "--accelerations", self.accelerations[0])
+        for more in ((), ("--resume",), ("--overwrite",)):
+            for path in ("taken", "taken/", "."):
+                with self.subTest(more=more, path=path):
+                    self.assert_refused(self.run_here("screen", *inputs, "-o", path, *more),
+                                        f"{path}: is a folder; the name of the results file")
+        self.assertEqual(list((self.folder / "taken").iterdir()), [])
+        self.assert_exit(self.run_here("screen", *inputs, "--quiet"), 0)
+        self.assert_refused(self.run_here("summary", "results.h5", "-o", "taken"), "taken: is a folder; the name of a new file")
 
     def test_pages(self):
         self.assertRegex(self.run_here("--version").stdout, r"^holdfast \d+\.\d+\.\d+ ")

@@ -159,6 +159,22 @@ class TwoRuns(CliTest):
         self.assertIsNone(process.poll())
 
 
+class LostParts(ManyWorlds):
+    def test_a_folder_of_parts_that_is_gone_is_not_called_safe(self):
+        self.write_many(1, 0.1)
+        self.write("long.txt", "0 12000 1 0 0\n")
+        process = start("screen", "-c", "config.ini", "--layouts", "layouts", "--accelerations", "left.txt", "long.txt",
+                        "--no-series", "--json", cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertIn("left.txt", process.stdout.readline())
+        shutil.rmtree(self.folder / "results.h5.parts")  # before the open part is closed, which takes it two seconds
+        self.assertEqual(process.wait(PATIENCE), 1)
+        said = process.stderr.read()
+        self.assertIn("results.h5.parts is gone, and with it all worlds; the same command without --resume starts anew", said)
+        self.assertNotIn("safe", said)
+
+
 class SmallDisk(ManyWorlds):
     """A file system of its own, full or read-only."""
 
