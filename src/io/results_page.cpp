@@ -59,6 +59,7 @@ with h5py.File("results.h5") as f:
     table = pd.DataFrame({k: f["summary/worlds"][k][:] for k in f["summary/worlds"]})
     table["layout"] = f["inputs/layouts/name"].asstr()[:][f["worlds/layout"][:]]
     table["acceleration"] = f["inputs/accelerations/name"].asstr()[:][f["worlds/acceleration"][:]]
+table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed"])
 ```
 
 What ran: `dict(f.attrs)`, `f["inputs/config"].asstr()[()]`, and `dict(f["inputs/settings"].attrs)` with every
@@ -135,7 +136,11 @@ std::string results_page() {
   const auto to = std::back_inserter(page);
   page +=
       "\n`/worlds/status` is 0 when all is well, else the sum of these bits. Look at it, or at "
-      "`stop_reason`, before the summary: of a world that was not run, nothing counts as fallen.\n\n| bit | name | "
+      "`verdict` in `/summary/worlds`, which is then 4 (failed), before the other numbers of the summary. Of a world "
+      "that was "
+      "not simulated, nobody has counted boxes: its counts there are 4294967295, the largest that fits, its other "
+      "numbers "
+      "NaN; in CSV these are empty, in JSON null.\n\n| bit | name | "
       "meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const auto& [bit, meaning] : kStatusMeanings)

@@ -76,7 +76,7 @@ inline constexpr std::uint64_t kFormatVersion = 1;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 76;
+inline constexpr std::size_t kDatasetCount = 77;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all go by this table.

@@ -1,6 +1,7 @@
 """Runs that are killed, stopped or out of disk, and go on with `--resume`."""
 import json
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -107,6 +108,15 @@ class LongRun(CliTest):
         with self.subTest(changed="option"):
             self.assert_refused(self.run_here(*self.arguments(), "--resume", "--no-series"), "is of a run with other series")
         self.assertIn("part-000001.h5", self.parts())
+
+    def test_parts_of_an_earlier_version_are_refused(self):
+        part = self.folder / "results.h5.parts/part-000001.h5"
+        with h5py.File(part, "r+") as file:
+            del file["summary/worlds/verdict"]
+            file.attrs["software"] = "holdfast 0.0.9"
+            file.attrs["fingerprint"] = re.sub("software=[0-9a-f]*", "software=" + 64 * "0", file.attrs["fingerprint"])
+        self.assert_refused(self.run_here(*self.arguments(), "--resume"), "is of a run with other software: by holdfast 0.0.9",
+                            "--overwrite starts anew")
 
     def test_nothing_to_resume_is_told(self):
         shutil.rmtree(self.folder / "results.h5.parts")
