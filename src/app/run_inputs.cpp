@@ -11,6 +11,7 @@
 #include <span>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "app/report.hpp"
 #include "app/version.hpp"
@@ -84,7 +85,8 @@ std::vector<RunMotion> read_motions(const ScreeningJob& job) {
   return motions;
 }
 
-RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions) {
+RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions,
+                            std::vector<std::string> layout_hashes) {
   RunDescription run;
   run.software = fmt::format("holdfast {}", kVersion);
   run.git_commit = kGitCommit;
@@ -95,6 +97,7 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   run.config_text = job.config_text;
   run.settings = effective_settings(job.settings);
   for (const std::string& path : job.layout_paths) run.layout_names.push_back(input_name(path));
+  run.layout_hashes = std::move(layout_hashes);
   for (const RunMotion& motion : motions) run.accelerations.push_back(motion.motion);
   run.record_series = job.record_series;
   run.thresholds = recording_plan(job.settings, true).thresholds;

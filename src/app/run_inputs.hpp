@@ -19,6 +19,7 @@ void warn_of_same_names(const std::vector<std::string>& paths);
 std::vector<RunMotion> read_motions(const ScreeningJob& job);
 
 /// What the results file is to say about the run.
-RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions);
+RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions,
+                            std::vector<std::string> layout_hashes);
 
 }  // namespace holdfast

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 
 #include "app/crash_guard.hpp"
 #include "app/engine_catalog.hpp"
+#include "app/layout_shelf.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
@@ -39,15 +41,18 @@ std::string engine_text(const Settings& settings) {
   return engine == "native" ? engine + ", accuracy " + find_setting("Native", "Accuracy")->get(settings, 0) : engine;
 }
 
-/// What is finished must be the first worlds of this job, up to the border of a unit of work, and their layouts must be
-/// what they were.
-std::optional<Error> check_continues(const Progress& finished, const ScreeningJob& job, const EngineTraits& traits) {
+/// What is finished must be the first worlds of this job, up to the border of a unit of work, and all layouts must be
+/// what they were when the run began.
+std::optional<Error> check_continues(const Progress& finished, const ScreeningJob& job,
+                                     const std::vector<std::string>& layout_hashes, const EngineTraits& traits) {
+  if (finished.part_count == 0 && !finished.complete) return std::nullopt;
   const std::vector<std::string>& layout_paths = job.layout_paths;
   const std::size_t motions = job.acceleration_paths.size();
   const std::size_t total = layout_paths.size() * motions;
   const std::size_t world = finished.world_count;
   const WorkUnits units(layout_paths.size(), motions, traits);
-  if (world > total || finished.layouts.size() != (world + motions - 1) / motions ||
+  if (world > total || finished.layout_count != (world + motions - 1) / motions ||
+      finished.layout_hashes.size() != layout_paths.size() ||
       (world < total && units.first_world(units.beginning_with(world)) != world)) {
     return Error{
         .file = job.results_path,
@@ -55,15 +60,12 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningJo
         .value = std::to_string(world) + " of " + std::to_string(total) + " worlds",
         .accepted = "--overwrite starts anew"};
   }
-  for (std::size_t i = 0; i < finished.layouts.size(); ++i) {
-    const Result<TextFile> file = read_text_file(layout_paths[i]);
-    const std::string sha256 = file ? file->sha256 : "";
-    if (sha256 == finished.layouts[i].second) continue;
-    return Error{.file = layout_paths[i],
-                 .what = "this layout has changed since the run that is to be resumed",
-                 .accepted = "put the old file back, or start anew with --overwrite"};
-  }
-  return std::nullopt;
+  const auto [then, now] =
+      std::mismatch(finished.layout_hashes.begin(), finished.layout_hashes.end(), layout_hashes.begin());
+  if (now == layout_hashes.end()) return std::nullopt;
+  return Error{.file = layout_paths[static_cast<std::size_t>(now - layout_hashes.begin())],
+               .what = "this layout has changed since the run that is to be resumed",
+               .accepted = "put the old file back, or start anew with --overwrite"};
 }
 
 /// Tells of the worlds that an earlier run finished as it told of them then.
@@ -176,7 +178,11 @@ ExitCode run_screening(const ScreeningJob& job) {
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
   const std::vector<RunMotion> motions = read_motions(job);
-  const RunDescription description = describe_run(job, motions);
+  StageCosts costs;
+  const RunDescription description = describe_run(job, motions, [&] {
+    const StageTimer timer(costs, Stage::read);
+    return hash_layouts(job.layout_paths);
+  }());
   std::optional<Error> warning;
   const Result<OutputLock> lock = OutputLock::take(job.results_path, warning);
   if (!lock) return fail(ExitCode::bad_usage, lock.error());
@@ -194,7 +200,7 @@ ExitCode run_screening(const ScreeningJob& job) {
     const Result<Progress> found = look();
     if (!found) return fail(ExitCode::bad_usage, found.error());
     finished = *found;
-    if (const auto error = check_continues(finished, job, (*engine)->traits()))
+    if (const auto error = check_continues(finished, job, description.layout_hashes, (*engine)->traits()))
       return fail(ExitCode::bad_usage, *error);
     if (job.json) {
       if (const auto error = print_finished(job, description, finished)) return fail(ExitCode::bad_usage, *error);
@@ -203,8 +209,7 @@ ExitCode run_screening(const ScreeningJob& job) {
       print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job.results_path);
     if (finished.complete) {
       if (!job.quiet) print_to(stderr, "{} is complete already\n", job.results_path);
-      StageCosts none;
-      return conclude(job, description, true, none);
+      return conclude(job, description, true, costs);
     }
   }
   Result<std::unique_ptr<ResultsWriter>> writer = ResultsWriter::open(job.results_path, description, finished);
@@ -220,8 +225,7 @@ ExitCode run_screening(const ScreeningJob& job) {
              engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
              finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
-  StageCosts costs;
-  WorldRun run(job, **engine, motions, **writer, finished, costs);
+  WorldRun run(job, **engine, description.layout_hashes, motions, **writer, finished, costs);
   const bool all_there = run.go();
   if (run.write_failed()) {
     tell_what_is_safe(job, description, run.total());

@@ -26,12 +26,12 @@ struct RunMotion {
 class UnitRunner {
  public:
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
-             const std::vector<std::string>& layout_paths, const std::vector<RunMotion>& motions,
-             const std::atomic<bool>& abort, StageCosts& costs)
+             const std::vector<std::string>& layout_paths, const std::vector<std::string>& layout_hashes,
+             const std::vector<RunMotion>& motions, const std::atomic<bool>& abort, StageCosts& costs)
       : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
-        layouts_(layout_paths, settings, costs),
+        layouts_(layout_paths, layout_hashes, settings, costs),
         motions_(motions),
         abort_(abort),
         costs_(costs) {}

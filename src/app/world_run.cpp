@@ -19,10 +19,12 @@ constexpr std::size_t kWarningsShown = 20;
 
 }  // namespace
 
-WorldRun::WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<RunMotion>& motions,
-                   ResultsWriter& writer, const Progress& finished, StageCosts& costs)
+WorldRun::WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<std::string>& layout_hashes,
+                   const std::vector<RunMotion>& motions, ResultsWriter& writer, const Progress& finished,
+                   StageCosts& costs)
     : job_(job),
       engine_(engine),
+      layout_hashes_(layout_hashes),
       motions_(motions),
       writer_(writer),
       costs_(costs),
@@ -35,7 +37,8 @@ WorldRun::WorldRun(const ScreeningJob& job, const Engine& engine, const std::vec
 
 bool WorldRun::go() {
   const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
-  UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, motions_, stop_.drop, costs_);
+  UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, layout_hashes_, motions_, stop_.drop,
+                    costs_);
   const std::size_t first = units.beginning_with(world_);
   {
     ProgressLine line(counts_, stderr, job_.quiet);

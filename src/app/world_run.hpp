@@ -22,8 +22,8 @@ namespace holdfast {
 /// The worlds of a run from the first unit to the last: what its threads share.
 class WorldRun {
  public:
-  WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<RunMotion>& motions, ResultsWriter& writer,
-           const Progress& finished, StageCosts& costs);
+  WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<std::string>& layout_hashes,
+           const std::vector<RunMotion>& motions, ResultsWriter& writer, const Progress& finished, StageCosts& costs);
 
   /// False when it was stopped or writing failed: then the results are not all there.
   bool go();
@@ -49,6 +49,7 @@ class WorldRun {
 
   const ScreeningJob& job_;
   const Engine& engine_;
+  const std::vector<std::string>& layout_hashes_;
   const std::vector<RunMotion>& motions_;
   ResultsWriter& writer_;
   StageCosts& costs_;

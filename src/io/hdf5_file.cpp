@@ -204,4 +204,18 @@ void write_text(const File& file, const std::string& path, std::string_view text
   write_attribute(file, path, "description", description);
 }
 
+std::string read_text(const File& file, const std::string& path) {
+  const std::string what = "has no text " + path + " that can be read";
+  const Id id(file.check(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), what), H5Dclose);
+  const Id space(H5Dget_space(id), H5Sclose);
+  const Id type(H5Dget_type(id), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(space) != 1)
+    throw Failure(Error{.file = file.path(), .what = what});
+  const std::uint64_t size = H5Tget_size(type);
+  if (size > H5Dget_storage_size(id)) throw Failure(Error{.file = file.path(), .what = what});
+  std::string text(size, '\0');
+  file.check(H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), what);
+  return text.substr(0, text.find('\0'));
+}
+
 }  // namespace holdfast::h5

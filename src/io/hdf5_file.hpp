@@ -142,6 +142,7 @@ double read_number_attribute(const File& file, const std::string& object, const 
 
 /// A single text as a dataset, for texts that are pages long.
 void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description);
+std::string read_text(const File& file, const std::string& path);
 
 /// Where the compressed bytes of a chunk are in their file.
 struct ChunkPlace {

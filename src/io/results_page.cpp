@@ -92,7 +92,9 @@ when all of it is on disk, so a kill or a power cut costs the open part at most,
 slower one before them. `results.h5.parts/lock` keeps a second run away while the first one lives. At the end the parts become
 `results.h5` and are removed: for that moment the disk must hold the results twice. `--resume` goes on after the last finished part,
 if software, settings, engine, layouts
-and accelerations are the same; the file has then the same bytes as that of an undisturbed run (times and processor
+and accelerations are the same, those layouts too that the run had not come to: the first part has the SHA-256 of all as they
+were when the run began, in `/inputs/layout_hashes`. A layout that changes while the run goes on, before its turn, is left out as a bad
+one; the file has then the same bytes as that of an undisturbed run (times and processor
 seconds aside).
 
 A part is a results file of its worlds, with their summary. All its indices count in the run: `box_begin`, `sample_begin`

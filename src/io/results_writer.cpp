@@ -31,7 +31,7 @@ AxisCounts counts_of(const Progress& progress) {
   at(counts, Axis::boxes) = progress.box_count;
   at(counts, Axis::samples) = progress.sample_count;
   at(counts, Axis::rows) = progress.row_count;
-  at(counts, Axis::layouts) = progress.layouts.size();
+  at(counts, Axis::layouts) = progress.layout_count;
   at(counts, Axis::layout_boxes) = progress.layout_box_count;
   return counts;
 }

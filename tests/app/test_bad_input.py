@@ -4,7 +4,7 @@ import signal
 import subprocess
 import unittest
 
-from cli import CONFIG, HOLDFAST, PATIENCE, SEED, SHOVE, SOURCE, CliTest, datasets, layout_text, start
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, SHOVE, SOURCE, TOWER, CliTest, datasets, layout_text, start
 
 HEAD = "1 2\n"
 BOX = "0 0 0 80 60 100 1\n"
@@ -325,13 +325,13 @@ class NoRegularFiles(CliTest):
         done = self.run_here("screen", "--layouts", "layouts", "--accelerations", "shove.txt")
         self.assert_refused(done, "layouts/pipe.txt: is a pipe, not a file")
 
-    def test_a_layout_that_becomes_a_pipe_during_the_run_is_a_row(self):
+    def test_a_layout_that_changes_or_becomes_a_pipe_during_the_run_is_a_row(self):
         self.write("config.ini", CONFIG)
-        for name in ("a.txt", "b.txt"):
+        for name in ("a.txt", "b.txt", "c.txt"):
             self.write(name, layout_text(SEED))
         self.write("short.txt", "0 0.1 1 0 0\n")
         self.write("long.txt", "0 1000 1 0 0\n")
-        process = start("screen", "-c", "config.ini", "--layouts", "a.txt", "b.txt", "--accelerations", "short.txt",
+        process = start("screen", "-c", "config.ini", "--layouts", "a.txt", "b.txt", "c.txt", "--accelerations", "short.txt",
                         "long.txt", "--json", "--threads", 1, "--scheduler", "serial", "--no-series", cwd=self.folder)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
@@ -339,11 +339,13 @@ class NoRegularFiles(CliTest):
         process.send_signal(signal.SIGSTOP)  # while it is at the long world
         (self.folder / "b.txt").unlink()
         os.mkfifo(self.folder / "b.txt")
+        self.write("c.txt", layout_text(TOWER))
         process.send_signal(signal.SIGCONT)
         said = process.communicate(timeout=PATIENCE)[1]
         self.assertEqual(process.returncode, 1, said)
         self.assertIn("b.txt: is a pipe, not a file", said)
-        self.assertEqual(datasets(self.folder / "results.h5")["/worlds/status"].tolist(), [0, 0, 1, 1])
+        self.assertIn("c.txt: this layout has changed since the run began, and is left out; screen it again by itself", said)
+        self.assertEqual(datasets(self.folder / "results.h5")["/worlds/status"].tolist(), [0, 0, 1, 1, 1, 1])
 
 
 if __name__ == "__main__":

@@ -171,7 +171,7 @@ class Damaged(CliTest):
             shutil.copy(self.folder / self.changed(self.folder / "kept.h5", name, CHANGES[kind]), part)
 
         # What is refused is refused before anything is simulated: the endless world is never begun.
-        names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layouts", "/boxes/world",
+        names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layout", "/boxes/world",
                                                                      "/series/time", "/series/displ"))]
         for name in names:
             for kind in kinds if name not in NEEDED_AT_THE_END else ():

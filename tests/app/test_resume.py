@@ -98,6 +98,7 @@ class LongRun(CliTest):
 
     def test_changed_inputs_are_refused(self):
         for name, old, new, said in (("layouts/layout00.txt", "106", "105", "layout00.txt: this layout has changed"),
+                                     ("layouts/layout23.txt", "106", "105", "layout23.txt: this layout has changed"),
                                      ("long.txt", " 1 0 0", " 2 0 0", "is of a run with other accelerations"),
                                      ("config.ini", "= 60", "= 61", "is of a run with other settings")):
             with self.subTest(changed=name):
@@ -105,6 +106,12 @@ class LongRun(CliTest):
                 self.write(name, text.replace(old, new))
                 self.assert_refused(self.run_here(*self.arguments(), "--resume"), said)
                 self.write(name, text)
+        with self.subTest(changed="removed, and not yet come to"):
+            self.assertLess(self.safe_worlds, 2 * 23)
+            (self.folder / "layouts/layout23.txt").rename(self.folder / "away.txt")
+            (self.folder / "layouts/layout23.txt").symlink_to("layout22.txt")
+            self.assert_refused(self.run_here(*self.arguments(), "--resume"), "layout23.txt: this layout has changed")
+            (self.folder / "away.txt").rename(self.folder / "layouts/layout23.txt")
         with self.subTest(changed="option"):
             self.assert_refused(self.run_here(*self.arguments(), "--resume", "--no-series"), "is of a run with other series")
         self.assertIn("part-000001.h5", self.parts())

@@ -20,11 +20,12 @@ TEST_CASE(
   const std::vector<RunMotion> motions = {
       {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
   const Settings settings;
+  const std::vector<std::string> hashes = hash_layouts(paths);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const auto worlds_of = [&](const Script& script) {
     const ScriptedEngine engine(script);
-    UnitRunner runner(engine, settings, true, paths, motions, abort, costs);
+    UnitRunner runner(engine, settings, true, paths, hashes, motions, abort, costs);
     const std::optional<UnitRecord> unit = runner.run({0, 1, 0, motions.size()}, 1);
     REQUIRE(unit);
     REQUIRE(unit->worlds.size() == motions.size());
