@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "app/report.hpp"
 
@@ -36,6 +37,8 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
     ExitCode code = ExitCode::some_failed;
     try {
       code = work();
+    } catch (const std::bad_alloc&) {
+      fail(code, out_of_memory(path));
     } catch (const std::exception& exception) {
       fail(code, {.file = path, .what = "cannot be read", .value = exception.what()});
     }

@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <new>
 #include <optional>
+#include <system_error>
 
 #include "app/commands.hpp"
 #include "app/report.hpp"
+#include "app/uncaught.hpp"
 #include "app/version.hpp"
 #include "core/closest_word.hpp"
 #include "core/settings_page.hpp"
@@ -65,10 +68,22 @@ std::optional<Error> unknown_word(const CLI::App& program) {
                .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
 }
 
+/// Runs the command; what it cannot have, memory or a thread, becomes a message.
+ExitCode run_within_memory(const ChosenCommand& chosen) {
+  try {
+    return chosen.run();
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::some_failed, out_of_memory(""));
+  } catch (const std::system_error& error) {
+    return fail(ExitCode::some_failed, {.what = "the system refused", .value = error.what()});
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  report_uncaught();
   CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
   program.footer(
       "Example:\n"
@@ -99,5 +114,5 @@ int main(int argc, char** argv) {
     if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
     return static_cast<int>(checked_output(program.exit(error) == 0 ? ExitCode::done : ExitCode::bad_usage));
   }
-  return static_cast<int>(checked_output(chosen.run()));
+  return static_cast<int>(checked_output(run_within_memory(chosen)));
 }

@@ -14,30 +14,16 @@
 #include <utility>
 
 #include "app/report.hpp"
+#include "app/series_limit.hpp"
 #include "app/version.hpp"
 #include "core/series_recorder.hpp"
 #include "core/setting_table.hpp"
-#include "core/simulate.hpp"
 #include "io/acceleration_reader.hpp"
 #include "io/text_file.hpp"
 
 namespace holdfast {
 
 namespace {
-
-/// Most samples of a world: of 100 boxes they take 1.5 GB, all of which waits in memory for the world's end.
-constexpr double kMostSamples = 200'000;
-
-/// What a motion's series would be too long for, if they are.
-std::optional<Error> check_samples(const ScreeningJob& job, const std::string& path, const Motion& motion) {
-  const double samples = latest_end(motion, job.settings) / job.settings.results_interval;
-  if (!job.record_series || samples <= kMostSamples) return std::nullopt;
-  return Error{
-      .file = path,
-      .what = "would give a world too many samples",
-      .value = fmt::format("{:.0f}", samples),
-      .accepted = fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", kMostSamples)};
-}
 
 std::string host_name() {
   std::array<char, 256> name = {};
@@ -73,7 +59,8 @@ std::vector<RunMotion> read_motions(const ScreeningJob& job) {
     Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
     if (file) entry.motion.sha256 = file->sha256;
     if (motion) {
-      if (const auto error = check_samples(job, path, *motion)) motion = *error;
+      const auto error = job.record_series ? check_samples(path, *motion, job.settings) : std::nullopt;
+      if (error) motion = *error;
     }
     if (motion) {
       entry.motion = std::move(*motion);

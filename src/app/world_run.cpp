@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <new>
 
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/ticker.hpp"
+#include "app/uncaught.hpp"
 #include "app/work_units.hpp"
 #include "app/world_json.hpp"
 #include "parallel/ordered_run.hpp"
@@ -16,6 +18,10 @@ namespace holdfast {
 namespace {
 
 constexpr std::size_t kWarningsShown = 20;
+
+WorldPlace first_world(const UnitRecord& record) {
+  return {record.worlds.front().layout, record.worlds.front().acceleration};
+}
 
 }  // namespace
 
@@ -35,6 +41,19 @@ WorldRun::WorldRun(const ScreeningJob& job, const Engine& engine, const std::vec
   counts_.done = finished.world_count;
 }
 
+template <class Work>
+auto WorldRun::with_memory(WorldPlace world, const char* done, Work&& work) -> decltype(work()) {
+  const WorkInHand in_hand(job_.layout_paths[world.layout], motions_[world.acceleration].motion.name);
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    keep(out_of_memory(job_.layout_paths[world.layout],
+                       printable(fmt::format("memory ran out when its world under {} was {}",
+                                             motions_[world.acceleration].motion.name, done))));
+    return std::nullopt;
+  }
+}
+
 bool WorldRun::go() {
   const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
   UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, layout_hashes_, motions_, stop_.drop,
@@ -42,24 +61,45 @@ bool WorldRun::go() {
   const std::size_t first = units.beginning_with(world_);
   {
     ProgressLine line(counts_, stderr, job_.quiet);
-    const Ticker ticker(std::chrono::milliseconds(250), [&] { tick(line); });
-    run_in_order(
-        *scheduler_of(job_.settings.screening.scheduler), thread_count(job_.settings.screening.threads),
-        units.count() - first,
-        [&](std::size_t i) {
-          if (stop_.no_more || failed_) return std::optional<UnitRecord>();
-          return runner.run(units[first + i], units.sharing_layouts(first + i, first));
-        },
-        [&](UnitRecord&& record) {
-          announce(record);
-          const StageTimer timer(costs_, Stage::write);
-          return writer_.place(std::move(record));
-        },
-        [&](PlacedUnit&& unit) {
-          const StageTimer timer(costs_, Stage::compress);
-          return ResultsWriter::pack(std::move(unit));
-        },
-        [&](PackedUnit&& unit) { return write(std::move(unit)); });
+    const Ticker ticker(std::chrono::milliseconds(250), [&] {
+      try {
+        tick(line);
+      } catch (const std::bad_alloc&) {
+        // What is told can wait for the next tick, when there may be room; the worlds tell of their own.
+      }
+    });
+    // No exception leaves a stage. A unit for which memory runs out ends the run as one that could not be written does:
+    // those before it in the file are kept.
+    using Placed = std::optional<PlacedUnit>;
+    using Packed = std::optional<PackedUnit>;
+    const auto work = [&](std::size_t i) -> std::optional<UnitRecord> {
+      if (stop_.no_more || failed_) return std::nullopt;
+      const WorkUnit unit = units[first + i];
+      return with_memory({unit.layout_begin, unit.motion_begin}, "simulated",
+                         [&] { return runner.run(unit, units.sharing_layouts(first + i, first)); });
+    };
+    const auto place = [&](UnitRecord&& record) -> Placed {
+      return with_memory(first_world(record), "put in its place", [&] {
+        announce(record);
+        const StageTimer timer(costs_, Stage::write);
+        return Placed(writer_.place(std::move(record)));
+      });
+    };
+    const auto pack = [&](Placed&& unit) -> Packed {
+      if (!unit) return std::nullopt;
+      return with_memory(first_world(unit->record), "compressed", [&] {
+        const StageTimer timer(costs_, Stage::compress);
+        return Packed(ResultsWriter::pack(std::move(*unit)));
+      });
+    };
+    const auto write_packed = [&](Packed&& unit) {
+      if (!unit) return false;
+      const auto written = with_memory(first_world(unit->record), "written",
+                                       [&] { return std::optional<bool>(write(std::move(*unit))); });
+      return written.value_or(false);
+    };
+    run_in_order(*scheduler_of(job_.settings.screening.scheduler), thread_count(job_.settings.screening.threads),
+                 units.count() - first, work, place, pack, write_packed);
     keep(writer_.finish());
   }
   if (warning_count_ > kWarningsShown)
@@ -77,6 +117,7 @@ void WorldRun::announce(const UnitRecord& record) {
     const std::string& acceleration = motions_[world.acceleration].motion.name;
     if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
     if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
+    if (has(world.outcome.status, Status::too_large)) notes_.push_back(world.status_text);
     if (has(world.outcome.status, Status::non_finite))
       notes_.push_back(printable(fmt::format("{} under {}: {}", layout, acceleration, world.status_text)));
     ++world_;
@@ -93,7 +134,10 @@ bool WorldRun::write(PackedUnit&& unit) {
   const std::uint64_t worlds = unit.record.worlds.size();
   {
     const StageTimer timer(costs_, Stage::write);
-    if (!keep(writer_.write(std::move(unit)))) return false;
+    if (auto error = writer_.write(std::move(unit))) {
+      keep(std::move(error));
+      return false;
+    }
   }
   counts_.steps += steps;
   counts_.steps_skipped += skipped;
@@ -102,11 +146,10 @@ bool WorldRun::write(PackedUnit&& unit) {
   return true;
 }
 
-bool WorldRun::keep(std::optional<Error> error) {
+void WorldRun::keep(std::optional<Error> error) {
   const std::scoped_lock lock(notes_mutex_);
   if (error && !error_) error_ = std::move(error);
   if (error_) failed_ = true;
-  return !error_;
 }
 
 void WorldRun::print_lines() {

@@ -19,6 +19,12 @@
 
 namespace holdfast {
 
+/// A world by its inputs.
+struct WorldPlace {
+  std::size_t layout = 0;
+  std::size_t acceleration = 0;
+};
+
 /// The worlds of a run from the first unit to the last: what its threads share.
 class WorldRun {
  public:
@@ -38,8 +44,13 @@ class WorldRun {
 
   bool write(PackedUnit&& unit);
 
-  /// Keeps the first error, from whichever thread. True when there is none.
-  bool keep(std::optional<Error> error);
+  /// Keeps the first error, from whichever thread.
+  void keep(std::optional<Error> error);
+
+  /// Runs a stage of the unit that begins with a world; nothing, and an error kept, when memory runs out.
+  /// @param done  what the stage does to the world, in words
+  template <class Work>
+  auto with_memory(WorldPlace world, const char* done, Work&& work) -> decltype(work());
 
   /// Not under the lock: a reader that pauses must not keep the open part from being closed in time.
   void print_lines();

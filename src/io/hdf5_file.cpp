@@ -32,11 +32,8 @@ std::string last_words() {
   throw Failure(Error{.file = path, .what = what, .value = last_words()});
 }
 
-// HDF5 prints its error stack to the terminal unless told not to, thread by thread.
-//
 // Every call clears that stack, closing an identifier too: lists and types passed to a call must outlive the look at
 // its result, and so have names.
-void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 Id access_list() {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -85,6 +82,14 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
 }
 
 }  // namespace
+
+void be_quiet() {
+  // After memory ran out, the library's own tidying at the end of the process crashes; all that counts is closed
+  // before.
+  static const bool never_tidy = H5dont_atexit() >= 0;
+  static_cast<void>(never_tidy);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 File File::create(const std::string& path) {
   be_quiet();

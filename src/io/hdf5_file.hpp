@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,8 @@ std::optional<Error> caught(const std::string& path, Work&& work) {
     return std::nullopt;
   } catch (const Failure& failure) {
     return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
   } catch (const std::exception& exception) {
     return Error{.file = path, .what = exception.what()};
   }
@@ -53,6 +56,8 @@ auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work
     return work();
   } catch (const Failure& failure) {
     return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
   } catch (const std::exception& exception) {
     return Error{.file = path, .what = exception.what()};
   }
@@ -69,6 +74,9 @@ auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
     throw Failure(std::move(error));
   }
 }
+
+/// Keeps HDF5 from printing its error stack, which it does unless told not to, thread by thread.
+void be_quiet();
 
 /// Owner of an HDF5 identifier.
 class Id {

@@ -121,6 +121,8 @@ constexpr auto kStatusMeanings = std::to_array<StatusMeaning>({
     {Status::non_finite, "a state became infinite or undefined; the samples end before. Use a smaller step"},
     {Status::not_converged, "the solver's residual stayed above its bound. Allow more iterations or accuracy"},
     {Status::capacity, "a device had no room for all contacts of the world, or failed. Use another engine"},
+    {Status::too_large,
+     "the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none"},
 });
 
 std::string length_of(const DatasetSpec& spec) {

@@ -84,6 +84,7 @@ struct ResultsWriter::State {
   template <class Work>
   std::optional<Error> guarded(Work&& work) {
     const std::lock_guard lock(mutex);
+    h5::be_quiet();
     if (!error) error = h5::caught(path, work);
     if (error) part.reset();
     return error;
