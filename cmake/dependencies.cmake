@@ -17,4 +17,15 @@ endif()
 # HDF5's CMake module of Debian gives variables only.
 add_library(holdfast_hdf5 INTERFACE)
 target_include_directories(holdfast_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
-target_link_libraries(holdfast_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+# Debian's shared library draws in a client for the web and thirty libraries more, 7 ms at every start: the static one,
+# whose part for the web is left out when linking, is taken where it is.
+list(GET HDF5_C_LIBRARIES 0 hdf5_shared)
+get_filename_component(hdf5_folder ${hdf5_shared} DIRECTORY)
+find_library(HOLDFAST_HDF5_STATIC NAMES libhdf5.a hdf5/serial/libhdf5.a HINTS ${hdf5_folder} ${hdf5_folder}/hdf5/serial NO_DEFAULT_PATH)
+find_library(HOLDFAST_SZIP NAMES sz)
+find_library(HOLDFAST_ZLIB NAMES z)
+if(HOLDFAST_HDF5_STATIC AND HOLDFAST_SZIP AND HOLDFAST_ZLIB)
+  target_link_libraries(holdfast_hdf5 INTERFACE ${HOLDFAST_HDF5_STATIC} ${HOLDFAST_SZIP} ${HOLDFAST_ZLIB} ${CMAKE_DL_LIBS} m)
+else()
+  target_link_libraries(holdfast_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+endif()

@@ -76,8 +76,8 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
   const Id type = type_of(spec, dataset.number_bytes_);
   dataset.id_ = Id(H5Dcreate2(file.id(), path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
   if (dataset.id_ < 0) dataset.fail("cannot be written");
-  write_attribute(file, path, "units", spec.units);
-  write_attribute(file, path, "description", spec.description);
+  write_attribute(file, dataset.id_, path, "units", spec.units);
+  write_attribute(file, dataset.id_, path, "description", spec.description);
   return dataset;
 }
 

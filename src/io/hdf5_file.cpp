@@ -60,9 +60,8 @@ Id open_object(const File& file, const std::string& path) {
 }
 
 template <class T>
-void write_scalar_attribute(const File& file, const std::string& object, const std::string& name, hid_t type,
+void write_scalar_attribute(const File& file, hid_t on, const std::string& object, const std::string& name, hid_t type,
                             const T& value) {
-  const Id on = open_object(file, object);
   const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const std::string what = "cannot be written (attribute " + name + " of " + object + ")";
   const Id attribute(file.check(H5Acreate2(on, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), what), H5Aclose);
@@ -153,6 +152,7 @@ void File::fail(const std::string& what) const {
 }
 
 void make_group(const File& file, const std::string& path) {
+  if (exists(file, path)) return;
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
     const std::string group = path.substr(0, end);
     if (!exists(file, group)) {
@@ -167,17 +167,22 @@ void make_group(const File& file, const std::string& path) {
 bool exists(const File& file, const std::string& path) { return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text) {
+  write_attribute(file, open_object(file, object), object, name, text);
+}
+
+void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
+                     std::string_view text) {
   const std::string copy = valid_utf8(text);
   const char* pointer = copy.c_str();
-  write_scalar_attribute(file, object, name, text_type(H5T_VARIABLE), pointer);
+  write_scalar_attribute(file, on, object, name, text_type(H5T_VARIABLE), pointer);
 }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value) {
-  write_scalar_attribute(file, object, name, H5T_STD_U64LE, value);
+  write_scalar_attribute(file, open_object(file, object), object, name, H5T_STD_U64LE, value);
 }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, double value) {
-  write_scalar_attribute(file, object, name, H5T_IEEE_F64LE, value);
+  write_scalar_attribute(file, open_object(file, object), object, name, H5T_IEEE_F64LE, value);
 }
 
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name) {
@@ -205,8 +210,8 @@ void write_text(const File& file, const std::string& path, std::string_view text
   const Id id(file.check(H5Dcreate2(file.id(), path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), what),
               H5Dclose);
   file.check(H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), what);
-  write_attribute(file, path, "units", "none");
-  write_attribute(file, path, "description", description);
+  write_attribute(file, id, path, "units", "none");
+  write_attribute(file, id, path, "description", description);
 }
 
 std::string read_text(const File& file, const std::string& path) {

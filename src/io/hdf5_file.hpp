@@ -142,6 +142,9 @@ void make_group(const File& file, const std::string& path);
 bool exists(const File& file, const std::string& path);
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text);
+/// The same where the object is open already; `object` names it in messages.
+void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
+                     std::string_view text);
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value);
 void write_attribute(const File& file, const std::string& object, const std::string& name, double value);
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name);

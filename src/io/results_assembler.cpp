@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,19 +30,30 @@ class Parts {
     if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
     return part_path(path_, part + 1);
   }
-  /// Shows one to a reader; a failure of it is told with its cure.
+  /// Shows one to a reader; a failure of it is told with its cure. The last one stays open for whoever comes next: what
+  /// HDF5 knows of a file's columns is gone when it is closed, and most runs have one part.
   template <class Work>
-  void with(std::size_t part, Work&& work) const {
+  void with(std::size_t part, Work&& work) {
     const std::string file = path(part);
-    h5::with_cure(kCureOfPart, [&] { work(h5::File::open(file)); });
+    h5::with_cure(kCureOfPart, [&] {
+      if (!open_ || open_->path() != file) {
+        open_.reset();
+        open_.emplace(h5::File::open(file));
+      }
+      work(*open_);
+    });
   }
 
   /// Removes them from the disk.
-  void remove() const { remove_parts(path_); }
+  void remove() {
+    open_.reset();
+    remove_parts(path_);
+  }
 
  private:
   std::string path_;
   std::vector<PartRange> ranges_;
+  std::optional<h5::File> open_;
   const std::atomic<bool>* stop_;
 };
 
@@ -95,7 +107,7 @@ class TableGroup {
     return true;
   }
 
-  void assemble(const h5::File& file, const Parts& parts) const {
+  void assemble(const h5::File& file, Parts& parts) const {
     std::vector<std::vector<Piece>> columns(specs_.size());
     for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
       parts.with(part, [&](const h5::File& source) {
@@ -116,7 +128,7 @@ class TableGroup {
 using ChunkPlaces = std::array<std::vector<std::vector<h5::ChunkPlace>>, kLongDatasets>;
 
 /// The chunk at a cut is in both parts; the later one has all of it.
-ChunkPlaces find_chunks(const Parts& parts) {
+ChunkPlaces find_chunks(Parts& parts) {
   ChunkPlaces places;
   const auto& ranges = parts.ranges();
   for (std::size_t part = 0; part < ranges.size(); ++part) {
@@ -149,7 +161,7 @@ void copy_chunks(const h5::File& file, const DatasetSpec& spec, const Parts& par
   }
 }
 
-void assemble_tables(const h5::File& file, const Parts& parts) {
+void assemble_tables(const h5::File& file, Parts& parts) {
   TableGroup tables;
   for (const DatasetSpec& spec : kSchema) {
     if (is_long(spec) || is_of_run(spec) || tables.take(spec, parts)) continue;
@@ -160,7 +172,7 @@ void assemble_tables(const h5::File& file, const Parts& parts) {
 }
 
 /// The file's bytes go by the order in which its datasets are written, wherever its parts were cut.
-void assemble_datasets(const h5::File& file, const RunDescription& run, const Parts& parts) {
+void assemble_datasets(const h5::File& file, const RunDescription& run, Parts& parts) {
   ColumnSet of_run;
   append_accelerations(of_run, run.accelerations);
   for (const Column& column : of_run.columns())
@@ -181,7 +193,7 @@ void check_whole(const std::string& path, const RunDescription& run, const Parts
                           .accepted = "--resume simulates the missing ones"});
 }
 
-void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
+void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
   write_run(file, run);
   write_range_begin(file, AxisCounts{});
   assemble_datasets(file, run, parts);
@@ -195,7 +207,7 @@ void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
 std::optional<Error> assemble(const std::string& path, const RunDescription& run, const std::atomic<bool>* stop) {
   const std::string temporary = temporary_name(path);
   const auto error = h5::caught(path, [&] {
-    const Parts parts(path, fingerprint(run), stop);
+    Parts parts(path, fingerprint(run), stop);
     check_whole(path, run, parts);
     h5::File file = h5::File::create(temporary);
     write_file(file, run, parts);
