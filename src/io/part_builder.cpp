@@ -43,9 +43,9 @@ void PartBuilder::write_tail() {
     dataset.extend(length);
     assert(tail_[column].size() == length % dataset.chunk_entries() * dataset.entry_bytes());
     if (tail_[column].empty()) continue;
-    std::vector<std::byte> chunk = tail_[column];
-    chunk.resize(dataset.chunk_entries() * dataset.entry_bytes());
-    dataset.write_chunk(length / dataset.chunk_entries(), compress_chunk(chunk, dataset.number_bytes()));
+    const std::size_t chunk_bytes = dataset.chunk_entries() * dataset.entry_bytes();
+    dataset.write_chunk(length / dataset.chunk_entries(),
+                        compress_padded_chunk(tail_[column], dataset.number_bytes(), chunk_bytes));
   }
 }
 

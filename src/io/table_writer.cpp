@@ -22,8 +22,9 @@ void TableWriter::append(std::span<const std::byte> entries) {
 void TableWriter::finish() {
   assert(written_ * dataset_.chunk_entries() + pending_.size() / dataset_.entry_bytes() >= dataset_.length());
   if (pending_.empty()) return;
-  pending_.resize(dataset_.chunk_entries() * dataset_.entry_bytes());
-  write_pending();
+  const std::size_t chunk_bytes = dataset_.chunk_entries() * dataset_.entry_bytes();
+  dataset_.write_chunk(written_++, compress_padded_chunk(pending_, dataset_.number_bytes(), chunk_bytes));
+  pending_.clear();
 }
 
 void TableWriter::write_pending() {
