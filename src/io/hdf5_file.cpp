@@ -49,6 +49,17 @@ Id text_type(std::size_t size) {
   return type;
 }
 
+/// Of attributes, of which a file has hundreds: made once, and never closed.
+hid_t long_text_type() {
+  static const hid_t kType = H5Tcopy(text_type(H5T_VARIABLE));
+  return kType;
+}
+
+hid_t single_space() {
+  static const hid_t kSpace = H5Screate(H5S_SCALAR);
+  return kSpace;
+}
+
 Id group_creation() {
   Id creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
@@ -62,9 +73,9 @@ Id open_object(const File& file, const std::string& path) {
 template <class T>
 void write_scalar_attribute(const File& file, hid_t on, const std::string& object, const std::string& name, hid_t type,
                             const T& value) {
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const std::string what = "cannot be written (attribute " + name + " of " + object + ")";
-  const Id attribute(file.check(H5Acreate2(on, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), what), H5Aclose);
+  const Id attribute(file.check(H5Acreate2(on, name.c_str(), type, single_space(), H5P_DEFAULT, H5P_DEFAULT), what),
+                     H5Aclose);
   file.check(H5Awrite(attribute, type, &value), what);
 }
 
@@ -109,7 +120,7 @@ File File::create(const std::string& path) {
 File File::create_in_memory(const std::string& path) {
   be_quiet();
   const Id access = access_list();
-  constexpr std::size_t kGrowBy = std::size_t{1} << 20U;
+  constexpr std::size_t kGrowBy = std::size_t{1} << 18U;
   H5Pset_fapl_core(access, kGrowBy, false);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (id < 0) fail_with(path, "cannot be made in memory");
@@ -174,7 +185,7 @@ void write_attribute(const File& file, hid_t on, const std::string& object, cons
                      std::string_view text) {
   const std::string copy = valid_utf8(text);
   const char* pointer = copy.c_str();
-  write_scalar_attribute(file, on, object, name, text_type(H5T_VARIABLE), pointer);
+  write_scalar_attribute(file, on, object, name, long_text_type(), pointer);
 }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value) {
@@ -186,7 +197,7 @@ void write_attribute(const File& file, const std::string& object, const std::str
 }
 
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name) {
-  char* pointer = read_scalar_attribute<char*>(file, object, name, text_type(H5T_VARIABLE));
+  char* pointer = read_scalar_attribute<char*>(file, object, name, long_text_type());
   std::string text = pointer != nullptr ? pointer : "";
   H5free_memory(pointer);
   return text;
