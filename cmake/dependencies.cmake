@@ -14,6 +14,18 @@ if(HOLDFAST_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
 
+# Of OpenSSL one hash is used: linked statically where it can be, that is a few pages instead of a library that takes the
+# loader a millisecond.
+add_library(holdfast_crypto INTERFACE)
+target_include_directories(holdfast_crypto SYSTEM INTERFACE ${OPENSSL_INCLUDE_DIR})
+get_filename_component(crypto_folder ${OPENSSL_CRYPTO_LIBRARY} DIRECTORY)
+find_library(HOLDFAST_CRYPTO_STATIC NAMES libcrypto.a HINTS ${crypto_folder} NO_DEFAULT_PATH)
+if(HOLDFAST_CRYPTO_STATIC)
+  target_link_libraries(holdfast_crypto INTERFACE ${HOLDFAST_CRYPTO_STATIC} ${CMAKE_DL_LIBS})
+else()
+  target_link_libraries(holdfast_crypto INTERFACE OpenSSL::Crypto)
+endif()
+
 # HDF5's CMake module of Debian gives variables only.
 add_library(holdfast_hdf5 INTERFACE)
 target_include_directories(holdfast_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})

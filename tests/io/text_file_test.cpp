@@ -43,3 +43,11 @@ TEST_CASE("text_file: what is no regular file is refused without waiting for it"
   const std::string missing = folder / "none";
   CHECK(messages_of(read_text_file(missing)) == Messages{missing + ": cannot be read: No such file or directory"});
 }
+
+TEST_CASE("text_file: the hash is SHA-256", "[io][text_file]") {
+  // FIPS 180-4's examples, and the empty message.
+  CHECK(sha256_of("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256_of("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
