@@ -181,6 +181,10 @@ class Dataset {
   std::vector<std::byte> read(std::uint64_t begin, std::uint64_t count) const;
   /// Lengthens a long dataset; never shorter.
   void extend(std::uint64_t length);
+  /// True for a new one so short that it is not cut into chunks: `write_whole` fills it.
+  bool whole() const { return whole_; }
+  /// All entries, as they are stored.
+  void write_whole(std::span<const std::byte> bytes);
   /// Compressed bytes of a whole chunk.
   void write_chunk(std::uint64_t index, std::span<const std::byte> bytes);
   /// Where a chunk of a long dataset is; fails when it is not as `write_chunk` wrote it.
@@ -196,6 +200,7 @@ class Dataset {
   std::uint64_t length_ = 0;
   std::size_t number_bytes_ = 0;
   std::uint64_t chunk_entries_ = 0;
+  bool whole_ = false;
 };
 
 }  // namespace holdfast::h5
