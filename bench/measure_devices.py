@@ -22,8 +22,8 @@ RATE = 240  # steps a second
 
 
 def devices(program):
-    """Names of the devices that can be used, as `holdfast engines` lists them."""
-    listed = subprocess.run([program, "engines"], capture_output=True, text=True, check=True).stdout
+    """Names of the devices that can be used, as `holdfast engines --devices` lists them."""
+    listed = subprocess.run([program, "engines", "--devices"], capture_output=True, text=True, check=True).stdout
     found = re.findall(r"^ +(?:CPU|GPU|accelerator) (.+?) \(.+\): (.+)$", listed, re.MULTILINE)
     return [name for name, what in found if not what.startswith("cannot be used")]
 

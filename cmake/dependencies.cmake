@@ -14,7 +14,36 @@ if(HOLDFAST_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
 
+# Of OpenSSL one hash is used: linked statically where it can be, that is a few pages instead of a library that takes the
+# loader a millisecond.
+add_library(holdfast_crypto INTERFACE)
+target_include_directories(holdfast_crypto SYSTEM INTERFACE ${OPENSSL_INCLUDE_DIR})
+get_filename_component(crypto_folder ${OPENSSL_CRYPTO_LIBRARY} DIRECTORY)
+find_library(HOLDFAST_CRYPTO_STATIC NAMES libcrypto.a HINTS ${crypto_folder} NO_DEFAULT_PATH)
+if(HOLDFAST_CRYPTO_STATIC)
+  target_link_libraries(holdfast_crypto INTERFACE ${HOLDFAST_CRYPTO_STATIC} ${CMAKE_DL_LIBS})
+else()
+  target_link_libraries(holdfast_crypto INTERFACE OpenSSL::Crypto)
+endif()
+
 # HDF5's CMake module of Debian gives variables only.
 add_library(holdfast_hdf5 INTERFACE)
 target_include_directories(holdfast_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
-target_link_libraries(holdfast_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+# Debian's shared library draws in a client for the web and thirty libraries more, 7 ms at every start: the static one,
+# whose part for the web is left out when linking, is taken where it is.
+list(GET HDF5_C_LIBRARIES 0 hdf5_shared)
+get_filename_component(hdf5_folder ${hdf5_shared} DIRECTORY)
+find_library(HOLDFAST_HDF5_STATIC NAMES libhdf5.a hdf5/serial/libhdf5.a HINTS ${hdf5_folder} ${hdf5_folder}/hdf5/serial NO_DEFAULT_PATH)
+find_library(HOLDFAST_SZIP NAMES sz)
+find_library(HOLDFAST_ZLIB NAMES z)
+if(HOLDFAST_HDF5_STATIC AND HOLDFAST_SZIP AND HOLDFAST_ZLIB)
+  target_link_libraries(holdfast_hdf5 INTERFACE ${HOLDFAST_HDF5_STATIC} ${HOLDFAST_SZIP} ${HOLDFAST_ZLIB} ${CMAKE_DL_LIBS} m)
+  # Sanitizers have an allocator of their own, and end a program that asks it for too much.
+  if(NOT HOLDFAST_SANITIZE)
+    add_library(holdfast_hdf5_memory STATIC ${CMAKE_SOURCE_DIR}/src/io/hdf5_memory.cpp)
+    target_link_libraries(holdfast_hdf5 INTERFACE holdfast_hdf5_memory)
+    target_link_options(holdfast_hdf5 INTERFACE -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc)
+  endif()
+else()
+  target_link_libraries(holdfast_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+endif()

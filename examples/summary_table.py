@@ -24,7 +24,7 @@ with h5py.File(options.results) as file:
         "acceleration": file["inputs/accelerations/name"].asstr()[:][file["worlds/acceleration"][:]],
         "value": columns[options.column][:],
     })
-    simulated = file["worlds/steps"][:] > 0
+    simulated = file["worlds/stop_reason"][:] != 0
 
 if pd.api.types.is_integer_dtype(worlds["value"]):
     worlds["value"] = worlds["value"].astype("Int64")  # integers that may be missing

@@ -1,5 +1,10 @@
 #include <fmt/format.h>
 
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "app/commands.hpp"
 #include "app/engine_catalog.hpp"
 #include "app/report.hpp"
@@ -8,11 +13,21 @@ namespace holdfast {
 
 namespace {
 
-ExitCode list_engines() {
+/// Why an engine cannot be used, if it cannot. One that runs on devices is asked for them only when these are wanted.
+std::optional<Error> why_missing(const EngineEntry& entry, bool devices) {
+  if (!devices) return why_not_loadable(entry);
+  const auto engine = make_engine(entry.name, Settings{});
+  return engine ? std::nullopt : std::optional(engine.error());
+}
+
+ExitCode list_engines(bool devices) {
   for (const EngineEntry& entry : engine_catalog()) {
-    const auto engine = make_engine(entry.name, Settings{});
-    print_to(stdout, "{:<14} {}\n", entry.name, engine ? entry.sentence : "missing: " + engine.error().message());
-    for (const std::string& line : engine_devices(entry)) print_to(stdout, "{:<14}   {}\n", "", line);
+    const std::optional<Error> missing = why_missing(entry, devices);
+    print_to(stdout, "{:<14} {}\n", entry.name, missing ? "missing: " + missing->message() : entry.sentence);
+    if (!runs_on_devices(entry)) continue;
+    const std::vector<std::string> lines =
+        devices ? engine_devices(entry) : std::vector<std::string>{"`holdfast engines --devices` looks for devices"};
+    for (const std::string& line : lines) print_to(stdout, "{:<14}   {}\n", "", line);
   }
   return ExitCode::done;
 }
@@ -21,8 +36,10 @@ ExitCode list_engines() {
 
 void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("engines", "List the engines, and why one cannot be used");
-  command->footer("Example:\n  holdfast engines");
-  command->callback([&chosen] { chosen.run = list_engines; });
+  command->footer("Example:\n  holdfast engines --devices");
+  auto devices = std::make_shared<bool>(false);
+  command->add_flag("--devices", *devices, "Also list the devices of engines that run on some; can take seconds");
+  command->callback([devices, &chosen] { chosen.run = [devices] { return list_engines(*devices); }; });
 }
 
 }  // namespace holdfast

@@ -58,7 +58,7 @@ ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
 void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("screen", "Simulate every layout under every acceleration");
   command->footer(
-      "PATH is a file, a folder, or - for a list of paths on standard input.\n\n"
+      "PATH is a regular file, a folder, or - for a list of paths on standard input.\n\n"
       "Example:\n"
       "  holdfast screen -c configs/demo.ini --layouts configs/layouts --accelerations configs/accelerations "
       "-o results.h5");

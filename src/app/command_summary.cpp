@@ -38,8 +38,10 @@ ExitCode summarise(const SummaryOptions& options) {
   if (!results) return fail(ExitCode::bad_usage, results.error());
   std::error_code unknown;
   if (options.output_path && std::filesystem::exists(*options.output_path, unknown)) {
-    return fail(ExitCode::bad_usage,
-                {.file = *options.output_path, .what = "exists already", .accepted = "the name of a new file"});
+    const bool folder = std::filesystem::is_directory(*options.output_path, unknown);
+    return fail(ExitCode::bad_usage, {.file = *options.output_path,
+                                      .what = folder ? "is a folder" : "exists already",
+                                      .accepted = "the name of a new file"});
   }
   Thresholds thresholds = results->info().thresholds;
   thresholds.drop = options.drop.value_or(thresholds.drop);
@@ -88,7 +90,10 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
       ->type_name("FILE");
   command->callback([options, &chosen] {
-    chosen.run = [options] { return guard_reading(options->results_path, [&] { return summarise(*options); }); };
+    chosen.run = [options] {
+      return guard_reading(
+          options->results_path, [&] { return summarise(*options); }, "simulate again");
+    };
   });
 }
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "app/report.hpp"
 
@@ -28,7 +29,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>& work) {
+ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>& work, const std::string& cure) {
   std::fflush(nullptr);  // or both would print what is still in the buffers
   const pid_t child = fork();
   if (child == 0) {
@@ -36,6 +37,8 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
     ExitCode code = ExitCode::some_failed;
     try {
       code = work();
+    } catch (const std::bad_alloc&) {
+      fail(code, out_of_memory(path));
     } catch (const std::exception& exception) {
       fail(code, {.file = path, .what = "cannot be read", .value = exception.what()});
     }
@@ -49,7 +52,8 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
   if (WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
   if (is_crash(signal))
-    return fail(ExitCode::bad_usage, {.file = path, .what = "is damaged: the HDF5 library crashed on it"});
+    return fail(ExitCode::bad_usage,
+                {.file = path, .what = "is damaged: the HDF5 library crashed on it", .accepted = cure});
   // Killed by somebody: so are we.
   std::signal(signal, SIG_DFL);
   std::raise(signal);

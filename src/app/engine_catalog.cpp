@@ -31,6 +31,13 @@ Result<MakeEngine*> load_plugin(const std::string& file) {
   return entry;
 }
 
+/// What lists the devices of an engine's plug-in; none where it runs on the processor as it is, or is not there.
+ListEngineDevices* devices_entry(const EngineEntry& entry) {
+  void* library = entry.plugin.empty() ? nullptr : open_plugin(entry.plugin);
+  if (library == nullptr) return nullptr;
+  return reinterpret_cast<ListEngineDevices*>(dlsym(library, kEngineDevicesEntry));
+}
+
 Result<std::unique_ptr<Engine>> make_from_plugin(const EngineEntry& entry, const Settings& settings) {
   const Result<MakeEngine*> plugin = load_plugin(entry.plugin);
   if (!plugin) return plugin.errors();
@@ -87,13 +94,17 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
   return entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
 }
 
+std::optional<Error> why_not_loadable(const EngineEntry& entry) {
+  if (entry.plugin.empty()) return std::nullopt;
+  const Result<MakeEngine*> plugin = load_plugin(entry.plugin);
+  return plugin ? std::nullopt : std::optional(plugin.error());
+}
+
+bool runs_on_devices(const EngineEntry& entry) { return devices_entry(entry) != nullptr; }
+
 std::vector<std::string> engine_devices(const EngineEntry& entry) {
   std::vector<std::string> lines;
-  if (entry.plugin.empty()) return lines;
-  void* library = open_plugin(entry.plugin);
-  if (library == nullptr) return lines;
-  auto* list = reinterpret_cast<ListEngineDevices*>(dlsym(library, kEngineDevicesEntry));
-  if (list != nullptr) list(lines);
+  if (ListEngineDevices* list = devices_entry(entry)) list(lines);
   return lines;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,12 @@ const std::vector<EngineEntry>& engine_catalog();
 /// Makes an engine; loads its plug-in if it has one, which stays loaded. An error says what the settings ask that the
 /// engine cannot model, that the plug-in is missing and why, or that there is no such engine.
 Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings);
+
+/// What keeps an engine's plug-in from being loaded, if anything. Asks for no device, which can take seconds.
+std::optional<Error> why_not_loadable(const EngineEntry& entry);
+
+/// Whether the engine runs on devices.
+bool runs_on_devices(const EngineEntry& entry);
 
 /// A line a device that the engine's plug-in finds on this machine; none where it runs on the processor as it is.
 std::vector<std::string> engine_devices(const EngineEntry& entry);

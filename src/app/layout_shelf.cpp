@@ -12,15 +12,23 @@ namespace holdfast {
 
 namespace {
 
-ReadLayout read_layout(const std::string& path, const Settings& settings) {
+/// @param hash of the file when the run began
+ReadLayout read_layout(const std::string& path, const std::string& hash, const Settings& settings) {
   ReadLayout read;
   read.layout.name = std::filesystem::path(path).filename().string();
   const Result<TextFile> file = read_text_file(path);
+  read.layout.sha256 = hash;
   if (!file) {
     read.error = file.error().message();
     return read;
   }
-  read.layout.sha256 = file->sha256;
+  if (file->sha256 != hash) {
+    read.error = Error{.file = path,
+                       .what = "this layout has changed since the run began, and is left out",
+                       .accepted = "screen it again by itself"}
+                     .message();
+    return read;
+  }
   Result<Layout> layout = parse_layout(*file, settings, read.warnings);
   if (layout) {
     read.layout = std::move(*layout);
@@ -32,6 +40,15 @@ ReadLayout read_layout(const std::string& path, const Settings& settings) {
 }
 
 }  // namespace
+
+std::vector<std::string> hash_layouts(const std::vector<std::string>& paths) {
+  std::vector<std::string> hashes;
+  for (const std::string& path : paths) {
+    const Result<TextFile> file = read_text_file(path);
+    hashes.push_back(file ? file->sha256 : "");
+  }
+  return hashes;
+}
 
 std::shared_ptr<const ReadLayout> LayoutShelf::take(std::size_t layout, std::size_t takers) {
   std::shared_ptr<Place> place;
@@ -47,7 +64,7 @@ std::shared_ptr<const ReadLayout> LayoutShelf::take(std::size_t layout, std::siz
   }
   std::call_once(place->read, [&] {
     const StageTimer timer(costs_, Stage::read);
-    place->layout = read_layout(paths_[layout], settings_);
+    place->layout = read_layout(paths_[layout], hashes_[layout], settings_);
   });
   return {place, &place->layout};
 }

@@ -22,12 +22,18 @@ struct ReadLayout {
   std::vector<Error> warnings;
 };
 
+/// SHA-256 of each layout's file as it is now; empty where it cannot be read.
+std::vector<std::string> hash_layouts(const std::vector<std::string>& paths);
+
 /// The layouts of a run. A file is read once, by the first unit of work that takes it, so that all its worlds are of
-/// the same boxes whatever becomes of the file; and forgotten with the last. Shared by all threads.
+/// the same boxes whatever becomes of the file; and forgotten with the last. One that is no longer what it was when the
+/// run began cannot be used. Shared by all threads.
 class LayoutShelf {
  public:
-  LayoutShelf(const std::vector<std::string>& paths, const Settings& settings, StageCosts& costs)
-      : paths_(paths), settings_(settings), costs_(costs) {}
+  /// @param hashes SHA-256 of each file when the run began, see `hash_layouts`
+  LayoutShelf(const std::vector<std::string>& paths, const std::vector<std::string>& hashes, const Settings& settings,
+              StageCosts& costs)
+      : paths_(paths), hashes_(hashes), settings_(settings), costs_(costs) {}
 
   /// @param layout index into the paths
   /// @param takers times that the run takes this layout, the same at each
@@ -41,6 +47,7 @@ class LayoutShelf {
   };
 
   const std::vector<std::string>& paths_;
+  const std::vector<std::string>& hashes_;
   const Settings& settings_;
   StageCosts& costs_;
   std::mutex mutex_;

@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <new>
 #include <optional>
+#include <system_error>
 
 #include "app/commands.hpp"
 #include "app/report.hpp"
+#include "app/uncaught.hpp"
 #include "app/version.hpp"
 #include "core/closest_word.hpp"
 #include "core/settings_page.hpp"
@@ -65,15 +68,28 @@ std::optional<Error> unknown_word(const CLI::App& program) {
                .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
 }
 
+/// Runs the command; what it cannot have, memory or a thread, becomes a message.
+ExitCode run_within_memory(const ChosenCommand& chosen) {
+  try {
+    return chosen.run();
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::some_failed, out_of_memory(""));
+  } catch (const std::system_error& error) {
+    return fail(ExitCode::some_failed, {.what = "the system refused", .value = error.what()});
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  report_uncaught();
   CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
   program.footer(
       "Example:\n"
       "  holdfast screen --layouts configs/layouts --accelerations configs/accelerations -o results.h5\n\n"
-      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal.");
+      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal (Ctrl-C, kill),\n"
+      "141 ended by the shell's pipe, whose reader took no more.");
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
   add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
@@ -98,5 +114,5 @@ int main(int argc, char** argv) {
     if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
     return static_cast<int>(checked_output(program.exit(error) == 0 ? ExitCode::done : ExitCode::bad_usage));
   }
-  return static_cast<int>(checked_output(chosen.run()));
+  return static_cast<int>(checked_output(run_within_memory(chosen)));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -28,11 +29,13 @@ struct WorldLine {
   auto badness() const { return std::tuple(fallen, moved + tilted, peak_displacement); }
 };
 
-/// Layouts under one acceleration, each counted once, by the worst that happened in it. One that did not stand before,
-/// and has settled since, is unstable though the acceleration left it alone.
+/// Layouts under one acceleration, each counted once, by its verdict.
 struct AccelerationLine {
-  std::uint64_t stayed = 0, moved = 0, fell = 0, unstable = 0, failed = 0;
+  std::array<std::uint64_t, kVerdictCount> layouts{};
   std::optional<WorldLine> worst;
+
+  std::uint64_t& of(Verdict verdict) { return layouts.at(static_cast<std::size_t>(verdict)); }
+  std::uint64_t of(Verdict verdict) const { return layouts.at(static_cast<std::size_t>(verdict)); }
 };
 
 /// A layout that did not even stand under gravity alone.
@@ -60,9 +63,10 @@ class Tally {
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
-      text += fmt::format(kLine, printable(info_.accelerations[i]), name_width(), line.stayed, line.moved, line.fell,
-                          line.unstable, line.failed, line.worst ? name_of_layout(line.worst->layout) : "-");
-      failed += line.failed;
+      text += fmt::format(kLine, printable(info_.accelerations[i]), name_width(), line.of(Verdict::stayed),
+                          line.of(Verdict::moved), line.of(Verdict::fell), line.of(Verdict::unstable),
+                          line.of(Verdict::failed), line.worst ? name_of_layout(line.worst->layout) : "-");
+      failed += line.of(Verdict::failed);
     }
     return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line(), failed};
   }
@@ -72,8 +76,9 @@ class Tally {
     AccelerationLine& line = accelerations_[row.acceleration];
     steps_ += row.steps;
     steps_skipped_ += row.steps_skipped;
-    if (row.status != Status::ok) {
-      ++line.failed;
+    const Verdict verdict = summary.verdict[i];
+    ++line.of(verdict);
+    if (verdict == Verdict::failed) {
       failures_.emplace(row.status_text, 0).first->second += 1;
       return;
     }
@@ -84,11 +89,8 @@ class Tally {
                           summary.moved_boxes[i],
                           summary.tilted_boxes[i],
                           summary.peak_displacement[i]};
-    const bool moved = world.moved + world.tilted > 0;
-    const bool unstable = summary.unstable_boxes[i] > 0;
-    ++(world.fallen > 0 ? line.fell : moved ? line.moved : unstable ? line.unstable : line.stayed);
-    if (world.fallen > 0 || moved) add_to_worst(world, line);
-    if (unstable) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+    if (verdict == Verdict::fell || verdict == Verdict::moved) add_to_worst(world, line);
+    if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
   }
 
   void add_to_worst(const WorldLine& world, AccelerationLine& line) {

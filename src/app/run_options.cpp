@@ -20,8 +20,9 @@ void RunOptions::add_to(CLI::App& command) {
   command.add_flag("--no-series", no_series, "Keep end states and peaks only, no time series");
   auto* go_on = command.add_flag("--resume", resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", overwrite, "Replace the results of an earlier run")->excludes(go_on);
-  command.add_flag("--json", json,
-                   "Print one JSON object a world as it finishes, with --resume the finished ones first");
+  command.add_flag(
+      "--json", json,
+      "Print one JSON object a world, with its verdict, as it finishes; with --resume the finished ones first");
   command.add_flag("--quiet", quiet, "No progress, no table; errors only");
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,16 +24,17 @@ struct RunMotion {
 };
 
 /// Turns a unit of work into records: takes its layouts, simulates their worlds, keeps what they left. A layout
-/// or acceleration that cannot be used becomes rows with a status. Shared by all threads.
+/// or acceleration that cannot be used, and a series that would be too large, become rows with a status. Shared by all
+/// threads.
 class UnitRunner {
  public:
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
-             const std::vector<std::string>& layout_paths, const std::vector<RunMotion>& motions,
-             const std::atomic<bool>& abort, StageCosts& costs)
+             const std::vector<std::string>& layout_paths, const std::vector<std::string>& layout_hashes,
+             const std::vector<RunMotion>& motions, const std::atomic<bool>& abort, StageCosts& costs)
       : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
-        layouts_(layout_paths, settings, costs),
+        layouts_(layout_paths, layout_hashes, settings, costs),
         motions_(motions),
         abort_(abort),
         costs_(costs) {}
@@ -41,6 +44,17 @@ class UnitRunner {
   std::optional<UnitRecord> run(const WorkUnit& unit, std::size_t sharing);
 
  private:
+  /// A world with the reason why it is not simulated, if there is one.
+  WorldRecord refused(const ReadLayout& layout, std::size_t layout_index, std::size_t motion) const;
+
+  /// Simulates those of a unit's worlds that have no such reason. Returns how many there were; less when aborted.
+  std::size_t simulate_good(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                            std::vector<WorldRecord>& worlds) const;
+
+  /// Every layout under every motion; nothing when aborted.
+  std::vector<WorldRecord> simulate_batch(const std::vector<Layout>& layouts,
+                                          const std::vector<const Motion*>& motions) const;
+
   TimedEngine engine_;
   const Settings& settings_;
   RecordingPlan plan_;

@@ -1,5 +1,7 @@
 #include "core/result.hpp"
 
+#include <utility>
+
 namespace holdfast {
 
 std::string printable(std::string text) {
@@ -8,6 +10,12 @@ std::string printable(std::string text) {
     if (byte < 0x20U || byte == 0x7FU) letter = '?';
   }
   return text;
+}
+
+Error out_of_memory(const std::string& file, std::string what) {
+  return {.file = file,
+          .what = std::move(what),
+          .accepted = "take less with fewer --threads, a longer ResultsIntervallInSeconds, or --no-series"};
 }
 
 std::string Error::message() const {

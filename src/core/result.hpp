@@ -24,6 +24,10 @@ struct Error {
   std::string message() const;
 };
 
+/// What is told where memory runs out, with what to do about it.
+/// @param file  what it was needed for; may be empty
+Error out_of_memory(const std::string& file, std::string what = "memory ran out");
+
 /// A value, or what was wrong with the input it should have come from (at least one error).
 template <class T>
 class Result {

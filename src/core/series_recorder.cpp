@@ -57,10 +57,26 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
     table.initial_position.push_back(to_float(layout.position[box]));
     end.settling_displacement.push_back(to_float(settled.position[box] - layout.position[box]));
   }
+  if (plan_.series) reserve_series(plan_.samples, count);
   end.peak_displacement.assign(count, 0.0F);
   end.peak_kinetic_energy.assign(count, 0.0F);
   update_peaks(settled);
   if (plan_.series) add_sample({0.0, 1.0, {0.0, 0.0, Vec3::Zero(), settled, settled}});
+}
+
+void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
+  Series& series = record_.series;
+  series.time.reserve(samples);
+  series.container_acceleration.reserve(samples);
+  series.total_kinetic_energy.reserve(samples);
+  series.fallen_count.reserve(samples);
+  const std::size_t rows = samples * boxes;
+  series.displacement.reserve(rows);
+  series.orientation.reserve(rows);
+  series.angular_velocity.reserve(rows);
+  series.linear_acceleration.reserve(rows);
+  series.force.reserve(rows);
+  series.kinetic_energy.reserve(rows);
 }
 
 double SeriesRecorder::watch() const {

@@ -15,6 +15,7 @@ struct RecordingPlan {
   double interval = 0.1;  ///< between samples, s
   bool series = true;     ///< keep samples; peaks and ends are kept in any case
   ReferencePose reference_pose = ReferencePose::layout;
+  std::size_t samples = 0;     ///< room that is made for samples at once; more come as they may
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
 };
@@ -42,6 +43,8 @@ class SeriesRecorder final : public Recorder {
     const Step& step;
   };
 
+  /// Growing as samples come, the largest series would need twice their memory.
+  void reserve_series(std::size_t samples, std::size_t boxes);
   void add_sample(const Instant& instant);
   void update_peaks(const StateView& state);
   Float3 displacement(const Vec3& position, std::size_t box) const;

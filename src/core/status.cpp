@@ -6,11 +6,12 @@
 namespace holdfast {
 
 std::string to_string(Status status) {
-  constexpr std::array<std::pair<Status, const char*>, 5> kNames = {{{Status::bad_layout, "bad_layout"},
+  constexpr std::array<std::pair<Status, const char*>, 6> kNames = {{{Status::bad_layout, "bad_layout"},
                                                                      {Status::bad_acceleration, "bad_acceleration"},
                                                                      {Status::non_finite, "non_finite"},
                                                                      {Status::not_converged, "not_converged"},
-                                                                     {Status::capacity, "capacity"}}};
+                                                                     {Status::capacity, "capacity"},
+                                                                     {Status::too_large, "too_large"}}};
   std::string text;
   for (const auto& [bit, name] : kNames) {
     if (!has(status, bit)) continue;

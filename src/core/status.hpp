@@ -5,8 +5,8 @@
 
 namespace holdfast {
 
-/// What went wrong with a world, a bit a cause; 0 is well. The first bits are about inputs: such a world was not
-/// simulated and has no boxes, or no samples.
+/// What went wrong with a world, a bit a cause; 0 is well. A world of a bad input, or too large, was not simulated and
+/// has no boxes.
 enum class Status : std::uint32_t {
   ok = 0,
   bad_layout = 1U << 0U,        ///< the layout could not be used. Cure: see status_text
@@ -14,6 +14,7 @@ enum class Status : std::uint32_t {
   non_finite = 1U << 2U,        ///< a state became infinite or undefined; the samples end before. Cure: a smaller step
   not_converged = 1U << 3U,     ///< the solver's residual stayed above its bound. Cure: more iterations or accuracy
   capacity = 1U << 4U,          ///< a device had no room for all contacts, or failed. Cure: another engine
+  too_large = 1U << 5U,         ///< the series would take too much memory; not simulated. Cure: see status_text
 };
 
 constexpr Status operator|(Status a, Status b) {

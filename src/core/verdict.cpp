@@ -1,9 +1,29 @@
 #include "core/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace holdfast {
+
+namespace {
+
+WorldVerdict not_simulated() {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
+  return {Verdict::failed, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
+}
+
+/// One that did not stand before any acceleration, and has settled since, is unstable though the acceleration left it
+/// alone.
+Verdict worst_of(Status status, const WorldVerdict& world) {
+  if (status != Status::ok) return Verdict::failed;
+  if (world.fallen_boxes > 0) return Verdict::fell;
+  if (world.moved_boxes + world.tilted_boxes > 0) return Verdict::moved;
+  return world.unstable_boxes > 0 ? Verdict::unstable : Verdict::stayed;
+}
+
+}  // namespace
 
 bool is_fallen(const Float3& displacement, const Thresholds& thresholds) {
   return static_cast<double>(-displacement.z) > thresholds.drop;
@@ -24,8 +44,16 @@ BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thres
   return verdict;
 }
 
-WorldVerdict judge_world(const EndTable& end, const Thresholds& thresholds) {
+std::string to_string(Verdict verdict) {
+  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved", "fell", "unstable", "failed"};
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
+                         const Thresholds& thresholds) {
+  if (stop_reason == StopReason::not_run) return not_simulated();
   WorldVerdict world;
+  world.peak_kinetic_energy = peak_kinetic_energy;
   for (std::size_t i = 0; i < end.displacement.size(); ++i) {
     const BoxVerdict box = judge_box(end, i, thresholds);
     world.fallen_boxes += box.fallen ? 1 : 0;
@@ -36,6 +64,7 @@ WorldVerdict judge_world(const EndTable& end, const Thresholds& thresholds) {
     world.max_displacement = std::max(world.max_displacement, length(end.displacement[i]));
     world.peak_displacement = std::max(world.peak_displacement, end.peak_displacement[i]);
   }
+  world.verdict = worst_of(status, world);
   return world;
 }
 

@@ -11,4 +11,8 @@ namespace holdfast {
 /// @param number_bytes size of one number; at 1 HDF5 is told not to shuffle
 std::vector<std::byte> compress_chunk(std::span<const std::byte> raw, std::size_t number_bytes);
 
+/// The same for a chunk of `chunk_bytes` that begins with `raw` and is zero behind.
+std::vector<std::byte> compress_padded_chunk(std::span<const std::byte> raw, std::size_t number_bytes,
+                                             std::size_t chunk_bytes);
+
 }  // namespace holdfast

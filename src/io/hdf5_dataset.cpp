@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "io/hdf5_file.hpp"
 
@@ -64,7 +65,10 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
   const std::array<hsize_t, 2> chunk = {dataset.chunk_entries_, spec.width};
   const Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  if (length > 0 || is_long(spec)) {
+  dataset.whole_ = !is_long(spec) && length > 0 && length * dataset.entry_bytes() <= kWholeTableBytes;
+  if (dataset.whole_) {
+    H5Pset_layout(creation, H5D_COMPACT);
+  } else if (length > 0 || is_long(spec)) {
     H5Pset_chunk(creation, rank, chunk.data());
     if (dataset.number_bytes_ > 1) H5Pset_shuffle(creation);
     H5Pset_deflate(creation, 1);
@@ -76,8 +80,8 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
   const Id type = type_of(spec, dataset.number_bytes_);
   dataset.id_ = Id(H5Dcreate2(file.id(), path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
   if (dataset.id_ < 0) dataset.fail("cannot be written");
-  write_attribute(file, path, "units", spec.units);
-  write_attribute(file, path, "description", spec.description);
+  write_attribute(file, dataset.id_, path, "units", spec.units);
+  write_attribute(file, dataset.id_, path, "description", spec.description);
   return dataset;
 }
 
@@ -135,6 +139,12 @@ void Dataset::write_chunk(std::uint64_t index, std::span<const std::byte> bytes)
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   if (H5Dwrite_chunk(id_, H5P_DEFAULT, 0, at.data(), bytes.size(), bytes.data()) < 0) fail("cannot be written");
   file_->check_disk("cannot be written (" + std::string(spec_->path) + ")");
+}
+
+void Dataset::write_whole(std::span<const std::byte> bytes) {
+  assert(whole_ && bytes.size() == length_ * entry_bytes());
+  const Id type = type_of(*spec_, number_bytes_);
+  if (H5Dwrite(id_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) fail("cannot be written");
 }
 
 ChunkPlace Dataset::chunk_place(std::uint64_t index) const {

@@ -1,7 +1,10 @@
 #include "io/hdf5_file.hpp"
 
+#include <sys/stat.h>
+
 #include <cstring>
 
+#include "io/regular_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast::h5 {
@@ -29,11 +32,8 @@ std::string last_words() {
   throw Failure(Error{.file = path, .what = what, .value = last_words()});
 }
 
-// HDF5 prints its error stack to the terminal unless told not to, thread by thread.
-//
 // Every call clears that stack, closing an identifier too: lists and types passed to a call must outlive the look at
 // its result, and so have names.
-void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 Id access_list() {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -49,6 +49,17 @@ Id text_type(std::size_t size) {
   return type;
 }
 
+/// Of attributes, of which a file has hundreds: made once, and never closed.
+hid_t long_text_type() {
+  static const hid_t kType = H5Tcopy(text_type(H5T_VARIABLE));
+  return kType;
+}
+
+hid_t single_space() {
+  static const hid_t kSpace = H5Screate(H5S_SCALAR);
+  return kSpace;
+}
+
 Id group_creation() {
   Id creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
@@ -60,12 +71,11 @@ Id open_object(const File& file, const std::string& path) {
 }
 
 template <class T>
-void write_scalar_attribute(const File& file, const std::string& object, const std::string& name, hid_t type,
+void write_scalar_attribute(const File& file, hid_t on, const std::string& object, const std::string& name, hid_t type,
                             const T& value) {
-  const Id on = open_object(file, object);
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const std::string what = "cannot be written (attribute " + name + " of " + object + ")";
-  const Id attribute(file.check(H5Acreate2(on, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), what), H5Aclose);
+  const Id attribute(file.check(H5Acreate2(on, name.c_str(), type, single_space(), H5P_DEFAULT, H5P_DEFAULT), what),
+                     H5Aclose);
   file.check(H5Awrite(attribute, type, &value), what);
 }
 
@@ -82,6 +92,14 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
 }
 
 }  // namespace
+
+void be_quiet() {
+  // After memory ran out, the library's own tidying at the end of the process crashes; all that counts is closed
+  // before.
+  static const bool never_tidy = H5dont_atexit() >= 0;
+  static_cast<void>(never_tidy);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 File File::create(const std::string& path) {
   be_quiet();
@@ -102,7 +120,7 @@ File File::create(const std::string& path) {
 File File::create_in_memory(const std::string& path) {
   be_quiet();
   const Id access = access_list();
-  constexpr std::size_t kGrowBy = std::size_t{1} << 20U;
+  constexpr std::size_t kGrowBy = std::size_t{1} << 18U;
   H5Pset_fapl_core(access, kGrowBy, false);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (id < 0) fail_with(path, "cannot be made in memory");
@@ -111,6 +129,9 @@ File File::create_in_memory(const std::string& path) {
 
 File File::open(const std::string& path) {
   be_quiet();
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) == 0)
+    if (const auto error = why_no_regular_file(path, status.st_mode)) throw Failure(*error);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail_with(path, "cannot be opened as an HDF5 file");
   return {path, id};
@@ -142,6 +163,7 @@ void File::fail(const std::string& what) const {
 }
 
 void make_group(const File& file, const std::string& path) {
+  if (exists(file, path)) return;
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
     const std::string group = path.substr(0, end);
     if (!exists(file, group)) {
@@ -156,21 +178,26 @@ void make_group(const File& file, const std::string& path) {
 bool exists(const File& file, const std::string& path) { return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text) {
+  write_attribute(file, open_object(file, object), object, name, text);
+}
+
+void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
+                     std::string_view text) {
   const std::string copy = valid_utf8(text);
   const char* pointer = copy.c_str();
-  write_scalar_attribute(file, object, name, text_type(H5T_VARIABLE), pointer);
+  write_scalar_attribute(file, on, object, name, long_text_type(), pointer);
 }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value) {
-  write_scalar_attribute(file, object, name, H5T_STD_U64LE, value);
+  write_scalar_attribute(file, open_object(file, object), object, name, H5T_STD_U64LE, value);
 }
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, double value) {
-  write_scalar_attribute(file, object, name, H5T_IEEE_F64LE, value);
+  write_scalar_attribute(file, open_object(file, object), object, name, H5T_IEEE_F64LE, value);
 }
 
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name) {
-  char* pointer = read_scalar_attribute<char*>(file, object, name, text_type(H5T_VARIABLE));
+  char* pointer = read_scalar_attribute<char*>(file, object, name, long_text_type());
   std::string text = pointer != nullptr ? pointer : "";
   H5free_memory(pointer);
   return text;
@@ -194,8 +221,22 @@ void write_text(const File& file, const std::string& path, std::string_view text
   const Id id(file.check(H5Dcreate2(file.id(), path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), what),
               H5Dclose);
   file.check(H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), what);
-  write_attribute(file, path, "units", "none");
-  write_attribute(file, path, "description", description);
+  write_attribute(file, id, path, "units", "none");
+  write_attribute(file, id, path, "description", description);
+}
+
+std::string read_text(const File& file, const std::string& path) {
+  const std::string what = "has no text " + path + " that can be read";
+  const Id id(file.check(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), what), H5Dclose);
+  const Id space(H5Dget_space(id), H5Sclose);
+  const Id type(H5Dget_type(id), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(space) != 1)
+    throw Failure(Error{.file = file.path(), .what = what});
+  const std::uint64_t size = H5Tget_size(type);
+  if (size > H5Dget_storage_size(id)) throw Failure(Error{.file = file.path(), .what = what});
+  std::string text(size, '\0');
+  file.check(H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), what);
+  return text.substr(0, text.find('\0'));
 }
 
 }  // namespace holdfast::h5

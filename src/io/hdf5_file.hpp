@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,8 @@ std::optional<Error> caught(const std::string& path, Work&& work) {
     return std::nullopt;
   } catch (const Failure& failure) {
     return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
   } catch (const std::exception& exception) {
     return Error{.file = path, .what = exception.what()};
   }
@@ -53,10 +56,27 @@ auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work
     return work();
   } catch (const Failure& failure) {
     return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
   } catch (const std::exception& exception) {
     return Error{.file = path, .what = exception.what()};
   }
 }
+
+/// Runs `work`; a failure of it that has no cure yet gets one.
+template <class Work>
+auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    Error error = failure.error();
+    if (error.accepted.empty()) error.accepted = cure;
+    throw Failure(std::move(error));
+  }
+}
+
+/// Keeps HDF5 from printing its error stack, which it does unless told not to, thread by thread.
+void be_quiet();
 
 /// Owner of an HDF5 identifier.
 class Id {
@@ -122,6 +142,9 @@ void make_group(const File& file, const std::string& path);
 bool exists(const File& file, const std::string& path);
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text);
+/// The same where the object is open already; `object` names it in messages.
+void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
+                     std::string_view text);
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value);
 void write_attribute(const File& file, const std::string& object, const std::string& name, double value);
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name);
@@ -130,6 +153,7 @@ double read_number_attribute(const File& file, const std::string& object, const 
 
 /// A single text as a dataset, for texts that are pages long.
 void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description);
+std::string read_text(const File& file, const std::string& path);
 
 /// Where the compressed bytes of a chunk are in their file.
 struct ChunkPlace {
@@ -157,6 +181,10 @@ class Dataset {
   std::vector<std::byte> read(std::uint64_t begin, std::uint64_t count) const;
   /// Lengthens a long dataset; never shorter.
   void extend(std::uint64_t length);
+  /// True for a new one so short that it is not cut into chunks: `write_whole` fills it.
+  bool whole() const { return whole_; }
+  /// All entries, as they are stored.
+  void write_whole(std::span<const std::byte> bytes);
   /// Compressed bytes of a whole chunk.
   void write_chunk(std::uint64_t index, std::span<const std::byte> bytes);
   /// Where a chunk of a long dataset is; fails when it is not as `write_chunk` wrote it.
@@ -172,6 +200,7 @@ class Dataset {
   std::uint64_t length_ = 0;
   std::size_t number_bytes_ = 0;
   std::uint64_t chunk_entries_ = 0;
+  bool whole_ = false;
 };
 
 }  // namespace holdfast::h5

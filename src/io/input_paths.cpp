@@ -1,5 +1,6 @@
 #include "io/input_paths.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <optional>
 
 #include "core/number_text.hpp"
+#include "io/regular_file.hpp"
+#include "io/text_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast {
@@ -60,11 +63,12 @@ Result<std::vector<std::string>> list_folder(const std::string& path) {
 
 /// Why what is in a folder cannot be read as a file, if it cannot.
 std::optional<Error> why_unreadable(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return Error{.file = path, .what = "is a link to nothing"};
-  if (!fs::status_known(status)) return Error{.file = path, .what = "cannot be looked at", .value = error.message()};
-  if (!fs::is_regular_file(status)) return Error{.file = path, .what = "is no file"};
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) return Error{.file = path, .what = "is a link to nothing"};
+    return Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)};
+  }
+  if (auto error = why_no_regular_file(path, status.st_mode)) return error;
   if (::access(path.c_str(), R_OK) == 0) return std::nullopt;
   return Error{.file = path, .what = "cannot be read", .value = std::strerror(errno)};
 }
@@ -76,14 +80,17 @@ class InputFinder {
   InputFinder(InputKind wanted, std::vector<Error>& warnings) : wanted_(wanted), warnings_(warnings) {}
 
   void add(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (path.empty() || status.type() == fs::file_type::not_found)
-      fail(path, "no such file or folder");
-    else if (!fs::status_known(status))
-      errors_.push_back({.file = path, .what = "cannot be looked at", .value = error.message()});
-    else if (fs::is_directory(status))
+    struct stat status = {};
+    if (path.empty())
+      errors_.push_back({.what = "an empty path"});  // which would leave the message without a subject
+    else if (::stat(path.c_str(), &status) != 0)
+      errors_.push_back(errno == ENOENT || errno == ENOTDIR
+                            ? Error{.file = path, .what = "no such file or folder"}
+                            : Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)});
+    else if (S_ISDIR(status.st_mode))
       add_folder(path);
+    else if (const auto error = why_no_regular_file(path, status.st_mode))
+      errors_.push_back(*error);
     else
       files_.push_back({path, wanted_ == InputKind::unknown ? classify_file(path) : wanted_});
   }
@@ -94,11 +101,6 @@ class InputFinder {
       if (const std::string_view path = trimmed(line); !path.empty()) add(std::string(path));
     if (files_.size() + errors_.size() == before)
       errors_.push_back({.what = "the list of paths on standard input is empty", .accepted = "one path a line"});
-  }
-
-  void fail(const std::string& path, const char* what) {
-    // An empty path would leave the message without a subject.
-    errors_.push_back(path.empty() ? Error{.what = "an empty path"} : Error{.file = path, .what = what});
   }
 
   Result<std::vector<InputFile>> take() {
@@ -147,10 +149,14 @@ Result<std::vector<std::string>> paths_of(const Result<std::vector<InputFile>>& 
   return paths;
 }
 
-}  // namespace
+/// What the beginning of a text shows.
+struct Look {
+  InputKind kind = InputKind::unknown;
+  bool decided = false;  ///< whatever follows
+};
 
-InputKind classify(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) return InputKind::unknown;
+Look look_at(std::string_view text) {
+  if (text.find('\0') != std::string_view::npos) return {InputKind::unknown, true};
   InputKind first = InputKind::unknown;
   bool is_second = false;
   LineReader lines(text);
@@ -158,30 +164,34 @@ InputKind classify(std::string_view text) {
   while (lines.next()) {
     split_fields(lines.line(), fields);
     if (fields.empty() || fields[0].text.starts_with(';')) continue;
-    if (fields[0].text.starts_with('[')) return InputKind::config;
+    if (fields[0].text.starts_with('[')) return {InputKind::config, true};
     const std::string_view data = lines.line().substr(0, lines.line().find('#'));
     const InputKind kind = data.find('=') == std::string_view::npos ? kind_of_line(fields) : InputKind::config;
     // The first line may be a layout's header, which can have any words, `seed=5` too.
-    if (is_second) return kind == InputKind::unknown ? first : kind;
+    if (is_second) return {kind == InputKind::unknown ? first : kind, true};
     first = kind;
     is_second = true;
   }
-  return first;
+  return {first, false};
 }
+
+}  // namespace
+
+InputKind classify(std::string_view text) { return look_at(text).kind; }
 
 InputKind classify_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string head;
-  // Most files show their kind in the first block; a long comment may come before that.
-  for (const std::size_t size : {std::size_t{4096}, std::size_t{65536}}) {
+  // Most files show their kind in the first block; a long comment, or a long line, may take as much as a file may have.
+  for (std::size_t size = 4096; size <= kMostTextBytes; size *= 8) {
     const std::size_t old_size = head.size();
     head.resize(size);
     file.read(head.data() + old_size, static_cast<std::streamsize>(size - old_size));
     head.resize(old_size + static_cast<std::size_t>(file.gcount()));
     // The last line may be cut.
     const bool whole = head.size() < size;
-    const InputKind kind = classify(whole ? head : std::string_view(head).substr(0, head.rfind('\n') + 1));
-    if (whole || kind != InputKind::unknown) return kind;
+    const Look look = look_at(whole ? head : std::string_view(head).substr(0, head.rfind('\n') + 1));
+    if (whole || look.decided) return look.kind;
   }
   return InputKind::unknown;
 }

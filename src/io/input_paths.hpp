@@ -19,7 +19,7 @@ enum class InputKind { layout, acceleration, config, unknown };
 /// @param text a file, or so much of its beginning as has these lines
 InputKind classify(std::string_view text);
 
-/// What a file is. Reads no more of it than its first lines; `unknown` when it cannot be read.
+/// What a file is. Reads little more of it than the lines that decide; `unknown` when it cannot be read.
 InputKind classify_file(const std::string& path);
 
 /// An input file that was found.

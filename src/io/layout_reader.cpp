@@ -8,6 +8,7 @@
 #include "core/error_list.hpp"
 #include "core/layout_check.hpp"
 #include "core/number_text.hpp"
+#include "io/announced_boxes.hpp"
 #include "io/text_lines.hpp"
 
 namespace holdfast {
@@ -53,6 +54,11 @@ class LayoutReader {
                           .line = extra_line_,
                           .column = extra_column_,
                           .what = "columns after the seventh are ignored, here and in all further lines"});
+    if (announced_)
+      warnings.push_back({.file = file_.path,
+                          .line = header_line_,
+                          .what = "the header announces " + std::to_string(*announced_) + " boxes and the file has " +
+                                  std::to_string(box_count_) + ", as a copy that was cut off would"});
     std::vector<Error> geometry = check_layout(layout_, settings_, file_.path, warnings);
     if (!geometry.empty()) return geometry;
     return std::move(layout_);
@@ -61,6 +67,7 @@ class LayoutReader {
  private:
   void read_lines() {
     LineReader lines(file_.text);
+    std::vector<Field> header;
     std::vector<Field> fields;
     while (lines.next()) {
       split_fields(lines.line(), fields);
@@ -74,8 +81,9 @@ class LayoutReader {
       if (header_line_ > 0)
         read_box(lines.number(), fields);
       else
-        read_header(lines, fields);
+        read_header(lines, header = fields);
     }
+    announced_ = contradicted_count(header, box_count_);
   }
 
   void read_header(const LineReader& lines, const std::vector<Field>& fields) {
@@ -152,6 +160,7 @@ class LayoutReader {
   std::size_t box_count_ = 0;  ///< box lines so far, good or bad
   long extra_line_ = 0;        ///< first line with an eighth column
   long extra_column_ = 0;
+  std::optional<std::size_t> announced_;  ///< boxes by the header, where there are not so many
 };
 
 }  // namespace

@@ -34,7 +34,9 @@ inline constexpr std::size_t kMostHeaderBytes = 4096;
 ///
 /// All errors of the file are reported, up to the limit of ErrorList; those of the geometry only when there is no
 /// other.
-/// @param warnings gets one entry for columns beyond the seventh, one for overlaps within the tolerance
+/// @param warnings gets one entry for columns beyond the seventh, one for overlaps within the tolerance, one for a
+/// header that
+///   announces another number of boxes (see contradicted_count)
 Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings);
 
 }  // namespace holdfast

@@ -14,6 +14,7 @@ PartBuilder::PartBuilder(const std::string& path, const RunDescription& run, con
     : path_(path), file_(h5::File::create_in_memory(path)), begin_(begin), end_(begin), tail_(std::move(tail)) {
   for (const Axis axis : kLongAxes) at(begin_, axis) = chunk_begin(axis, at(begin, axis));
   write_run(file_, run);
+  if (at(begin, Axis::worlds) == 0) write_layout_hashes(file_, run.layout_hashes);
   write_range_begin(file_, begin_);
   h5::write_attribute(file_, "/", "complete", std::uint64_t{0});
   append_accelerations(columns_, run.accelerations);
@@ -42,9 +43,9 @@ void PartBuilder::write_tail() {
     dataset.extend(length);
     assert(tail_[column].size() == length % dataset.chunk_entries() * dataset.entry_bytes());
     if (tail_[column].empty()) continue;
-    std::vector<std::byte> chunk = tail_[column];
-    chunk.resize(dataset.chunk_entries() * dataset.entry_bytes());
-    dataset.write_chunk(length / dataset.chunk_entries(), compress_chunk(chunk, dataset.number_bytes()));
+    const std::size_t chunk_bytes = dataset.chunk_entries() * dataset.entry_bytes();
+    dataset.write_chunk(length / dataset.chunk_entries(),
+                        compress_padded_chunk(tail_[column], dataset.number_bytes(), chunk_bytes));
   }
 }
 

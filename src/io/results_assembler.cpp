@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,14 +30,30 @@ class Parts {
     if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
     return part_path(path_, part + 1);
   }
-  h5::File open(std::size_t part) const { return h5::File::open(path(part)); }
+  /// Shows one to a reader; a failure of it is told with its cure. The last one stays open for whoever comes next: what
+  /// HDF5 knows of a file's columns is gone when it is closed, and most runs have one part.
+  template <class Work>
+  void with(std::size_t part, Work&& work) {
+    const std::string file = path(part);
+    h5::with_cure(kCureOfPart, [&] {
+      if (!open_ || open_->path() != file) {
+        open_.reset();
+        open_.emplace(h5::File::open(file));
+      }
+      work(*open_);
+    });
+  }
 
   /// Removes them from the disk.
-  void remove() const { remove_parts(path_); }
+  void remove() {
+    open_.reset();
+    remove_parts(path_);
+  }
 
  private:
   std::string path_;
   std::vector<PartRange> ranges_;
+  std::optional<h5::File> open_;
   const std::atomic<bool>* stop_;
 };
 
@@ -90,12 +107,13 @@ class TableGroup {
     return true;
   }
 
-  void assemble(const h5::File& file, const Parts& parts) const {
+  void assemble(const h5::File& file, Parts& parts) const {
     std::vector<std::vector<Piece>> columns(specs_.size());
     for (std::size_t part = 0; part < parts.ranges().size(); ++part) {
-      const h5::File source = parts.open(part);
-      for (std::size_t i = 0; i < specs_.size(); ++i)
-        columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
+      parts.with(part, [&](const h5::File& source) {
+        for (std::size_t i = 0; i < specs_.size(); ++i)
+          columns[i].push_back(read_piece(source, *specs_[i], parts.ranges()[part]));
+      });
     }
     for (std::size_t i = 0; i < specs_.size(); ++i)
       write_pieces(file, *specs_[i], at(parts.end(), specs_[i]->axis), std::exchange(columns[i], {}));
@@ -110,22 +128,23 @@ class TableGroup {
 using ChunkPlaces = std::array<std::vector<std::vector<h5::ChunkPlace>>, kLongDatasets>;
 
 /// The chunk at a cut is in both parts; the later one has all of it.
-ChunkPlaces find_chunks(const Parts& parts) {
+ChunkPlaces find_chunks(Parts& parts) {
   ChunkPlaces places;
   const auto& ranges = parts.ranges();
   for (std::size_t part = 0; part < ranges.size(); ++part) {
-    const h5::File source = parts.open(part);
-    for (std::size_t column = 0; column < kLongDatasets; ++column) {
-      const DatasetSpec& spec = kSchema[long_datasets()[column]];
-      const std::uint64_t entries = chunk_entries(spec.axis);
-      const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
-      const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
-                                                         : (at(ranges[part].end, spec.axis) + entries - 1) / entries;
-      std::vector<h5::ChunkPlace>& found = places[column].emplace_back();
-      if (begin == end) continue;
-      const h5::Dataset dataset = h5::Dataset::open(source, spec);
-      for (std::uint64_t chunk = begin; chunk < end; ++chunk) found.push_back(dataset.chunk_place(chunk - begin));
-    }
+    parts.with(part, [&](const h5::File& source) {
+      for (std::size_t column = 0; column < kLongDatasets; ++column) {
+        const DatasetSpec& spec = kSchema[long_datasets()[column]];
+        const std::uint64_t entries = chunk_entries(spec.axis);
+        const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
+        const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
+                                                           : (at(ranges[part].end, spec.axis) + entries - 1) / entries;
+        std::vector<h5::ChunkPlace>& found = places[column].emplace_back();
+        if (begin == end) continue;
+        const h5::Dataset dataset = h5::Dataset::open(source, spec);
+        for (std::uint64_t chunk = begin; chunk < end; ++chunk) found.push_back(dataset.chunk_place(chunk - begin));
+      }
+    });
   }
   return places;
 }
@@ -142,7 +161,7 @@ void copy_chunks(const h5::File& file, const DatasetSpec& spec, const Parts& par
   }
 }
 
-void assemble_tables(const h5::File& file, const Parts& parts) {
+void assemble_tables(const h5::File& file, Parts& parts) {
   TableGroup tables;
   for (const DatasetSpec& spec : kSchema) {
     if (is_long(spec) || is_of_run(spec) || tables.take(spec, parts)) continue;
@@ -153,7 +172,7 @@ void assemble_tables(const h5::File& file, const Parts& parts) {
 }
 
 /// The file's bytes go by the order in which its datasets are written, wherever its parts were cut.
-void assemble_datasets(const h5::File& file, const RunDescription& run, const Parts& parts) {
+void assemble_datasets(const h5::File& file, const RunDescription& run, Parts& parts) {
   ColumnSet of_run;
   append_accelerations(of_run, run.accelerations);
   for (const Column& column : of_run.columns())
@@ -174,7 +193,7 @@ void check_whole(const std::string& path, const RunDescription& run, const Parts
                           .accepted = "--resume simulates the missing ones"});
 }
 
-void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
+void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
   write_run(file, run);
   write_range_begin(file, AxisCounts{});
   assemble_datasets(file, run, parts);
@@ -188,7 +207,7 @@ void write_file(h5::File& file, const RunDescription& run, const Parts& parts) {
 std::optional<Error> assemble(const std::string& path, const RunDescription& run, const std::atomic<bool>* stop) {
   const std::string temporary = temporary_name(path);
   const auto error = h5::caught(path, [&] {
-    const Parts parts(path, fingerprint(run), stop);
+    Parts parts(path, fingerprint(run), stop);
     check_whole(path, run, parts);
     h5::File file = h5::File::create(temporary);
     write_file(file, run, parts);

@@ -75,6 +75,7 @@ void visit_world(Visit&& visit, WorldRowLike& w) {
 
 template <class Visit, class WorldSummaryLike>
 void visit_world_summary(Visit&& visit, WorldSummaryLike& w) {
+  visit("/summary/worlds/verdict", w.verdict);
   visit("/summary/worlds/fallen_boxes", w.fallen_boxes);
   visit("/summary/worlds/unstable_boxes", w.unstable_boxes);
   visit("/summary/worlds/moved_boxes", w.moved_boxes);

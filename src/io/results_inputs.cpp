@@ -1,6 +1,18 @@
 #include "io/results_inputs.hpp"
 
+#include <string>
+#include <string_view>
+
+#include "io/text_lines.hpp"
+
 namespace holdfast {
+
+namespace {
+
+const std::string kLayoutHashes = "/inputs/layout_hashes";
+constexpr std::size_t kHashBytes = 64;  // SHA-256, hexadecimal
+
+}  // namespace
 
 void write_run(const h5::File& file, const RunDescription& run) {
   const auto text = [&](const char* name, std::string_view value) { h5::write_attribute(file, "/", name, value); };
@@ -18,6 +30,26 @@ void write_run(const h5::File& file, const RunDescription& run) {
   h5::write_text(file, "/inputs/config", run.config_text, "configuration file as used");
   for (const auto& [key, value] : run.settings) h5::write_attribute(file, "/inputs/settings", key, value);
   write_thresholds(file, run.thresholds);
+}
+
+void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes) {
+  std::string text;
+  for (const std::string& hash : hashes) {
+    text += hash;
+    text.resize(text.size() + kHashBytes - hash.size(), ' ');
+  }
+  h5::write_text(
+      file, kLayoutHashes, text,
+      "SHA-256 of every layout of the run when it began, 64 characters each; blank where it could not be read");
+}
+
+std::vector<std::string> read_layout_hashes(const h5::File& file) {
+  const std::string text = h5::read_text(file, kLayoutHashes);
+  if (text.size() % kHashBytes != 0) file.fail("has a text of another length than it should (" + kLayoutHashes + ")");
+  std::vector<std::string> hashes;
+  for (std::size_t begin = 0; begin < text.size(); begin += kHashBytes)
+    hashes.emplace_back(trimmed(std::string_view(text).substr(begin, kHashBytes)));
+  return hashes;
 }
 
 void write_thresholds(const h5::File& file, const Thresholds& thresholds) {

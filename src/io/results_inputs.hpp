@@ -12,6 +12,11 @@ namespace holdfast {
 /// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
 void write_run(const h5::File& file, const RunDescription& run);
 
+/// /inputs/layout_hashes: what all layouts of the run were when it began, in its first part alone. Those that the
+/// run has come to are in /inputs/layouts as well.
+void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes);
+std::vector<std::string> read_layout_hashes(const h5::File& file);
+
 /// Thresholds and their units as attributes of /summary.
 void write_thresholds(const h5::File& file, const Thresholds& thresholds);
 Thresholds read_thresholds(const h5::File& file);

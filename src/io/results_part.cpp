@@ -117,12 +117,14 @@ std::vector<PartRange> check_parts(const std::string& results_path, const std::s
       fail(part_path(results_path, ranges.size() + 1), "is missing, though later parts are there",
            "remove " + parts_folder(results_path) + " to start anew");
     }
-    const h5::File file = h5::File::open(path);
-    check_same_run(file, fingerprint);
-    const PartRange range = read_range(file);
-    check_chunks(file);
-    check_follows(path, ranges.empty() ? PartRange{} : ranges.back(), range);
-    ranges.push_back(range);
+    ranges.push_back(h5::with_cure(kCureOfPart, [&] {
+      const h5::File file = h5::File::open(path);
+      check_same_run(file, fingerprint);
+      const PartRange range = read_range(file);
+      check_chunks(file);
+      check_follows(path, ranges.empty() ? PartRange{} : ranges.back(), range);
+      return range;
+    }));
   }
   return ranges;
 }

@@ -36,8 +36,12 @@ PartRange read_range(const h5::File& file);
 /// A failure, which says what differs, when the file is of a run of another fingerprint.
 void check_same_run(const h5::File& file, const std::string& fingerprint);
 
-/// Ranges of all finished parts. A failure when a part is missing, damaged, does not follow on the one before, or
-/// is of a run of another fingerprint.
+/// What to do about a part that cannot be read.
+inline constexpr const char* kCureOfPart =
+    "remove this part and any behind it, and --resume simulates their worlds again";
+
+/// Ranges of all finished parts. A failure, with its cure, when a part is missing, damaged, does not follow on the one
+/// before, or is of a run of another fingerprint.
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint);
 
 }  // namespace holdfast

@@ -6,6 +6,7 @@
 
 #include "io/hdf5_file.hpp"
 #include "io/results_columns.hpp"
+#include "io/results_inputs.hpp"
 #include "io/results_part.hpp"
 #include "io/results_reader.hpp"
 #include "io/run_description.hpp"
@@ -19,19 +20,24 @@ std::vector<std::string> read_texts(const h5::File& file, std::string_view path)
   return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
 }
 
-void append_layouts(const h5::File& file, Progress& progress) {
-  const std::vector<std::string> names = read_texts(file, "/inputs/layouts/name");
-  const std::vector<std::string> hashes = read_texts(file, "/inputs/layouts/sha256");
-  if (names.size() != hashes.size()) file.fail("has columns of different length under /inputs/layouts");
-  for (std::size_t i = 0; i < names.size(); ++i) progress.layouts.emplace_back(names[i], hashes[i]);
-}
-
 void add_counts(const PartRange& range, Progress& progress) {
   progress.world_count = at(range.end, Axis::worlds);
   progress.box_count = at(range.end, Axis::boxes);
   progress.sample_count = at(range.end, Axis::samples);
   progress.row_count = at(range.end, Axis::rows);
+  progress.layout_count = at(range.end, Axis::layouts);
   progress.layout_box_count = at(range.end, Axis::layout_boxes);
+}
+
+/// Those of all layouts from the first part; what a part says of its own must be the same.
+void take_hashes(const h5::File& part, const PartRange& range, Progress& progress) {
+  if (progress.part_count == 1) progress.layout_hashes = read_layout_hashes(part);
+  const std::vector<std::string>& all = progress.layout_hashes;
+  const std::vector<std::string> own = read_texts(part, "/inputs/layouts/sha256");
+  const std::uint64_t begin = at(range.begin, Axis::layouts);
+  if (begin > all.size() || own.size() > all.size() - begin ||
+      !std::equal(own.begin(), own.end(), all.begin() + static_cast<std::ptrdiff_t>(begin)))
+    throw h5::Failure(Error{.file = part.path(), .what = "is damaged: its layouts are not those of the run"});
 }
 
 Progress progress_of_finished_file(const std::string& path, const std::string& fingerprint) {
@@ -39,7 +45,7 @@ Progress progress_of_finished_file(const std::string& path, const std::string& f
   check_same_run(file, fingerprint);
   Progress progress{.complete = true};
   add_counts(read_range(file), progress);
-  append_layouts(file, progress);
+  progress.layout_hashes = read_texts(file, "/inputs/layouts/sha256");
   return progress;
 }
 
@@ -81,7 +87,8 @@ std::optional<Error> visit_finished(const std::string& path, const Progress& pro
                                     const std::function<void(const WorldRecord&)>& visit) {
   return h5::caught(path, [&] {
     if (progress.complete) return visit_file(path, visit);
-    for (std::uint64_t part = 1; part <= progress.part_count; ++part) visit_file(part_path(path, part), visit);
+    for (std::uint64_t part = 1; part <= progress.part_count; ++part)
+      h5::with_cure(kCureOfPart, [&] { visit_file(part_path(path, part), visit); });
   });
 }
 
@@ -89,14 +96,17 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
   return h5::caught_result(path, [&] {
     remove_temporaries(path);
     if (std::filesystem::exists(path)) {
-      Progress progress = progress_of_finished_file(path, fingerprint);
+      Progress progress =
+          h5::with_cure("--overwrite starts anew", [&] { return progress_of_finished_file(path, fingerprint); });
       remove_parts(path);  // a run that was killed after assembling did not come to it
       return progress;
     }
     Progress progress;
     for (const PartRange& range : check_parts(path, fingerprint)) {
       add_counts(range, progress);
-      append_layouts(h5::File::open(part_path(path, ++progress.part_count)), progress);
+      ++progress.part_count;
+      h5::with_cure(kCureOfPart,
+                    [&] { take_hashes(h5::File::open(part_path(path, progress.part_count)), range, progress); });
     }
     return progress;
   });

@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -21,9 +20,10 @@ struct Progress {
   std::uint64_t sample_count = 0;
   std::uint64_t row_count = 0;
   std::uint64_t layout_box_count = 0;
-  /// (name, SHA-256) of the layouts in them: the first so many of the run. The caller compares them with the
-  /// files as they are now.
-  std::vector<std::pair<std::string, std::string>> layouts;
+  std::uint64_t layout_count = 0;  ///< layouts in them: the first so many of the run
+  /// SHA-256 of all layouts of the run as they were when it began; empty where one could not be read. The caller
+  /// compares them with the files as they are now.
+  std::vector<std::string> layout_hashes;
 };
 
 /// What an earlier run left of the results file `path` and of its parts. Temporary files, and parts that are in the

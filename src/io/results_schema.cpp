@@ -105,6 +105,9 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      "external force x, y, z: minus mass times the container's acceleration; zero in a free container"},
     {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
     // summary: derived from the tables above, by the thresholds in the attributes of /summary
+    {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
+     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed",
+     Origin::derived},
     {"/summary/worlds/fallen_boxes", ElementType::u32, 1, Axis::worlds, "1", "boxes that had fallen at the end",
      Origin::derived},
     {"/summary/worlds/unstable_boxes", ElementType::u32, 1, Axis::worlds, "1",

@@ -71,12 +71,15 @@ constexpr std::uint64_t chunk_begin(Axis axis, std::uint64_t entry) { return ent
 /// Most bytes of a chunk of any other dataset.
 inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
 
+/// A dataset of worlds or the like with no more bytes is stored as it is: a chunk and its index take more.
+inline constexpr std::size_t kWholeTableBytes = 1024;
+
 /// Version of the layout of the file; raised when a reader of the old layout would go wrong.
 inline constexpr std::uint64_t kFormatVersion = 1;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 76;
+inline constexpr std::size_t kDatasetCount = 77;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all go by this table.

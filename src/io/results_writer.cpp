@@ -31,7 +31,7 @@ AxisCounts counts_of(const Progress& progress) {
   at(counts, Axis::boxes) = progress.box_count;
   at(counts, Axis::samples) = progress.sample_count;
   at(counts, Axis::rows) = progress.row_count;
-  at(counts, Axis::layouts) = progress.layouts.size();
+  at(counts, Axis::layouts) = progress.layout_count;
   at(counts, Axis::layout_boxes) = progress.layout_box_count;
   return counts;
 }
@@ -84,6 +84,7 @@ struct ResultsWriter::State {
   template <class Work>
   std::optional<Error> guarded(Work&& work) {
     const std::lock_guard lock(mutex);
+    h5::be_quiet();
     if (!error) error = h5::caught(path, work);
     if (error) part.reset();
     return error;

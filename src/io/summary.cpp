@@ -43,13 +43,14 @@ void append_first_moves(const EndTable& end, const Thresholds& thresholds, BoxSu
   boxes.first_move_time.insert(boxes.first_move_time.end(), found.begin(), found.end());
 }
 
-void append_world(double peak_total_kinetic_energy, const WorldVerdict& verdict, WorldSummary& worlds) {
+void append_world(const WorldVerdict& verdict, WorldSummary& worlds) {
+  worlds.verdict.push_back(verdict.verdict);
   worlds.fallen_boxes.push_back(verdict.fallen_boxes);
   worlds.unstable_boxes.push_back(verdict.unstable_boxes);
   worlds.moved_boxes.push_back(verdict.moved_boxes);
   worlds.tilted_boxes.push_back(verdict.tilted_boxes);
   worlds.total_kinetic_energy.push_back(verdict.total_kinetic_energy);
-  worlds.peak_kinetic_energy.push_back(peak_total_kinetic_energy);
+  worlds.peak_kinetic_energy.push_back(verdict.peak_kinetic_energy);
   worlds.max_displacement.push_back(verdict.max_displacement);
   worlds.peak_displacement.push_back(verdict.peak_displacement);
 }
@@ -106,7 +107,8 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
   const EndTable ends = value_of(results.ends(slice.box_begin, box_count));
   for (const WorldRow& row : slice.rows) {
     const EndTable end = part_of(ends, row.box_begin - slice.box_begin, row.box_count);
-    append_world(row.peak_total_kinetic_energy, judge_world(end, thresholds), slice.worlds);
+    append_world(judge_world(row.status, row.stop_reason, row.peak_total_kinetic_energy, end, thresholds),
+                 slice.worlds);
     append_boxes(end, thresholds, slice.boxes);
     append_first_moves(end, thresholds, slice.boxes, [&] {
       const Series series = value_of(results.path_of(row));
@@ -119,7 +121,9 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
 }  // namespace
 
 void append_summary(const WorldRecord& world, const Thresholds& thresholds, WorldSummary& worlds, BoxSummary& boxes) {
-  append_world(world.peak_total_kinetic_energy, judge_world(world.end, thresholds), worlds);
+  append_world(judge_world(world.outcome.status, world.outcome.stop_reason, world.peak_total_kinetic_energy, world.end,
+                           thresholds),
+               worlds);
   append_boxes(world.end, thresholds, boxes);
   append_first_moves(world.end, thresholds, boxes, [&] {
     return first_move_times(world.series.time, world.series.displacement, world.end.displacement.size(), thresholds);

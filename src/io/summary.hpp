@@ -12,8 +12,9 @@
 
 namespace holdfast {
 
-/// /summary/worlds, an entry a world.
+/// /summary/worlds, an entry a world; see WorldVerdict for one that was not simulated.
 struct WorldSummary {
+  std::vector<Verdict> verdict;
   std::vector<std::uint32_t> fallen_boxes;
   std::vector<std::uint32_t> unstable_boxes;
   std::vector<std::uint32_t> moved_boxes;

@@ -13,12 +13,18 @@ namespace holdfast {
 namespace {
 
 /// An empty field where there is no number, which readers take for a missing value.
-std::string number(float value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+template <class Number>
+std::string number(Number value) {
+  return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+std::string count(std::uint32_t boxes) { return boxes == kNotCounted ? "" : fmt::format("{}", boxes); }
 
 std::string vector(const Float3& v) { return number(v.x) + ',' + number(v.y) + ',' + number(v.z); }
 
 constexpr const char* kWorldHeader =
-    "world,layout,acceleration,status,status_text,stop_reason,end_time_s,boxes,fallen_boxes,unstable_boxes,moved_boxes,"
+    "world,layout,acceleration,verdict,status,status_text,stop_reason,end_time_s,boxes,fallen_boxes,unstable_boxes,"
+    "moved_boxes,"
     "tilted_boxes,total_kinetic_energy_J,peak_kinetic_energy_J,max_displacement_m,peak_displacement_m,max_residual,"
     "max_penetration_m,cpu_seconds\r\n";
 constexpr const char* kBoxHeader =
@@ -36,11 +42,12 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   const WorldSummary& w = slice.worlds;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-                   naming(info, slice.world_begin + i, row), to_string(row.status), csv_field(row.status_text),
-                   to_string(row.stop_reason), row.end_time, row.box_count, w.fallen_boxes[i], w.unstable_boxes[i],
-                   w.moved_boxes[i], w.tilted_boxes[i], w.total_kinetic_energy[i], w.peak_kinetic_energy[i],
-                   w.max_displacement[i], w.peak_displacement[i], row.max_residual, row.max_penetration,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+                   naming(info, slice.world_begin + i, row), to_string(w.verdict[i]), to_string(row.status),
+                   csv_field(row.status_text), to_string(row.stop_reason), row.end_time, row.box_count,
+                   count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
+                   count(w.tilted_boxes[i]), number(w.total_kinetic_energy[i]), number(w.peak_kinetic_energy[i]),
+                   number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual, row.max_penetration,
                    row.cpu_seconds);
   }
   return text;

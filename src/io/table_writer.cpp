@@ -15,15 +15,17 @@ void TableWriter::append(std::span<const std::byte> entries) {
     const auto head = entries.first(std::min(chunk_bytes - pending_.size(), entries.size()));
     pending_.insert(pending_.end(), head.begin(), head.end());
     entries = entries.subspan(head.size());
-    if (pending_.size() == chunk_bytes) write_pending();
+    if (pending_.size() == chunk_bytes && !dataset_.whole()) write_pending();
   }
 }
 
 void TableWriter::finish() {
   assert(written_ * dataset_.chunk_entries() + pending_.size() / dataset_.entry_bytes() >= dataset_.length());
   if (pending_.empty()) return;
-  pending_.resize(dataset_.chunk_entries() * dataset_.entry_bytes());
-  write_pending();
+  if (dataset_.whole()) return dataset_.write_whole(pending_);
+  const std::size_t chunk_bytes = dataset_.chunk_entries() * dataset_.entry_bytes();
+  dataset_.write_chunk(written_++, compress_padded_chunk(pending_, dataset_.number_bytes(), chunk_bytes));
+  pending_.clear();
 }
 
 void TableWriter::write_pending() {

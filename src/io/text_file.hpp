@@ -9,7 +9,7 @@
 namespace holdfast {
 
 /// Largest input file that is read, byte: a thousand times what any layout has, an hour of an acceleration measured at
-/// 1 kHz. More is a wrong file, or a device without end.
+/// 1 kHz. More is a wrong file.
 inline constexpr std::size_t kMostTextBytes = std::size_t{128} << 20U;
 
 /// An input file in memory. Inputs are small: the largest layouts have some thousand lines.
@@ -20,7 +20,7 @@ struct TextFile {
   std::string sha256;  ///< of all bytes, 64 hexadecimal digits
 };
 
-/// Reads a whole file. An error says why it cannot be read (missing, a folder, no permission, too large).
+/// Reads a whole file. An error says why it cannot be read (missing, no regular file, no permission, too large).
 Result<TextFile> read_text_file(const std::string& path);
 
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits.

@@ -1,6 +1,7 @@
 #include "io/unit_columns.hpp"
 
 #include <cassert>
+#include <type_traits>
 
 #include "io/results_inputs.hpp"
 #include "io/summary.hpp"
@@ -35,7 +36,7 @@ WorldRow row_of(const WorldRecord& world, const RunDescription& run, const AxisC
   return row;
 }
 
-void append_world(const WorldRecord& world, const RunDescription& run, AxisCounts& end, ColumnSet& columns) {
+void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end, ColumnSet& columns) {
   const std::size_t box_count = world.boxes.id.size();
   const std::size_t sample_count = world.series.time.size();
   assert(world.end.displacement.size() == box_count && world.end.settling_displacement.size() == box_count);
@@ -46,13 +47,19 @@ void append_world(const WorldRecord& world, const RunDescription& run, AxisCount
   visit_world(append, row);
   visit_boxes(append, world.boxes);
   visit_ends(append, world.end);
-  visit_series(append, world.series);
   columns["/boxes/world"].append(std::vector<std::uint64_t>(box_count, at(end, Axis::worlds)));
   WorldSummary worlds;
   BoxSummary boxes;
   append_summary(world, run.thresholds, worlds, boxes);
   visit_world_summary(append, worlds);
   visit_box_summary(append, boxes);
+  // A column after the other, so that no more than one of them is in memory twice.
+  visit_series(
+      [&](std::string_view path, auto& values) {
+        columns[path].append(values);
+        values = std::decay_t<decltype(values)>();
+      },
+      world.series);
 
   at(end, Axis::worlds) += 1;
   at(end, Axis::boxes) += box_count;
@@ -73,7 +80,6 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
   for (WorldRecord& world : unit.worlds) {
     if (!run.record_series) world.series = {};
     append_world(world, run, end, columns);
-    world.series = {};
   }
   return columns;
 }

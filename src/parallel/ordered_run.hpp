@@ -49,6 +49,7 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
   };
   const auto write_in_order = [&](C&& item) { writing = writing && item && write(std::move(*item)); };
 
+  if (count <= 1) scheduler = Scheduler::serial;  // nothing to spread: threads would cost a millisecond to start
   if (scheduler == Scheduler::tbb) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);

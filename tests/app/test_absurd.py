@@ -34,10 +34,6 @@ class Sizes(CliTest):
             self.assertIn(word, done.stderr)
         self.assertEqual(datasets(self.folder / "results.h5")["/worlds/status"].tolist(), [1, 0])
 
-    def test_a_layout_without_end(self):
-        self.write_inputs()
-        self.assert_bad_layout("/dev/zero", "/dev/zero: is too large for an input file")
-
     def test_a_line_of_a_gigabyte(self):
         self.write_inputs()
         path = self.write("line.txt", "1 1\n")

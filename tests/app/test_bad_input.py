@@ -1,7 +1,10 @@
 """Bad input and bad usage: one line that says where and what, the right exit code, and never a crash."""
+import os
+import signal
+import subprocess
 import unittest
 
-from cli import SEED, SHOVE, SOURCE, CliTest, datasets, layout_text
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, SHOVE, SOURCE, TOWER, CliTest, datasets, layout_text, start
 
 HEAD = "1 2\n"
 BOX = "0 0 0 80 60 100 1\n"
@@ -97,6 +100,32 @@ class Check(CliTest):
         self.assertEqual([line.split(" ")[0] for line in done.stderr.splitlines()],
                          ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
         self.assertEqual(done.stdout, "good.txt: ok: layout, 1 boxes\n")
+
+    def test_a_layout_that_was_cut_off_is_told(self):
+        text = layout_text(SEED)
+        self.write("whole.txt", text)
+        self.write("cut.txt", "".join(text.splitlines(keepends=True)[:-1]))
+        self.write("shove.txt", SHOVE)
+        warning = "warning: cut.txt:1: the header announces 3 boxes and the file has 2, as a copy that was cut off would\n"
+        done = self.run_here("check", "whole.txt", "cut.txt")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr, warning)
+        done = self.run_here("screen", "--layouts", "whole.txt", "cut.txt", "--accelerations", "shove.txt")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stderr.count("the header announces"), 1)
+        self.assertIn(warning, done.stderr)
+
+    def test_a_line_of_a_million_digits_is_read_by_check_as_by_screen(self):
+        digits = "0" * 1_000_000
+        self.write("layout.txt", f"1 1\n0 0 0 80.{digits} 59 106 1\n")
+        self.write("acceleration.txt", f"0 1.{digits} 0 0 0\n")
+        self.write("config.ini", f"# {digits}\n[Container]\nWidth = 233\n")
+        done = self.run_here("check", "layout.txt", "acceleration.txt", "config.ini")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stdout, "layout.txt: ok: layout, 1 boxes\nacceleration.txt: ok: acceleration, 1 segments, 1 s\n"
+                                      "config.ini: ok: config, 1 keys\n")
+        self.assert_exit(self.run_here("screen", "-c", "config.ini", "--layouts", "layout.txt", "--accelerations",
+                                       "acceleration.txt", "--quiet"), 0)
 
     def test_the_container_of_the_config_counts(self):
         self.write("long.ini", "[Container]\nLength = 1200\n")
@@ -240,6 +269,28 @@ class Usage(CliTest):
         for command in commands:
             self.assertIn(f"\n  {command} ", self.run_here("--help").stdout)
 
+    def test_exit_codes_are_told(self):
+        told = self.run_here("--help").stdout
+        for code in ("0 done", "1 some", "2 bad", "130 and 143", "141"):
+            self.assertIn(code, told)
+        # More than a pipe holds, so that the program still writes when its reader is gone.
+        ended = subprocess.run(["bash", "-c", f"(for i in $(seq 40); do '{HOLDFAST}' --help-config || echo $? >&2; done) | head -1"],
+                               capture_output=True, text=True, timeout=PATIENCE, check=False)
+        self.assertIn("141\n", ended.stderr)
+
+    def test_a_folder_is_no_output(self):
+        self.write_inputs()
+        (self.folder / "taken").mkdir()
+        inputs = ("--layouts", self.layouts[0], "--accelerations", self.accelerations[0])
+        for more in ((), ("--resume",), ("--overwrite",)):
+            for path in ("taken", "taken/", "."):
+                with self.subTest(more=more, path=path):
+                    self.assert_refused(self.run_here("screen", *inputs, "-o", path, *more),
+                                        f"{path}: is a folder; the name of the results file")
+        self.assertEqual(list((self.folder / "taken").iterdir()), [])
+        self.assert_exit(self.run_here("screen", *inputs, "--quiet"), 0)
+        self.assert_refused(self.run_here("summary", "results.h5", "-o", "taken"), "taken: is a folder; the name of a new file")
+
     def test_pages(self):
         self.assertRegex(self.run_here("--version").stdout, r"^holdfast \d+\.\d+\.\d+ ")
         self.assertIn("BoxFriction", self.run_here("--help-config").stdout)
@@ -248,6 +299,53 @@ class Usage(CliTest):
         self.assertTrue(engines.stdout.startswith("native "), "the default comes first")
         for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
             self.assertRegex(engines.stdout, f"(?m)^{name}")
+
+
+class NoRegularFiles(CliTest):
+    """What may keep its reader waiting for ever is refused at once, wherever a file is named."""
+
+    def test_a_pipe_or_a_device_is_refused(self):
+        self.write_inputs()
+        os.mkfifo(self.folder / "pipe")
+        (self.folder / "link").symlink_to("pipe")
+        layout, acceleration = self.layouts[0], self.accelerations[0]
+        for path, kind in (("pipe", "a pipe"), ("link", "a pipe"), ("/dev/zero", "a device")):
+            for words in (("screen", "--layouts", path, "--accelerations", acceleration),
+                          ("screen", "--layouts", layout, "--accelerations", path),
+                          ("screen", "-c", path, "--layouts", layout, "--accelerations", acceleration),
+                          ("screen", "--layouts", layout, "--accelerations", acceleration, "-o", path, "--resume"),
+                          ("run", path), ("check", path), ("summary", path)):
+                with self.subTest(path=path, words=words[:2]):
+                    self.assert_refused(self.run_here(*words), f"{path}: is {kind}, not a file; save what it gives in a file")
+
+    def test_a_pipe_in_a_folder_is_told(self):
+        self.write("layouts/seed.txt", layout_text(SEED))
+        os.mkfifo(self.folder / "layouts/pipe.txt")
+        self.write("shove.txt", SHOVE)
+        done = self.run_here("screen", "--layouts", "layouts", "--accelerations", "shove.txt")
+        self.assert_refused(done, "layouts/pipe.txt: is a pipe, not a file")
+
+    def test_a_layout_that_changes_or_becomes_a_pipe_during_the_run_is_a_row(self):
+        self.write("config.ini", CONFIG)
+        for name in ("a.txt", "b.txt", "c.txt"):
+            self.write(name, layout_text(SEED))
+        self.write("short.txt", "0 0.1 1 0 0\n")
+        self.write("long.txt", "0 1000 1 0 0\n")
+        process = start("screen", "-c", "config.ini", "--layouts", "a.txt", "b.txt", "c.txt", "--accelerations", "short.txt",
+                        "long.txt", "--json", "--threads", 1, "--scheduler", "serial", "--no-series", cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertIn("a.txt", process.stdout.readline())
+        process.send_signal(signal.SIGSTOP)  # while it is at the long world
+        (self.folder / "b.txt").unlink()
+        os.mkfifo(self.folder / "b.txt")
+        self.write("c.txt", layout_text(TOWER))
+        process.send_signal(signal.SIGCONT)
+        said = process.communicate(timeout=PATIENCE)[1]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("b.txt: is a pipe, not a file", said)
+        self.assertIn("c.txt: this layout has changed since the run began, and is left out; screen it again by itself", said)
+        self.assertEqual(datasets(self.folder / "results.h5")["/worlds/status"].tolist(), [0, 0, 1, 1, 1, 1])
 
 
 if __name__ == "__main__":

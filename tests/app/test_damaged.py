@@ -44,6 +44,8 @@ VALUES = {
     "infinite or zero": lambda data: np.full_like(data, 0 if data.dtype.kind in "ui" else np.nan),
 }
 
+CURE = "remove this part and any behind it, and --resume simulates their worlds again"
+
 # Datasets of a part that nothing but the results file needs.
 NEEDED_AT_THE_END = ("/inputs/layouts/box_begin", "/inputs/layouts/box_count", "/inputs/layouts/header")
 
@@ -169,7 +171,7 @@ class Damaged(CliTest):
             shutil.copy(self.folder / self.changed(self.folder / "kept.h5", name, CHANGES[kind]), part)
 
         # What is refused is refused before anything is simulated: the endless world is never begun.
-        names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layouts", "/boxes/world",
+        names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layout", "/boxes/world",
                                                                      "/series/time", "/series/displ"))]
         for name in names:
             for kind in kinds if name not in NEEDED_AT_THE_END else ():
@@ -185,14 +187,19 @@ class Damaged(CliTest):
                 self.assert_refused(self.run_here(*arguments, "--resume"), "results.h5")
         for content in (b"", b"No part.\n", (self.folder / "kept.h5").read_bytes()[:3000]):
             part.write_bytes(content)
-            self.assert_refused(self.run_here(*arguments, "--resume"), "part-000001.h5")
+            self.assert_refused(self.run_here(*arguments, "--resume"), "part-000001.h5", CURE)
+        content = bytearray((self.folder / "kept.h5").read_bytes())
+        place = content.index(b"TREE")  # HDF5's own index of what is in a group
+        content[place:place + 4] = b"EERT"
+        part.write_bytes(content)
+        self.assert_refused(self.run_here(*arguments, "--resume"), "part-000001.h5", "signature", CURE)
         # The rest is missed when the parts are put together. The first such run simulates the worlds that are left.
         for name in NEEDED_AT_THE_END:
             for kind in kinds:
                 with self.subTest(dataset=name, change=kind):
                     damage(name, kind)
                     done = self.run_here(*arguments, "--resume")
-                    self.assert_refused(done, "part-000001.h5: ", name, "--resume puts them together", code=1, lines=2)
+                    self.assert_refused(done, "part-000001.h5: ", name, CURE, "--resume puts them together", code=1, lines=2)
         shutil.copy(self.folder / "kept.h5", part)
         self.assert_exit(self.run_here(*arguments, "--resume"), 0)
 

@@ -23,10 +23,19 @@ def line_of_engine(text):
 
 class WithoutDevice(unittest.TestCase):
     def test_engines_says_why(self):
-        done = holdfast("engines", env=WITHOUT)
+        done = holdfast("engines", "--devices", env=WITHOUT)
         self.assertEqual(done.returncode, 0)
         self.assertIn("missing: ", line_of_engine(done.stdout))
         self.assertRegex(done.stdout, "no OpenCL device; a driver is needed|cannot be loaded")
+
+    def test_engines_asks_for_no_device_unless_told(self):
+        asked, with_drivers, without = holdfast("engines", "--devices", env=WITHOUT), holdfast("engines"), holdfast("engines", env=WITHOUT)
+        self.assertEqual((without.returncode, without.stderr), (0, ""))
+        self.assertEqual(without.stdout, with_drivers.stdout)
+        if "cannot be loaded" not in without.stdout:
+            self.assertIn("\n                 `holdfast engines --devices` looks for devices\n", without.stdout)
+            self.assertNotIn("missing", without.stdout)
+            self.assertIn("missing", asked.stdout)
 
     def test_validate_names_it(self):
         done = holdfast("validate", "--engine", "bullet-opencl", "--case", "slide_path", env=WITHOUT)
@@ -36,7 +45,7 @@ class WithoutDevice(unittest.TestCase):
 
 class WithDevice(unittest.TestCase):
     def setUp(self):
-        self.done = holdfast("engines")
+        self.done = holdfast("engines", "--devices")
         if "missing" in line_of_engine(self.done.stdout):
             print("skipped:", line_of_engine(self.done.stdout), file=sys.stderr)
             self.skipTest("no OpenCL device")
@@ -50,7 +59,7 @@ class WithDevice(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             cache = pathlib.Path(folder, "cache")
             cache.mkdir()
-            done = subprocess.run([HOLDFAST, "engines"], capture_output=True, cwd=folder, check=False)
+            done = subprocess.run([HOLDFAST, "engines", "--devices"], capture_output=True, cwd=folder, check=False)
             self.assertEqual((done.returncode, done.stderr, list(cache.iterdir())), (0, b"", []))
 
     def test_a_real_load_under_two_accelerations_agrees_with_bullet(self):

@@ -1,6 +1,7 @@
 """Runs that are killed, stopped or out of disk, and go on with `--resume`."""
 import json
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -97,6 +98,7 @@ class LongRun(CliTest):
 
     def test_changed_inputs_are_refused(self):
         for name, old, new, said in (("layouts/layout00.txt", "106", "105", "layout00.txt: this layout has changed"),
+                                     ("layouts/layout23.txt", "106", "105", "layout23.txt: this layout has changed"),
                                      ("long.txt", " 1 0 0", " 2 0 0", "is of a run with other accelerations"),
                                      ("config.ini", "= 60", "= 61", "is of a run with other settings")):
             with self.subTest(changed=name):
@@ -104,9 +106,24 @@ class LongRun(CliTest):
                 self.write(name, text.replace(old, new))
                 self.assert_refused(self.run_here(*self.arguments(), "--resume"), said)
                 self.write(name, text)
+        with self.subTest(changed="removed, and not yet come to"):
+            self.assertLess(self.safe_worlds, 2 * 23)
+            (self.folder / "layouts/layout23.txt").rename(self.folder / "away.txt")
+            (self.folder / "layouts/layout23.txt").symlink_to("layout22.txt")
+            self.assert_refused(self.run_here(*self.arguments(), "--resume"), "layout23.txt: this layout has changed")
+            (self.folder / "away.txt").rename(self.folder / "layouts/layout23.txt")
         with self.subTest(changed="option"):
             self.assert_refused(self.run_here(*self.arguments(), "--resume", "--no-series"), "is of a run with other series")
         self.assertIn("part-000001.h5", self.parts())
+
+    def test_parts_of_an_earlier_version_are_refused(self):
+        part = self.folder / "results.h5.parts/part-000001.h5"
+        with h5py.File(part, "r+") as file:
+            del file["summary/worlds/verdict"]
+            file.attrs["software"] = "holdfast 0.0.9"
+            file.attrs["fingerprint"] = re.sub("software=[0-9a-f]*", "software=" + 64 * "0", file.attrs["fingerprint"])
+        self.assert_refused(self.run_here(*self.arguments(), "--resume"), "is of a run with other software: by holdfast 0.0.9",
+                            "--overwrite starts anew")
 
     def test_nothing_to_resume_is_told(self):
         shutil.rmtree(self.folder / "results.h5.parts")

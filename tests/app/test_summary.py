@@ -1,5 +1,6 @@
 """`holdfast summary`: other thresholds, CSV, a new file; never a change of the results."""
 import hashlib
+import shutil
 import unittest
 
 import h5py
@@ -7,6 +8,10 @@ import numpy as np
 import pandas as pd
 
 from cli import CliTest, datasets, same_bits
+
+
+NOT_COUNTED = 2**32 - 1  # in place of a count of boxes, of a world that was not simulated
+VERDICTS = ["stayed", "moved", "fell", "unstable", "failed"]  # as they are numbered in the file
 
 
 class Summary(CliTest):
@@ -49,7 +54,9 @@ class Summary(CliTest):
                 self.assertIn(f"thresholds: drop {drop} m, move {move} m, tilt {tilt} degrees", done.stdout)
                 data = datasets(self.folder / output, ["/summary/worlds"])
                 found = [data[f"/summary/worlds/{name}_boxes"].tolist() for name in ("fallen", "moved", "tilted")]
-                self.assertEqual(found, self.recount(drop, move, tilt))
+                self.assertEqual([column[6:] for column in found], [[NOT_COUNTED] * 2] * 3)
+                found = [column[:6] for column in found]
+                self.assertEqual(found, [column[:6] for column in self.recount(drop, move, tilt)])
                 counts.append(np.sum(found))
         self.assertEqual(counts[3], 0)
         self.assertEqual(len(set(counts)), 4)
@@ -84,6 +91,17 @@ class Summary(CliTest):
                 base = column.removesuffix("_m").removesuffix("_J").removesuffix("_degree").removesuffix("_s")
                 if f"/summary/{path}/{base}" in data:
                     expected = data[f"/summary/{path}/{base}"]
+                    if column == "verdict":
+                        self.assertEqual(list(table[column]), [VERDICTS[i] for i in expected])
+                        continue
+                    if path == "worlds":
+                        missing = expected == NOT_COUNTED if expected.dtype.kind == "u" else np.isnan(expected)
+                        self.assertEqual(missing.tolist(), [False] * 6 + [True] * 2, column)
+                        self.assertEqual(table[column].isna().tolist(), missing.tolist(), column)
+                        np.testing.assert_allclose(table[column][:6].to_numpy(expected.dtype), expected[:6], 1e-14, 0,
+                                                   err_msg=column)
+                        checked += 1
+                        continue
                     # By default pandas may miss the last bit of a double.
                     np.testing.assert_allclose(table[column].to_numpy(expected.dtype), expected, 1e-14, 0, err_msg=column)
                     checked += 1
@@ -96,6 +114,30 @@ class Summary(CliTest):
         np.testing.assert_array_equal(boxes["mass_kg"].to_numpy(np.float32), data["/boxes/mass"])
         self.assertEqual(list(worlds["status"]), ["ok"] * 6 + ["bad_layout"] * 2)
         self.assertEqual(worlds["status_text"][6], data["/worlds/status_text"][6].decode())
+
+    def test_the_verdicts_are_those_that_the_table_counts(self):
+        self.summary("--csv", "tables")
+        worlds = pd.read_csv(self.folder / "tables/worlds.csv")
+        counted = {line.split()[0]: [int(word) for word in line.split()[1:6]]
+                   for line in self.summary().stdout.splitlines() if line.startswith(("shove.txt", "rest.txt"))}
+        found = {name: [int((group["verdict"] == verdict).sum()) for verdict in VERDICTS]
+                 for name, group in worlds.groupby("acceleration")}
+        self.assertEqual(found, counted)
+        self.assertGreater(len(set(worlds["verdict"])), 2)
+
+    def test_a_file_from_before_verdicts_is_summarised(self):
+        now = self.summary("--csv", "now").stdout
+        shutil.copy(self.results, self.folder / "old.h5")
+        with h5py.File(self.folder / "old.h5", "r+") as file:
+            for name in list(file["summary/worlds"]):  # what is derived is derived again
+                del file["summary/worlds"][name]
+        done = self.run_here("summary", "old.h5", "--csv", "old", "-o", "old_summary.h5")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stdout, now)
+        for name in ("worlds.csv", "boxes.csv"):
+            self.assertEqual((self.folder / "old" / name).read_bytes(), (self.folder / "now" / name).read_bytes())
+        found = datasets(self.folder / "old_summary.h5")["/summary/worlds/verdict"]
+        self.assertEqual(found.tolist(), datasets(self.results)["/summary/worlds/verdict"].tolist())
 
     def test_a_new_file_only(self):
         precious = self.write("precious.h5", "mine")

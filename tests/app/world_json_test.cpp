@@ -26,12 +26,13 @@ WorldRecord record_of_two_boxes() {
 }  // namespace
 
 TEST_CASE("world_json: all of a world on one line, in this order", "[app][world_json]") {
-  CHECK(world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}) ==
-        R"({"world":7,"layout":"a.txt","acceleration":"b.txt","status":"ok","status_text":"","stop_reason":"timeout",)"
-        R"("boxes":2,"fallen_boxes":1,"moved_boxes":1,"tilted_boxes":1,"unstable_boxes":0,)"
-        R"("max_displacement_m":0.5,"peak_displacement_m":0.75,"total_kinetic_energy_J":1.5,)"
-        R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,)"
-        R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab"})");
+  CHECK(
+      world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}) ==
+      R"({"world":7,"layout":"a.txt","acceleration":"b.txt","verdict":"fell","status":"ok","status_text":"","stop_reason":"timeout",)"
+      R"("boxes":2,"fallen_boxes":1,"moved_boxes":1,"tilted_boxes":1,"unstable_boxes":0,)"
+      R"("max_displacement_m":0.5,"peak_displacement_m":0.75,"total_kinetic_energy_J":1.5,)"
+      R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,)"
+      R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab"})");
 }
 
 TEST_CASE("world_json: counts follow the thresholds", "[app][world_json]") {
@@ -39,7 +40,7 @@ TEST_CASE("world_json: counts follow the thresholds", "[app][world_json]") {
   CHECK(json.find(R"("fallen_boxes":0,"moved_boxes":0,"tilted_boxes":0)") != std::string::npos);
 }
 
-TEST_CASE("world_json: a bad layout is a row without boxes", "[app][world_json]") {
+TEST_CASE("world_json: a bad layout is a row without boxes, and nothing is said of them", "[app][world_json]") {
   WorldRecord world;
   world.outcome.status = Status::bad_layout;
   world.status_text = "a.txt:3: box 1 has no \"height\"";
@@ -47,7 +48,12 @@ TEST_CASE("world_json: a bad layout is a row without boxes", "[app][world_json]"
   CHECK(
       json.find(R"("status":"bad_layout","status_text":"a.txt:3: box 1 has no \"height\"","stop_reason":"not_run")") !=
       std::string::npos);
-  CHECK(json.find(R"("boxes":0)") != std::string::npos);
+  CHECK(json.find(R"("verdict":"failed")") != std::string::npos);
+  CHECK(
+      json.find(
+          R"("boxes":0,"fallen_boxes":null,"moved_boxes":null,"tilted_boxes":null,"unstable_boxes":null,)"
+          R"("max_displacement_m":null,"peak_displacement_m":null,"total_kinetic_energy_J":null,"peak_kinetic_energy_J":null,)") !=
+      std::string::npos);
 }
 
 TEST_CASE("world_json: names that are not UTF-8, and line breaks, stay one line of valid JSON", "[app][world_json]") {

@@ -10,6 +10,7 @@ TEST_CASE("status: names of the bits, joined", "[core][status]") {
   CHECK(to_string(Status::bad_acceleration) == "bad_acceleration");
   CHECK(to_string(Status::non_finite | Status::not_converged) == "non_finite+not_converged");
   CHECK(to_string(Status::capacity | Status::bad_layout) == "bad_layout+capacity");
+  CHECK(to_string(Status::too_large) == "too_large");
 }
 
 TEST_CASE("status: bits are told apart", "[core][status]") {

@@ -79,18 +79,48 @@ TEST_CASE("verdict: a world counts its boxes and keeps the largest", "[core][ver
   end.kinetic_energy = {1.5F, 2.0F, 0.0F};
   end.peak_displacement = {0.2F, 0.5F, 0.7F};
   end.settling_displacement[2] = {0, 0, -0.06F};
-  const WorldVerdict world = judge_world(end, kThresholds);
+  const WorldVerdict world = judge_world(Status::ok, StopReason::timeout, 4.0, end, kThresholds);
   CHECK(world.fallen_boxes == 1);
   CHECK(world.moved_boxes == 2);
   CHECK(world.tilted_boxes == 1);
   CHECK(world.unstable_boxes == 1);
   CHECK(world.total_kinetic_energy == 3.5);
+  CHECK(world.peak_kinetic_energy == 4.0);
   CHECK(world.max_displacement == 0.5F);
   CHECK(world.peak_displacement == 0.7F);
 }
 
+TEST_CASE("verdict: a world is judged by the worst that happened in it", "[core][verdict]") {
+  const auto verdict = [](const EndTable& end, Status status = Status::ok) {
+    return to_string(judge_world(status, StopReason::timeout, 0.0, end, kThresholds).verdict);
+  };
+  EndTable end = ends({{}, {}});
+  CHECK(verdict(end) == "stayed");
+  end.settling_displacement[0] = {0.2F, 0, 0};
+  CHECK(verdict(end) == "unstable");
+  end.tilt[1] = 11.0F;
+  CHECK(verdict(end) == "moved");
+  end.tilt[1] = 0.0F;
+  end.displacement[1] = {0.2F, 0, 0};
+  CHECK(verdict(end) == "moved");
+  end.displacement[0] = {0, 0, -0.06F};
+  CHECK(verdict(end) == "fell");
+  CHECK(verdict(end, Status::not_converged) == "failed");
+}
+
+TEST_CASE("verdict: nothing is said of a world that was not simulated", "[core][verdict]") {
+  const WorldVerdict world = judge_world(Status::bad_layout, StopReason::not_run, 0.0, {}, kThresholds);
+  CHECK(world.verdict == Verdict::failed);
+  for (const std::uint32_t count : {world.fallen_boxes, world.moved_boxes, world.tilted_boxes, world.unstable_boxes})
+    CHECK(count == kNotCounted);
+  CHECK(std::isnan(world.total_kinetic_energy));
+  CHECK(std::isnan(world.peak_kinetic_energy));
+  CHECK(std::isnan(world.max_displacement));
+  CHECK(std::isnan(world.peak_displacement));
+}
+
 TEST_CASE("verdict: a world without boxes", "[core][verdict]") {
-  const WorldVerdict world = judge_world({}, kThresholds);
+  const WorldVerdict world = judge_world(Status::ok, StopReason::timeout, 0.0, {}, kThresholds);
   CHECK(world.fallen_boxes == 0);
   CHECK(world.max_displacement == 0.0F);
 }

@@ -94,6 +94,8 @@ TEST_CASE("input_paths: a long comment and a long file are classified by their b
   std::string large = "1\n";
   while (large.size() < 100000) large += "0 0 0 80 59 106 1\n";
   CHECK(classify_file(folder.write("b", large)) == InputKind::layout);
+  CHECK(classify_file(folder.write("d", "1\n0 0 0 80." + std::string(1000000, '0') + " 59 106 1\n")) ==
+        InputKind::layout);
   CHECK(classify_file(folder.write("c", std::string(200000, '1'))) == InputKind::unknown);
   CHECK(classify_file(folder.path("missing")) == InputKind::unknown);
 }

@@ -119,9 +119,9 @@ TEST_CASE("results_writer: a run killed after any part and resumed gives the sam
     }
     const Progress progress = require_value(find_finished(path, fingerprint(run.description)));
     CHECK(progress.world_count == cut / 2 * 4);
-    CHECK(progress.layouts.size() == cut / 2 * 2);
+    CHECK(progress.layout_count == cut / 2 * 2);
     const auto writer = require_value(ResultsWriter::open(path, run.description, progress, never()));
-    write_units(*writer, run, progress.layouts.size(), run.units.size());
+    write_units(*writer, run, progress.layout_count, run.units.size());
     require_ok(writer->finish());
     require_ok(assemble(path, run.description));
     CHECK(file_bytes(path) == whole);

@@ -18,12 +18,12 @@ std::vector<T> read_column(const std::string& path, std::string_view name) {
   return values_of<T>(dataset.read(0, dataset.length()));
 }
 
-/// Fallen boxes of every world, counted from the records that went in.
+/// Fallen boxes of every simulated world, counted from the records that went in.
 std::vector<std::uint32_t> count_fallen(const Run& run, double drop) {
   std::vector<std::uint32_t> counts;
   for (const UnitRecord& unit : run.units)
     for (const WorldRecord& world : unit.worlds) {
-      counts.push_back(0);
+      counts.push_back(world.outcome.stop_reason == StopReason::not_run ? kNotCounted : 0);
       for (const Float3& d : world.end.displacement) counts.back() += -static_cast<double>(d.z) > drop ? 1 : 0;
     }
   return counts;
@@ -103,8 +103,10 @@ TEST_CASE("summary: CSV has a line a world and a line a box, quoted where needed
   const std::string boxes = file_bytes(folder / "csv/here/boxes.csv");
   CHECK(std::count(worlds.begin(), worlds.end(), '\n') == 1 + 4);
   CHECK(std::count(boxes.begin(), boxes.end(), '\n') == 1 + 6);
-  CHECK(worlds.find("\r\n0,\"loading, \"\"0\"\".txt\",braking.txt,ok,,timeout,") != std::string::npos);
-  CHECK(worlds.find(",bad_layout,überlappt: box 3 and box 7,not_run,") != std::string::npos);
+  const WorldRecord& first = run.units[0].worlds[0];
+  const std::string verdict = to_string(judge_world(Status::ok, StopReason::timeout, 0.0, first.end, {}).verdict);
+  CHECK(worlds.find("\r\n0,\"loading, \"\"0\"\".txt\",braking.txt," + verdict + ",ok,,timeout,") != std::string::npos);
+  CHECK(worlds.find(",failed,bad_layout,überlappt: box 3 and box 7,not_run,0,0,,,,,,,,,0.001,") != std::string::npos);
 }
 
 TEST_CASE("summary: the results of a missing file are an error", "[io][results]") {
