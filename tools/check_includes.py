@@ -15,6 +15,7 @@ LIBRARIES = {
     "inih": r"(INIReader|ini)\.h$",
     "OpenSSL": r"openssl/",
     "libdeflate": r"libdeflate\.h$",
+    "zlib": r"zlib\.h$",
     "fmt": r"fmt/",
     "TBB": r"(tbb|oneapi)/",
     "OpenMP": r"omp\.h$",
@@ -31,7 +32,7 @@ LIBRARIES = {
 # A folder under src: the folders and the libraries that it may name.
 RULES = {
     "core": ({"core"}, {"Eigen", "Highway"}),
-    "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "fmt", "POSIX"}),
+    "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "zlib", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
     "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),

@@ -23,6 +23,7 @@ packages=(
   nlohmann-json3-dev # JSON output
   libssl-dev         # SHA-256 of the inputs
   libdeflate-dev     # compresses chunks of the results file on the workers
+  zlib1g-dev         # compresses chunks that are nearly empty
   catch2             # Catch2 2.13, the tests
   python3            # the checks in tools/, benchmarks and examples
   python3-h5py       # the tests read results files as a user would

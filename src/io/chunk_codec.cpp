@@ -1,11 +1,12 @@
 #include "io/chunk_codec.hpp"
 
 #include <libdeflate.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
-
-#include "io/run_deflate.hpp"
 
 namespace holdfast {
 
@@ -25,6 +26,53 @@ std::vector<std::byte> shuffle(std::span<const std::byte> raw, std::size_t numbe
 
 struct FreeCompressor {
   void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+
+/// A zlib stream of bytes that are nearly all fill, which need not be in memory: only repetitions of one byte are
+/// looked for, several times quicker than a search for others.
+class FillStream {
+ public:
+  FillStream() {
+    constexpr int kWindowBits = 15;
+    constexpr int kMemoryLevel = 8;
+    if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) != Z_OK)
+      throw std::bad_alloc();
+  }
+  ~FillStream() { deflateEnd(&stream_); }
+  FillStream(const FillStream&) = delete;
+  FillStream& operator=(const FillStream&) = delete;
+
+  void add(std::span<const std::byte> bytes) { pump(bytes, Z_NO_FLUSH); }
+
+  void add_zeros(std::size_t count) {
+    static constexpr std::array<std::byte, 16'384> kZeros = {};
+    for (; count > 0; count -= std::min(count, kZeros.size()))
+      add(std::span(kZeros).first(std::min(count, kZeros.size())));
+  }
+
+  /// The whole stream; nothing may be added afterwards.
+  std::vector<std::byte> finish() {
+    pump({}, Z_FINISH);
+    packed_.resize(stream_.total_out);
+    return std::move(packed_);
+  }
+
+ private:
+  void pump(std::span<const std::byte> bytes, int flush) {
+    // zlib does not write to what it reads, but its type says nothing of that.
+    stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      packed_.resize(std::max(packed_.size(), stream_.total_out + kRoom));
+      stream_.next_out = reinterpret_cast<Bytef*>(packed_.data()) + stream_.total_out;
+      stream_.avail_out = static_cast<uInt>(packed_.size() - stream_.total_out);
+      deflate(&stream_, flush);
+    } while (stream_.avail_out == 0);
+  }
+
+  static constexpr std::size_t kRoom = 1024;
+  z_stream stream_ = {};
+  std::vector<std::byte> packed_;
 };
 
 libdeflate_compressor* compressor() {
@@ -59,10 +107,10 @@ std::vector<std::byte> compress_padded_chunk(std::span<const std::byte> raw, std
   }
   const std::vector<std::byte> shuffled = shuffle(raw, number_bytes);
   const std::size_t count = raw.size() / number_bytes;
-  RunDeflate packed;
+  FillStream packed;
   for (std::size_t byte = 0; byte < number_bytes; ++byte) {
     packed.add(std::span(shuffled).subspan(byte * count, count));
-    packed.add(std::byte{0}, chunk_bytes / number_bytes - count);
+    packed.add_zeros(chunk_bytes / number_bytes - count);
   }
   return packed.finish();
 }
