@@ -171,8 +171,9 @@ ExitCode run_screening(const ScreeningJob& job) {
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
   std::error_code unknown;
   if (std::filesystem::is_directory(job.results_path, unknown))
-    return fail(ExitCode::bad_usage,
-                {.file = job.results_path, .what = "is a folder", .accepted = "the name of the results file"});
+    return fail(ExitCode::bad_usage, {.file = job.results_path,
+                                      .what = "is a folder",
+                                      .accepted = "-o takes the name of a results file, such as results.h5"});
   if (job.text_folder && !job.record_series)
     return fail(ExitCode::bad_usage,
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
