@@ -286,7 +286,7 @@ class Usage(CliTest):
             for path in ("taken", "taken/", "."):
                 with self.subTest(more=more, path=path):
                     self.assert_refused(self.run_here("screen", *inputs, "-o", path, *more),
-                                        f"{path}: is a folder; the name of the results file")
+                                        f"{path}: is a folder; -o takes the name of a results file, such as results.h5")
         self.assertEqual(list((self.folder / "taken").iterdir()), [])
         self.assert_exit(self.run_here("screen", *inputs, "--quiet"), 0)
         self.assert_refused(self.run_here("summary", "results.h5", "-o", "taken"), "taken: is a folder; the name of a new file")
