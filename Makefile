@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format dependencies build
+.PHONY: help demo test bench fuzz lint format dependencies build program
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -13,7 +13,7 @@ PYTHON ?= /usr/bin/python3
 help:  ## List these targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-14s %s\n", $$1, $$2}' Makefile
 
-demo: build  ## Screen the sample layouts under the norm accelerations into demo/results.h5
+demo: program  ## Screen the sample layouts under the norm accelerations into demo/results.h5
 	@mkdir -p demo
 	build/release/bin/holdfast screen -c configs/demo.ini --layouts configs/layouts \
 	  --accelerations configs/accelerations -o demo/results.h5 --overwrite
@@ -22,7 +22,7 @@ demo: build  ## Screen the sample layouts under the norm accelerations into demo
 test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)
 
-bench: build  ## Measure throughput on this machine
+bench: program  ## Measure throughput on this machine
 	$(PYTHON) bench/candidates.py 64 build/bench/candidates --boxes 20 150
 	build/release/bin/holdfast bench --layouts build/bench/candidates --accelerations configs/accelerations/road_brake_0g8.txt \
 	  --engine bullet-stock --classes 50 100 --csv build/bench/measured.csv
@@ -58,3 +58,7 @@ dependencies:  ## Install the packages that building and running need
 build: dependencies  ## Build everything into build/release
 	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
 	cmake --build --preset release -j $(JOBS)
+
+program: dependencies  ## Build the program and its plug-ins alone, without the tests, into build/release
+	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
+	cmake --build --preset release -j $(JOBS) --target holdfast

@@ -75,13 +75,13 @@ Result<std::unique_ptr<DeviceSession>> DeviceSession::open(const OpenClDevice& d
   session->program_ = ClProgram(clCreateProgramWithSource(session->context_.get(), 1, &text, nullptr, &code));
   if (code == CL_SUCCESS) code = clBuildProgram(session->program_.get(), 1, &id, "", nullptr, nullptr);
   if (code != CL_SUCCESS) {
-    Error error = failed("cannot build kernels/world_step.cl");
+    Error error = failed("cannot build kernels/opencl/world_step.cl");
     error.value = build_log(session->program_.get(), id);
     return error;
   }
   session->begin_step_ = ClKernel(clCreateKernel(session->program_.get(), "begin_step", &code));
   if (code == CL_SUCCESS) session->end_step_ = ClKernel(clCreateKernel(session->program_.get(), "end_step", &code));
-  if (code != CL_SUCCESS) return failed("has no kernel of kernels/world_step.cl");
+  if (code != CL_SUCCESS) return failed("has no kernel of kernels/opencl/world_step.cl");
 
   Result<std::unique_ptr<Bullet3Pipeline>> pipeline =
       Bullet3Pipeline::create(session->context_.get(), id, session->queue_.get(), body_capacity);
@@ -124,7 +124,7 @@ void DeviceSession::run(const ClKernel& kernel) {
   constexpr std::size_t kGroup = 64;
   const std::size_t items = (body_count_ + kGroup - 1) / kGroup * kGroup;
   note(clEnqueueNDRangeKernel(queue_.get(), kernel.get(), 1, nullptr, &items, &kGroup, 0, nullptr, nullptr),
-       "a kernel of kernels/world_step.cl");
+       "a kernel of kernels/opencl/world_step.cl");
 }
 
 void DeviceSession::step(std::span<const WorldStep> worlds, std::span<const BodyRange> ranges) {
