@@ -96,8 +96,8 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
 void be_quiet() {
   // After memory ran out, the library's own tidying at the end of the process crashes; all that counts is closed
   // before.
-  static const bool never_tidy = H5dont_atexit() >= 0;
-  static_cast<void>(never_tidy);
+  static const bool kNeverTidy = H5dont_atexit() >= 0;
+  static_cast<void>(kNeverTidy);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
