@@ -64,7 +64,7 @@ TEST_CASE("announced_boxes: the layouts that come with the program agree with th
       REQUIRE(file);
       std::vector<Error> warnings;
       CHECK(parse_layout(*file, Settings{}, warnings));
-      CHECK(messages_of(warnings) == Messages{});
+      CHECK(warnings.empty());
       ++count;
     }
   }
