@@ -108,7 +108,8 @@ HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const Body
 }
 
 HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* mid_arms, std::size_t count,
-                             const PatchVector* in_x, const PatchVector* in_u, const Lanes* most, LaneWrench* wrench) {
+                             const PatchVector* in_x, const PatchVector* in_u, const NormalBounds* most,
+                             LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
     Patch& patch = patches[p];
     const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
@@ -120,7 +121,7 @@ HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* 
       // one.
       const Four raise = Four::all(1.0 / (1.0 + patch.friction * patch.friction));
       normal = max(normal, raise * (x[0] + friction * square.sqrt()));
-      if (most != nullptr) normal = min(normal, Four::load(most[p].data()));
+      if (most != nullptr) normal = min(normal, Four::load(most[p].lane.data()));
     }
     const Four share = shrink(friction * normal, square);
     const Four y[3] = {normal, x[1] * share, x[2] * share};
@@ -193,7 +194,7 @@ Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocit
 }
 
 void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
-             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const Lanes> most,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
              std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(project_kernel)
   (projection, patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),

@@ -40,7 +40,7 @@ enum class Projection {
 /// @param wrench   a body, added to
 /// @param most     a patch: largest normal impulses, heeded by the orthogonal projection alone; empty: none is bounded
 void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
-             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const Lanes> most,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
              std::span<LaneWrench> wrench);
 
 /// Σ a b / R over all points: an inner product of impulses.

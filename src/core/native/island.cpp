@@ -124,8 +124,8 @@ void IslandStepper::remember(Scene& scene, const IslandView& island, Purpose pur
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
       PointMemory& memory = manifold.memory[sources_[p].point[lane]];
       if (stepped) memory.pressed = patch.impulse.row[0][lane] / step;
-      if (!stepped && std::isfinite(solver_.most_normal[p][lane]))
-        memory.pressed = solver_.most_normal[p][lane] / (kPressedMore * step);
+      if (!stepped && std::isfinite(solver_.most_normal[p].lane[lane]))
+        memory.pressed = solver_.most_normal[p].lane[lane] / (kPressedMore * step);
       for (std::size_t d = 0; d < 3; ++d) {
         const Vec3 direction(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
         memory.force += (patch.impulse.row[d][lane] / step) * direction;
@@ -194,7 +194,7 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(solver_.patches[p].count); ++lane) {
       const double push = solver_.patches[p].impulse.row[0][lane];
       const double most = wall ? kPressedMore * push : std::numeric_limits<double>::infinity();
-      solver_.most_normal[p][lane] = push > 0.0 ? most : 0.0;
+      solver_.most_normal[p].lane[lane] = push > 0.0 ? most : 0.0;
       any = any || push > 0.0;
     }
   }

@@ -171,7 +171,7 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
     const PointMemory& memory = manifold.memory[at(i)];
     patch.load[lane] = step * memory.force.dot(directions[0]);
     if (purpose == Purpose::rest)
-      solver_.most_normal.back()[lane] =
+      solver_.most_normal.back().lane[lane] =
           border ? kPressedMore * step * memory.pressed : std::numeric_limits<double>::infinity();
     switch (purpose) {
       case Purpose::projection:

@@ -26,6 +26,11 @@ struct alignas(32) PatchVector {
   std::array<Lanes, 3> row = {};
 };
 
+/// The largest normal impulses that a patch's points may have, kg m/s.
+struct alignas(32) NormalBounds {
+  Lanes lane = {};
+};
+
 /// Up to four contact points of two bodies with one normal and one friction coefficient: what the contact solver
 /// reads and writes in an iteration. Directions: 0 along the normal, 1 and 2 along the tangents. A lane without a
 /// point has resistance 0 and stays at impulse 0, as do the tangents of a patch without friction.

@@ -191,7 +191,7 @@ double Splitting::supported_power(std::span<const BodyVector> motion, double mos
     for (std::size_t i = 0; i < static_cast<std::size_t>(patches[p].count); ++i) {
       const auto& u = u_[p].row;
       const double slip = std::sqrt(u[1][i] * u[1][i] + u[2][i] * u[2][i]);
-      power += std::min(most, most_normal[p][i]) * std::max(0.0, patches[p].friction * slip - u[0][i]);
+      power += std::min(most, most_normal[p].lane[i]) * std::max(0.0, patches[p].friction * slip - u[0][i]);
     }
   }
   return power;

@@ -60,7 +60,7 @@ class Splitting {
   std::vector<Patch> patches;
   std::vector<Arms> mid_arms;             ///< a patch; empty when nothing turns
   std::vector<std::uint32_t> patch_pair;  ///< pair of the factor that a patch belongs to; `kNoPair` with what is fixed
-  std::vector<Lanes> most_normal;         ///< of a proof of rest, a patch: largest normal impulses, kg m/s; else empty
+  std::vector<NormalBounds> most_normal;  ///< of a proof of rest, a patch: largest normal impulses, kg m/s; else empty
   BlockFactor factor;
   double load_unit = 1.0;  ///< impulse that a kilogram brings to bear in the step, m/s
 

@@ -289,10 +289,10 @@ TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of
     Random random(100 + seed);
     std::vector<PatchVector> x(kPatches);
     const std::vector<PatchVector> u(kPatches);
-    std::vector<Lanes> most(kPatches);
+    std::vector<NormalBounds> most(kPatches);
     for (std::size_t p = 0; p < kPatches; ++p) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        most[p][lane] = lane % 2 == 0 ? std::numeric_limits<double>::infinity() : random.between(0.0, 1.0);
+        most[p].lane[lane] = lane % 2 == 0 ? std::numeric_limits<double>::infinity() : random.between(0.0, 1.0);
         for (auto& row : x[p].row) row[lane] = random.between(-2, 2);
       }
     }
@@ -308,11 +308,11 @@ TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of
         const Vec3 from(x[p].row[0][lane], tangent * x[p].row[1][lane], tangent * x[p].row[2][lane]);
         const double slip = std::hypot(y[1], y[2]);
         CHECK(y[0] >= 0.0);
-        CHECK(y[0] <= most[p][lane]);
+        CHECK(y[0] <= most[p].lane[lane]);
         CHECK(slip <= friction * y[0] + 1e-12);
         // No point of the set is nearer: for every one of them, w, (x − y) · (w − y) ≤ 0.
         for (int k = 0; k < 50; ++k) {
-          const double normal = random.between(0.0, std::min(3.0, most[p][lane]));
+          const double normal = random.between(0.0, std::min(3.0, most[p].lane[lane]));
           const double angle = random.between(0.0, 6.3);
           const double size = friction * normal * random.between(0.0, 1.0);
           const Vec3 w(normal, size * std::cos(angle), size * std::sin(angle));
