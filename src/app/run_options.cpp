@@ -22,7 +22,7 @@ void RunOptions::add_to(CLI::App& command) {
   command.add_flag("--overwrite", overwrite, "Replace the results of an earlier run")->excludes(go_on);
   command.add_flag(
       "--json", json,
-      "Print one JSON object a world, with its verdict, as it finishes; with --resume the finished ones first");
+      "Print one JSON object per world, with its verdict, as it finishes; with --resume the finished ones first");
   command.add_flag("--quiet", quiet, "No progress, no table; errors only");
 }
 

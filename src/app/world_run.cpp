@@ -65,7 +65,7 @@ bool WorldRun::go() {
       try {
         tick(line);
       } catch (const std::bad_alloc&) {
-        // What is told can wait for the next tick, when there may be room; the worlds tell of their own.
+        // What is told can wait for the next tick, when there may be room.
       }
     });
     // No exception leaves a stage. A unit for which memory runs out ends the run as one that could not be written does:
