@@ -15,8 +15,8 @@ struct ContainerSide {
 };
 
 /// Play that every box has at least at every side but the floor when a world starts, m. A box that fits exactly is not
-/// clamped: hard contacts with friction would allow it to be, with any pressure, though nothing presses. With less than
-/// 1 µm some steps of a tilting column end clamped; ten times as much would show in results.
+/// clamped: hard contacts with friction would allow it to be, with any pressure, though nothing presses. With 1 µm
+/// some steps of a tilting column end clamped; ten times as much would show in results.
 inline constexpr double kLeastPlay = 1e-5;
 
 /// How far behind its place a side stands for a box that begins at a distance `gap` of it, m.

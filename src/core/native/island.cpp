@@ -143,7 +143,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   if (!rests) {
     begin_motion(island, terms, report);
     // Forces that merely balance could lie in contacts that nothing pushes.
-    if (terms.cold && admit_pushed(scene) && fastest_of_solve() < kLeaningMotion * terms.velocity_unit)
+    if (terms.cold && admit_pushed(scene) && solver_.largest_speed() < kLeaningMotion * terms.velocity_unit)
       rests = find_balance(terms, report);
   }
   remember(scene, island, Purpose::rest, terms.step);
@@ -171,16 +171,6 @@ SplittingOptions IslandStepper::cold_options() const {
   options.iterations = effort_.cold_iterations;
   options.accelerate = true;
   return options;
-}
-
-/// Largest speed of a body of the solve, m/s.
-double IslandStepper::fastest_of_solve() const {
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < solver_.bodies.size(); ++i) {
-    const BodyVector& v = solver_.velocity[i];
-    fastest = std::max(fastest, linear(v).norm() + solver_.bodies[i].radius * angular(v).norm());
-  }
-  return fastest;
 }
 
 /// Lets a proof of rest use those contacts beside bodies that the beginning motion pushes, and no others; at walls no

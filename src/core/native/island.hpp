@@ -100,7 +100,6 @@ class IslandStepper {
   double fast_approach(const StepTerms& terms) const;
   void begin_motion(const IslandView& island, const StepTerms& terms, IslandReport& report);
   SplittingOptions cold_options() const;
-  double fastest_of_solve() const;
   bool admit_pushed(const Scene& scene);
   bool find_balance(const StepTerms& terms, IslandReport& report);
   void move(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);

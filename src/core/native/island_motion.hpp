@@ -54,7 +54,7 @@ inline double parting(const Bodies& bodies, const Manifold& manifold, const Cont
   return manifold.contact.normal.dot(relative_velocity(bodies, manifold, point));
 }
 
-inline bool is_fixed(const Bodies& bodies, std::int32_t body);
+inline bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
 
 /// Whether the contact can carry weight: of two bodies one on the other, or of a body on what is fixed below it.
 inline bool supports(const Bodies& bodies, const Manifold& manifold) {
@@ -79,7 +79,5 @@ inline bool is_wall(const Bodies& bodies, const Manifold& manifold) {
 inline double leaning_gap(const Bodies& bodies, const Manifold& manifold) {
   return is_wall(bodies, manifold) ? kLeastPlay + kTouch : kTouch;
 }
-
-inline bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
 
 }  // namespace holdfast::native

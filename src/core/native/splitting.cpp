@@ -163,14 +163,20 @@ void Splitting::restart(std::span<const BodyVector> start) {
   }
 }
 
+double Splitting::speed(std::size_t place) const {
+  const double* v = velocity[place].row;
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+         bodies[place].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+}
+
+double Splitting::largest_speed() const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) largest = std::max(largest, speed(i));
+  return largest;
+}
+
 bool Splitting::refutes_rest(double most) {
-  const auto speed = [&](std::size_t i) {
-    const double* v = velocity[i].row;
-    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
-           bodies[i].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
-  };
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) fastest = std::max(fastest, speed(i));
+  const double fastest = largest_speed();
   // Every motion may be the proof: without those that hardly move it is one sooner.
   for (const double share : {0.0, 0.01, 0.1, 0.5}) {
     motion_ = velocity;

@@ -76,6 +76,9 @@ class Splitting {
   /// diverged, because bodies turn far within the step.
   void restart(std::span<const BodyVector> start);
 
+  /// No point of any body moves faster than this, by the velocities that are there, m/s.
+  double largest_speed() const;
+
   /// Whether the velocities that are there prove that no impulses in Coulomb's cones balance the bodies at rest.
   /// Balance means Jᵀy = −M v*; then v · M v* = −Σ y · J v for every motion v, and an impulse y of the cone takes no
   /// more than −y · u ≤ y_n (μ |u_t| − u_n). A motion to which the load gives more than that refutes balance. (It is
@@ -96,6 +99,7 @@ class Splitting {
 
   Resistance wanted_resistance(const Patch& patch, std::size_t lane, const SplittingOptions& options) const;
   bool choose_resistance(const SplittingOptions& options);
+  double speed(std::size_t place) const;
   void assemble();
   /// Most that impulses can take from the motion, kg m²/s².
   double supported_power(std::span<const BodyVector> motion, double most);
