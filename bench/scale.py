@@ -115,7 +115,7 @@ def undisturbed(options, folder, results):
     return size
 
 
-IN_FLIGHT = 8  # worlds that a run has in flight a thread: kUnitsInFlight of src/parallel/ordered_run.hpp
+IN_FLIGHT = 8  # worlds that a run has in flight a thread: kUnitsInFlight of src/parallel/schedulers/ordered_run.hpp
 
 
 def replayed(costs, threads, window):

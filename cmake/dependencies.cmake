@@ -40,7 +40,7 @@ if(HOLDFAST_HDF5_STATIC AND HOLDFAST_SZIP)
   target_link_libraries(holdfast_hdf5 INTERFACE ${HOLDFAST_HDF5_STATIC} ${HOLDFAST_SZIP} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
   # Sanitizers have an allocator of their own, and end a program that asks it for too much.
   if(NOT HOLDFAST_SANITIZE)
-    add_library(holdfast_hdf5_memory STATIC ${CMAKE_SOURCE_DIR}/src/io/hdf5_memory.cpp)
+    add_library(holdfast_hdf5_memory STATIC ${CMAKE_SOURCE_DIR}/src/io/results/hdf5_memory.cpp)
     target_link_libraries(holdfast_hdf5 INTERFACE holdfast_hdf5_memory)
     target_link_options(holdfast_hdf5 INTERFACE -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc)
   endif()

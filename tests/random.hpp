@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "core/vector.hpp"
+#include "core/base/vector.hpp"
 
 namespace holdfast {
 

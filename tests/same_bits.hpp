@@ -3,7 +3,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/world.hpp"
+#include "core/model/world.hpp"
 
 namespace holdfast {
 

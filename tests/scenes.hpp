@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "app/engine_catalog.hpp"
-#include "core/layout.hpp"
-#include "core/motion.hpp"
-#include "core/series_recorder.hpp"
-#include "core/settings.hpp"
-#include "core/simulate.hpp"
-#include "core/world.hpp"
+#include "core/engine/series_recorder.hpp"
+#include "core/engine/simulate.hpp"
+#include "core/model/acceleration.hpp"
+#include "core/model/layout.hpp"
+#include "core/model/settings.hpp"
+#include "core/model/world.hpp"
 
 /// Scenes that several test files use, and what runs them.
 namespace holdfast::scenes {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/engine.hpp"
-#include "core/step_plan.hpp"
+#include "core/engine/engine.hpp"
+#include "core/engine/step_plan.hpp"
 
 namespace holdfast::scenes {
 

@@ -41,9 +41,9 @@ RULES = {
 
 # Libraries that are kept to the files that match, so that they can be replaced there.
 KEPT_TO = {
-    "Highway": r"src/core/native/(\w+_kernels\.cpp|instruction_sets\.cpp|pack-inl\.hpp)",
+    "Highway": r"src/core/native/solver/(\w+_kernels\.cpp|instruction_sets\.cpp|pack-inl\.hpp)",
     "Bullet3OpenCL": r"src/parallel/opencl/bullet3_pipeline\.cpp",
-    "ThreadSanitizer": r"src/parallel/told_order\.hpp",
+    "ThreadSanitizer": r"src/parallel/schedulers/tsan_annotations\.hpp",
 }
 
 # Core knows no file, thread, clock, environment or printing.

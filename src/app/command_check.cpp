@@ -7,9 +7,9 @@
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
 #include "app/report.hpp"
-#include "io/acceleration_reader.hpp"
-#include "io/input_paths.hpp"
-#include "io/layout_reader.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/input_paths.hpp"
+#include "io/input/layout_reader.hpp"
 
 namespace holdfast {
 

@@ -6,7 +6,7 @@
 #include "app/load_config.hpp"
 #include "app/report.hpp"
 #include "app/run_options.hpp"
-#include "io/input_paths.hpp"
+#include "io/input/input_paths.hpp"
 
 namespace holdfast {
 

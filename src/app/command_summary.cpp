@@ -8,9 +8,9 @@
 #include "app/crash_guard.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
-#include "core/setting_table.hpp"
-#include "io/results_reader.hpp"
-#include "io/summary.hpp"
+#include "core/model/setting_table.hpp"
+#include "io/results/results_reader.hpp"
+#include "io/results/summary.hpp"
 
 namespace holdfast {
 

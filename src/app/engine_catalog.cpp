@@ -8,10 +8,10 @@
 #include <filesystem>
 
 #include "app/program_folder.hpp"
-#include "core/closest_word.hpp"
-#include "core/engine_plugin.hpp"
+#include "core/base/closest_word.hpp"
+#include "core/engine/engine_plugin.hpp"
 #include "core/native/native_engine.hpp"
-#include "core/plain/plain_engine.hpp"
+#include "core/reference/plain_engine.hpp"
 
 namespace holdfast {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "io/layout_reader.hpp"
-#include "io/text_file.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_file.hpp"
 
 namespace holdfast {
 

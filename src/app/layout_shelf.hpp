@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/stage_costs.hpp"
-#include "core/layout.hpp"
-#include "core/result.hpp"
-#include "core/settings.hpp"
+#include "app/screening/stage_costs.hpp"
+#include "core/base/result.hpp"
+#include "core/model/layout.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "core/result.hpp"
-#include "io/config_reader.hpp"
+#include "core/base/result.hpp"
+#include "io/input/config_reader.hpp"
 
 namespace holdfast {
 

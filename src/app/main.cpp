@@ -10,9 +10,9 @@
 #include "app/report.hpp"
 #include "app/uncaught.hpp"
 #include "app/version.hpp"
-#include "core/closest_word.hpp"
-#include "core/settings_page.hpp"
-#include "io/results_page.hpp"
+#include "core/base/closest_word.hpp"
+#include "core/model/settings_page.hpp"
+#include "io/results/results_page.hpp"
 
 using namespace holdfast;
 

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "io/summary.hpp"
+#include "io/results/summary.hpp"
 
 namespace holdfast {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/result.hpp"
-#include "core/verdict.hpp"
+#include "core/base/result.hpp"
+#include "core/model/verdict.hpp"
 
 namespace holdfast {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/exit_code.hpp"
-#include "core/result.hpp"
+#include "core/base/result.hpp"
 
 namespace holdfast {
 

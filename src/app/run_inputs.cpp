@@ -16,10 +16,10 @@
 #include "app/report.hpp"
 #include "app/series_limit.hpp"
 #include "app/version.hpp"
-#include "core/series_recorder.hpp"
-#include "core/setting_table.hpp"
-#include "io/acceleration_reader.hpp"
-#include "io/text_file.hpp"
+#include "core/engine/series_recorder.hpp"
+#include "core/model/setting_table.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/text_file.hpp"
 
 namespace holdfast {
 

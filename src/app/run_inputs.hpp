@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/screening.hpp"
-#include "app/unit_runner.hpp"
-#include "io/run_description.hpp"
+#include "app/screening/unit_runner.hpp"
+#include "io/results/run_description.hpp"
 
 namespace holdfast {
 

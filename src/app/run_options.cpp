@@ -1,6 +1,6 @@
 #include "app/run_options.hpp"
 
-#include "core/setting_table.hpp"
+#include "core/model/setting_table.hpp"
 
 namespace holdfast {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/screening.hpp"
-#include "core/result.hpp"
+#include "core/base/result.hpp"
 
 namespace holdfast {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
-#include "core/settings.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast {
 

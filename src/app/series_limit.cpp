@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/simulate.hpp"
+#include "core/engine/simulate.hpp"
 
 namespace holdfast {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "core/motion.hpp"
-#include "core/result.hpp"
-#include "core/settings.hpp"
+#include "core/base/result.hpp"
+#include "core/model/acceleration.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast {
 

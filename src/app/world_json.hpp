@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/verdict.hpp"
-#include "core/world_record.hpp"
+#include "core/engine/world_record.hpp"
+#include "core/model/verdict.hpp"
 
 namespace holdfast {
 

@@ -7,11 +7,11 @@
 
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
+#include "app/screening/work_units.hpp"
 #include "app/ticker.hpp"
 #include "app/uncaught.hpp"
-#include "app/work_units.hpp"
 #include "app/world_json.hpp"
-#include "parallel/ordered_run.hpp"
+#include "parallel/schedulers/ordered_run.hpp"
 
 namespace holdfast {
 

@@ -10,12 +10,12 @@
 
 #include "app/progress.hpp"
 #include "app/screening.hpp"
-#include "app/stage_costs.hpp"
+#include "app/screening/stage_costs.hpp"
+#include "app/screening/unit_runner.hpp"
 #include "app/stop_signal.hpp"
-#include "app/unit_runner.hpp"
-#include "core/verdict.hpp"
-#include "io/results_resume.hpp"
-#include "io/results_writer.hpp"
+#include "core/model/verdict.hpp"
+#include "io/results/results_resume.hpp"
+#include "io/results/results_writer.hpp"
 
 namespace holdfast {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "bullet/bullet_preset.hpp"
-#include "core/engine.hpp"
-#include "core/result.hpp"
+#include "core/base/result.hpp"
+#include "core/engine/engine.hpp"
 
 namespace holdfast {
 

@@ -3,7 +3,7 @@
 #include <LinearMath/btQuaternion.h>
 #include <LinearMath/btVector3.h>
 
-#include "core/vector.hpp"
+#include "core/base/vector.hpp"
 
 // The adapter is compiled once against each of Bullet's two builds; a mix-up would read every vector wrongly.
 static_assert(sizeof(btScalar) == HOLDFAST_BULLET_SCALAR_BYTES, "Bullet's headers and libraries differ in precision");

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/settings.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bullet/bullet_number.hpp"
-#include "core/step_plan.hpp"
+#include "core/engine/step_plan.hpp"
 
 namespace holdfast {
 

@@ -13,8 +13,8 @@
 #include "bullet/bullet_preset.hpp"
 #include "bullet/container_body.hpp"
 #include "bullet/measuring_solver.hpp"
-#include "core/engine.hpp"
-#include "core/world.hpp"
+#include "core/engine/engine.hpp"
+#include "core/model/world.hpp"
 
 namespace holdfast {
 

@@ -7,7 +7,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "bullet/surface.hpp"
-#include "core/settings.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast {
 

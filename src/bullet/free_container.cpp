@@ -3,7 +3,7 @@
 
 #include "bullet/bullet_number.hpp"
 #include "bullet/container_body.hpp"
-#include "core/container_panels.hpp"
+#include "core/model/container_panels.hpp"
 
 namespace holdfast {
 

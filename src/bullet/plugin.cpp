@@ -5,7 +5,7 @@
 #include <new>
 
 #include "bullet/bullet_engine.hpp"
-#include "core/engine_plugin.hpp"
+#include "core/engine/engine_plugin.hpp"
 
 using namespace holdfast;
 

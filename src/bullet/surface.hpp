@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact_law.hpp"
+#include "core/model/contact_law.hpp"
 
 namespace holdfast {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "io/results_fixture.hpp"
+#include "io/results/results_fixture.hpp"
 
 using namespace holdfast;
 using results_fixture::Folder;

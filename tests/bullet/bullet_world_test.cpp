@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "io/layout_reader.hpp"
+#include "io/input/layout_reader.hpp"
 #include "scenes.hpp"
 
 using namespace holdfast;

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/error_list.hpp"
-#include "core/layout_check.hpp"
-#include "core/setting_table.hpp"
-#include "io/acceleration_reader.hpp"
-#include "io/config_reader.hpp"
-#include "io/input_paths.hpp"
-#include "io/layout_reader.hpp"
+#include "core/base/error_list.hpp"
+#include "core/model/layout_check.hpp"
+#include "core/model/setting_table.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/config_reader.hpp"
+#include "io/input/input_paths.hpp"
+#include "io/input/layout_reader.hpp"
 
 namespace fuzz {
 

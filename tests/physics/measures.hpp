@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/container_sides.hpp"
-#include "core/plain/plain_contacts.hpp"
-#include "io/layout_reader.hpp"
-#include "io/text_file.hpp"
+#include "core/model/container_sides.hpp"
+#include "core/reference/plain_contacts.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_file.hpp"
 #include "random.hpp"
 #include "same_bits.hpp"
 #include "scenes.hpp"

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/native/each_instruction_set.hpp"
 #include "core/native/native_engine.hpp"
+#include "core/native/solver/each_instruction_set.hpp"
 #include "physics/measures.hpp"
 
 using namespace holdfast;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/native/native_engine.hpp"
-#include "core/plain/plain_engine.hpp"
+#include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
 using namespace holdfast;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/container_sides.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/native/native_scenes.hpp"
-#include "core/plain/plain_engine.hpp"
+#include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
 using namespace holdfast;

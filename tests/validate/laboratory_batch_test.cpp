@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "validate/departure.hpp"
-#include "validate/laboratory.hpp"
+#include "validate/laboratory/departure.hpp"
+#include "validate/laboratory/laboratory.hpp"
 
 using namespace holdfast;
 

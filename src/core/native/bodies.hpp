@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/contact_law.hpp"
-#include "core/native/oriented_box.hpp"
-#include "core/world.hpp"
+#include "core/model/contact_law.hpp"
+#include "core/model/world.hpp"
+#include "core/native/collision/oriented_box.hpp"
 
 namespace holdfast::native {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/native/manifold.hpp"
+#include "core/native/collision/manifold.hpp"
 #include "core/native/native_options.hpp"
-#include "core/native/splitting.hpp"
+#include "core/native/solver/admm.hpp"
 
 namespace holdfast::native {
 

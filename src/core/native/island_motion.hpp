@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/container_sides.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/native/island.hpp"
 
 // What the parts of IslandStepper share: how bodies move at a point, and when they touch.

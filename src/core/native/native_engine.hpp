@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/engine.hpp"
+#include "core/base/result.hpp"
+#include "core/engine/engine.hpp"
+#include "core/model/settings.hpp"
 #include "core/native/native_options.hpp"
-#include "core/result.hpp"
-#include "core/settings.hpp"
 
 namespace holdfast {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "core/settings.hpp"
+#include "core/model/settings.hpp"
 
 namespace holdfast::native {
 

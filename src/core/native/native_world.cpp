@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/container_sides.hpp"
+#include "core/engine/step_plan.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/native/island_motion.hpp"
-#include "core/step_plan.hpp"
 
 namespace holdfast::native {
 

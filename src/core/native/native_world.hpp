@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/engine.hpp"
-#include "core/native/broad_phase.hpp"
+#include "core/engine/engine.hpp"
+#include "core/native/collision/broad_phase.hpp"
+#include "core/native/connectivity.hpp"
 #include "core/native/island.hpp"
-#include "core/native/islands.hpp"
 
 namespace holdfast::native {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/native/oriented_box.hpp"
+#include "core/native/collision/oriented_box.hpp"
 
 namespace holdfast::native {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.hpp"
-#include "core/vector.hpp"
+#include "core/base/result.hpp"
+#include "core/base/vector.hpp"
 #include "parallel/opencl/body_columns.hpp"
 
 namespace holdfast {

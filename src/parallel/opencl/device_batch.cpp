@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "core/contact_law.hpp"
-#include "core/container_panels.hpp"
+#include "core/model/contact_law.hpp"
+#include "core/model/container_panels.hpp"
 
 namespace holdfast {
 

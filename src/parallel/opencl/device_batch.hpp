@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/settings.hpp"
-#include "core/world.hpp"
+#include "core/model/settings.hpp"
+#include "core/model/world.hpp"
 #include "parallel/opencl/body_columns.hpp"
 #include "parallel/opencl/bullet3_pipeline.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.hpp"
+#include "core/base/result.hpp"
 #include "parallel/opencl/body_columns.hpp"
 #include "parallel/opencl/bullet3_pipeline.hpp"
 #include "parallel/opencl/opencl_device.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "parallel/opencl/contact_constants.hpp"
 #include "parallel/opencl/kernel_sources.hpp"
 

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <limits>
 
-#include "core/step_plan.hpp"
+#include "core/engine/step_plan.hpp"
 #include "parallel/opencl/contact_constants.hpp"
 #include "parallel/opencl/device_batch.hpp"
 #include "parallel/opencl/device_session.hpp"
-#include "parallel/processor_time.hpp"
+#include "parallel/schedulers/processor_time.hpp"
 
 namespace holdfast {
 

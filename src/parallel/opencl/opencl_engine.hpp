@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/engine.hpp"
-#include "core/result.hpp"
-#include "core/settings.hpp"
+#include "core/base/result.hpp"
+#include "core/engine/engine.hpp"
+#include "core/model/settings.hpp"
 #include "parallel/opencl/opencl_device.hpp"
 
 namespace holdfast {

@@ -1,4 +1,4 @@
-#include "core/engine_plugin.hpp"
+#include "core/engine/engine_plugin.hpp"
 #include "parallel/opencl/opencl_device.hpp"
 #include "parallel/opencl/opencl_engine.hpp"
 

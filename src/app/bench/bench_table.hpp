@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bench/bench_run.hpp"
+
+namespace holdfast {
+
+/// All runs of a case.
+struct BenchRow {
+  BenchCase bench_case;
+  std::vector<BenchSample> samples;  ///< one a repetition
+};
+
+/// Runs that must agree and do not: cases of the same engine and the same worlds have one hash, however they were
+/// scheduled, recorded and repeated.
+std::optional<Error> check_same_results(const std::vector<BenchRow>& rows);
+
+/// What `holdfast bench` prints: medians of each case, with the spread of its runs; efficiency against the fewest
+/// threads of the same engine, set and recording; and the shares of processor time by stage.
+std::string bench_tables(const std::vector<BenchRow>& rows);
+
+/// A line a run, all figures; for plots and other programs.
+std::string bench_csv(const std::vector<BenchRow>& rows);
+
+/// What keeps `bench_csv` from being written there, if anything.
+std::optional<Error> check_bench_csv(const std::string& path);
+
+}  // namespace holdfast

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "app/bench/bench_table.hpp"
+#include "app/commands.hpp"
+#include "app/engine_catalog.hpp"
+#include "app/load_config.hpp"
+#include "app/report.hpp"
+#include "app/stop_signal.hpp"
+#include "io/export/text_output.hpp"
+#include "io/input/input_paths.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_file.hpp"
+#include "parallel/schedulers/scheduler.hpp"
+
+namespace holdfast {
+
+namespace {
+
+struct BenchOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> layouts;
+  std::vector<std::string> accelerations;
+  std::vector<std::string> engines;
+  std::vector<int> threads;
+  std::vector<std::size_t> classes;
+  int repeats = 3;
+  std::optional<std::string> folder;
+  std::optional<std::string> csv_path;
+};
+
+/// A folder for results, gone when the benchmark ends.
+class ScratchFolder {
+ public:
+  explicit ScratchFolder(const std::string& above) {
+    path_ = (std::filesystem::path(above) / "holdfast-bench-XXXXXX").string();
+    if (::mkdtemp(path_.data()) == nullptr) path_.clear();
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Layouts by their number of boxes: a set a class that has any, named after its limits.
+Result<std::vector<BenchCase>> sets_by_boxes(const BenchOptions& options, const std::vector<std::string>& layouts,
+                                             const Settings& settings) {
+  std::vector<std::size_t> limits = options.classes;
+  std::sort(limits.begin(), limits.end());
+  std::vector<BenchCase> sets(limits.size() + 1);
+  for (std::size_t i = 0; i <= limits.size(); ++i) {
+    const std::size_t least = i == 0 ? 1 : limits[i - 1];
+    sets[i].set =
+        i == limits.size() ? fmt::format("{}+ boxes", least) : fmt::format("{}-{} boxes", least, limits[i] - 1);
+  }
+  for (const std::string& path : layouts) {
+    const Result<TextFile> file = read_text_file(path);
+    if (!file) return file.errors();
+    std::vector<Error> warnings;
+    const Result<Layout> layout = parse_layout(*file, settings, warnings);
+    if (!layout) return layout.errors();
+    const auto limit = std::upper_bound(limits.begin(), limits.end(), layout->boxes.size());
+    sets[static_cast<std::size_t>(limit - limits.begin())].layouts.push_back(path);
+  }
+  std::erase_if(sets, [](const BenchCase& set) { return set.layouts.empty(); });
+  return sets;
+}
+
+/// What the runs would stumble over, or the table of theirs: told before anything is measured.
+std::optional<Error> check(const BenchOptions& options, const Settings& settings) {
+  for (const std::string& engine : options.engines)
+    if (const auto made = make_engine(engine, settings); !made) return made.error();
+  return options.csv_path ? check_bench_csv(*options.csv_path) : std::nullopt;
+}
+
+/// All layouts with every engine and number of threads; with the most threads also without series, and class by class.
+std::vector<BenchRow> all_rows(const BenchOptions& options, const std::vector<std::string>& layouts,
+                               const std::vector<BenchCase>& sets) {
+  std::vector<BenchRow> rows;
+  const int most = *std::max_element(options.threads.begin(), options.threads.end());
+  for (const std::string& engine : options.engines) {
+    for (const int threads : options.threads)
+      rows.push_back({{.engine = engine, .set = "all", .layouts = layouts, .threads = threads}, {}});
+    rows.push_back({{.engine = engine, .set = "all", .layouts = layouts, .threads = most, .series = false}, {}});
+    for (const BenchCase& set : sets) {
+      rows.push_back({set, {}});
+      rows.back().bench_case.engine = engine;
+      rows.back().bench_case.threads = most;
+    }
+  }
+  return rows;
+}
+
+ExitCode bench(const BenchOptions& options) {
+  const Result<Config> config = load_config(options.config_path);
+  if (!config) return fail(ExitCode::bad_usage, config.errors());
+  std::vector<Error> warnings;
+  const auto layouts = layout_paths(options.layouts, std::cin, warnings);
+  if (!layouts) return fail(ExitCode::bad_usage, layouts.errors());
+  const auto accelerations = acceleration_paths(options.accelerations, std::cin, warnings);
+  if (!accelerations) return fail(ExitCode::bad_usage, accelerations.errors());
+  warn(warnings);
+  if (const auto error = check(options, config->settings)) return fail(ExitCode::bad_usage, *error);
+  const auto sets =
+      options.classes.empty() ? Result(std::vector<BenchCase>()) : sets_by_boxes(options, *layouts, config->settings);
+  if (!sets) return fail(ExitCode::bad_usage, sets.errors());
+  const StopRequest& stop = watch_stop_signals();
+  std::error_code missing;
+  const std::string above = options.folder.value_or(std::filesystem::temp_directory_path(missing).string());
+  if (above.empty()) {
+    return fail(ExitCode::bad_usage, {.what = "there is no temporary folder",
+                                      .value = missing.message(),
+                                      .accepted = "set TMPDIR, or give a --folder"});
+  }
+  const ScratchFolder scratch(above);
+  if (scratch.path().empty()) return fail(ExitCode::bad_usage, {.file = above, .what = "no folder can be made in it"});
+
+  std::vector<BenchRow> rows = all_rows(options, *layouts, *sets);
+  const BenchInputs inputs{options.config_path, *accelerations, scratch.path()};
+  // Runs take turns, so that what else the machine does meets all cases alike.
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {
+    for (BenchRow& row : rows) {
+      const BenchCase& c = row.bench_case;
+      print_to(stderr, "run {} of {}: {}, {}, {} threads{}\n", repeat + 1, options.repeats, c.engine, c.set, c.threads,
+               c.series ? "" : ", no series");
+      Result<BenchSample> sample = run_bench_case(c, inputs, stop.no_more);
+      if (stop.no_more) {
+        print_to(stderr, "stopped; nothing is told of a benchmark that is not complete\n");
+        return exit_code_of(stop);
+      }
+      if (!sample) return fail(ExitCode::some_failed, sample.errors());
+      row.samples.push_back(std::move(*sample));
+    }
+  }
+  if (const auto error = check_same_results(rows)) return fail(ExitCode::some_failed, *error);
+  print_to(stdout, "{}", bench_tables(rows));
+  if (options.csv_path) {
+    if (const auto error = write_text_file(*options.csv_path, bench_csv(rows)))
+      return fail(ExitCode::some_failed, *error);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("bench", "Measure how fast this machine screens");
+  command->footer(
+      "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
+      "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
+      "Example:\n"
+      "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
+      "--engine native bullet --threads 1 2");
+  auto options = std::make_shared<BenchOptions>();
+  const int cores = thread_count(0);
+  options->engines = {Settings{}.screening.engine};
+  options->threads = cores > 1 ? std::vector{1, cores} : std::vector{1};
+  command->add_option("-c,--config", options->config_path, "Configuration of all runs")->type_name("FILE");
+  command->add_option("--layouts", options->layouts, "Layouts, all of them good")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  command->add_option("--engine", options->engines, "Engines to compare")->capture_default_str()->type_name("NAME");
+  command->add_option("--threads", options->threads, "Numbers of threads to compare")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command
+      ->add_option("--classes", options->classes, "Numbers of boxes at which layouts are cut into classes of their own")
+      ->type_name("N");
+  command->add_option("--repeats", options->repeats, "Runs of each kind")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command
+      ->add_option("--folder", options->folder,
+                   "Where the results are written, and removed again (default: TMPDIR, or else /tmp)")
+      ->type_name("DIR");
+  command->add_option("--csv", options->csv_path, "Write a line a run there")->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return bench(*options); }; });
+}
+
+}  // namespace holdfast

@@ -1,0 +1,121 @@
+#include "app/screening/unit_runner.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "app/series_limit.hpp"
+#include "core/engine/simulate.hpp"
+#include "parallel/schedulers/processor_time.hpp"
+
+namespace holdfast {
+
+namespace {
+
+std::string describe(Status status) {
+  if (has(status, Status::non_finite)) return "a state became infinite or undefined; try a smaller step";
+  if (has(status, Status::not_converged)) return "the solver did not converge; try more iterations";
+  if (has(status, Status::capacity)) return "the device had no room for all contacts, or failed; try another engine";
+  return "";
+}
+
+}  // namespace
+
+std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t sharing) {
+  if (abort_) return std::nullopt;
+  const double cpu_begin = processor_seconds();
+  UnitRecord record;
+  std::vector<std::shared_ptr<const ReadLayout>> layouts;
+  for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
+    const ReadLayout& read = *layouts.emplace_back(layouts_.take(i, sharing));
+    if (unit.motion_begin > 0) continue;
+    record.layouts.push_back({i, read.layout});
+    record.warnings.insert(record.warnings.end(), read.warnings.begin(), read.warnings.end());
+  }
+  for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)
+    for (std::size_t j = unit.motion_begin; j < unit.motion_end; ++j)
+      record.worlds.push_back(refused(*layouts[i - unit.layout_begin], i, j));
+  const std::size_t simulated = simulate_good(unit, layouts, record.worlds);
+  if (abort_) return std::nullopt;
+  const double cpu_share = (processor_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, simulated));
+  for (WorldRecord& world : record.worlds)
+    if (world.outcome.stop_reason != StopReason::not_run)
+      world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
+  return record;
+}
+
+WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t motion) const {
+  WorldRecord world;
+  world.layout = layout_index;
+  world.acceleration = motion;
+  if (!layout.error.empty()) {
+    world.outcome.status = Status::bad_layout;
+    world.status_text = layout.error;
+  } else if (!motions_[motion].error.empty()) {
+    world.outcome.status = Status::bad_acceleration;
+    world.status_text = motions_[motion].error;
+  } else if (!plan_.series) {
+    return world;
+  } else if (const auto error =
+                 check_rows(layout.layout.name, layout.layout.boxes.size(), motions_[motion].motion, settings_)) {
+    world.outcome.status = Status::too_large;
+    world.status_text = error->message();
+  }
+  return world;
+}
+
+std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
+                                      const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                                      std::vector<WorldRecord>& worlds) const {
+  const std::size_t motion_count = unit.motion_end - unit.motion_begin;
+  const auto is_good = [](const WorldRecord& world) { return world.outcome.status == Status::ok; };
+  // A batch is every layout under the same motions: layouts that go under different ones go in different batches.
+  std::map<std::vector<std::size_t>, std::vector<std::size_t>> batches;
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    std::vector<std::size_t> motions;
+    for (std::size_t j = 0; j < motion_count; ++j)
+      if (is_good(worlds[i * motion_count + j])) motions.push_back(j);
+    if (!motions.empty()) batches[motions].push_back(i);
+  }
+  std::size_t simulated = 0;
+  for (const auto& [motions, of_layouts] : batches) {
+    std::vector<Layout> batch_layouts;
+    std::vector<const Motion*> batch_motions;
+    for (const std::size_t i : of_layouts) batch_layouts.push_back(layouts[i]->layout);
+    for (const std::size_t j : motions) batch_motions.push_back(&motions_[unit.motion_begin + j].motion);
+    std::vector<WorldRecord> records = simulate_batch(batch_layouts, batch_motions);
+    simulated += records.size();
+    auto next = records.begin();
+    for (const std::size_t i : of_layouts) {
+      for (const std::size_t j : motions) {
+        if (next == records.end()) return simulated;
+        WorldRecord& world = worlds[i * motion_count + j];
+        next->layout = world.layout;
+        next->acceleration = world.acceleration;
+        next->status_text = describe(next->outcome.status);
+        world = std::move(*next++);
+      }
+    }
+  }
+  return simulated;
+}
+
+std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<Layout>& layouts,
+                                                    const std::vector<const Motion*>& motions) const {
+  WorldBatch batch = make_batch(layouts, motions, settings_);
+  std::vector<std::unique_ptr<SeriesRecorder>> owners;
+  std::vector<Recorder*> recorders;
+  for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
+    RecordingPlan plan = plan_;
+    plan.samples = static_cast<std::size_t>(most_samples(*batch.worlds[i].motion, settings_));
+    owners.push_back(std::make_unique<SeriesRecorder>(plan));
+    recorders.push_back(owners.back().get());
+  }
+  const StageTimer timer(costs_, Stage::simulate);
+  std::vector<WorldRecord> records;
+  if (!simulate(engine_, batch, settings_, recorders, abort_)) return records;
+  for (const auto& owner : owners) records.push_back(owner->take());
+  return records;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/engine/engine.hpp"
+
+namespace holdfast {
+
+/// A block of the table of worlds, layouts × accelerations: what is handed out as one piece of work.
+struct WorkUnit {
+  std::size_t layout_begin = 0, layout_end = 0;
+  std::size_t motion_begin = 0, motion_end = 0;
+};
+
+/// Cuts the table of worlds into units as the engine wants them. World order: layout by layout, acceleration
+/// fastest; a unit's worlds are consecutive in it.
+class WorkUnits {
+ public:
+  WorkUnits(std::size_t layout_count, std::size_t motion_count, const EngineTraits& traits);
+
+  std::size_t count() const { return layout_blocks_ * motion_blocks_; }
+  WorkUnit operator[](std::size_t i) const;
+
+  /// Index in the run of a unit's first world.
+  std::size_t first_world(std::size_t unit) const;
+
+  /// Units from `first` on that take the same layouts as `unit`, itself among them.
+  std::size_t sharing_layouts(std::size_t unit, std::size_t first) const;
+
+  /// Index of the unit that begins with world `world`, which must be the first of one.
+  std::size_t beginning_with(std::size_t world) const;
+
+ private:
+  std::size_t layout_count_, motion_count_;
+  std::size_t layouts_per_unit_, motions_per_unit_;
+  std::size_t layout_blocks_, motion_blocks_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,39 @@
+#include "core/base/number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace holdfast {
+
+namespace {
+
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+  // from_chars knows no leading plus sign.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const std::optional<double> number = parse<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<long> parse_integer(std::string_view text) { return parse<long>(text); }
+
+std::string number_text(double number) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
+}
+
+std::string rounded_text(double number, int digits) {
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits).ptr};
+}
+
+}  // namespace holdfast

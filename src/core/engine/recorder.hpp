@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+#include "core/engine/engine.hpp"
+#include "core/model/status.hpp"
+#include "core/model/world.hpp"
+
+namespace holdfast {
+
+/// A stretch of a world's time between two stops of the engine, usually one step.
+struct Step {
+  double begin = 0.0;                ///< s
+  double end = 0.0;                  ///< s
+  Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
+  StateView before;                  ///< at `begin`
+  StateView after;                   ///< at `end`
+};
+
+/// How a world ended.
+struct Outcome {
+  Status status = Status::ok;
+  StopReason stop_reason = StopReason::not_run;
+  double end_time = 0.0;  ///< s
+  Counters counters;
+};
+
+/// Watches one world while it runs. The drive loop (`simulate.hpp`) tells it every step; it keeps what it wants.
+class Recorder {
+ public:
+  Recorder() = default;
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+  virtual ~Recorder() = default;
+
+  /// Called once, at t = 0. Without settling both states are the same.
+  /// @param layout  state in the layout's pose
+  /// @param settled state after gravity alone
+  virtual void start(const BoxView& boxes, const StateView& layout, const StateView& settled) = 0;
+
+  /// The next time that must lie between two neighbouring step ends, s; infinity when there is none.
+  virtual double watch() const = 0;
+
+  /// Called for every step from t = 0 on, in order.
+  virtual void step(const Step& step) = 0;
+
+  /// Called once, last.
+  virtual void finish(const Outcome& outcome, const StateView& end) = 0;
+};
+
+}  // namespace holdfast

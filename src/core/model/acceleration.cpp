@@ -1,0 +1,34 @@
+#include "core/model/acceleration.hpp"
+
+#include <algorithm>
+
+namespace holdfast {
+
+double Motion::end_time() const { return segments.empty() ? 0.0 : segments.back().start + segments.back().duration; }
+
+std::vector<Phase> phases_of(const Motion& motion, double end) {
+  std::vector<Phase> phases;
+  double time = 0.0;
+  const auto add_until = [&](double until, const Vec3& acceleration) {
+    until = std::min(until, end);
+    if (until - time <= kSameInstant) return;
+    phases.push_back({time, until, acceleration});
+    time = until;
+  };
+  for (const Segment& segment : motion.segments) {
+    add_until(segment.start, Vec3::Zero());
+    add_until(segment.start + segment.duration, segment.acceleration);
+  }
+  add_until(end, Vec3::Zero());
+  return phases;
+}
+
+double last_change(const Motion& motion) {
+  // The phase after the end of the file counts: it is at rest, the last segment may not be.
+  const std::vector<Phase> phases = phases_of(motion, motion.end_time() + 1.0);
+  std::size_t last = phases.size() - 1;
+  while (last > 0 && phases[last - 1].acceleration == phases[last].acceleration) --last;
+  return phases[last].begin;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/contact_law.hpp"
+#include "core/model/settings.hpp"
+
+namespace holdfast {
+
+/// A side of the container as a solid box outside its inner faces; container frame.
+struct Panel {
+  Vec3 centre;        ///< m
+  Vec3 half_extents;  ///< m
+  SurfaceKind kind = SurfaceKind::wall;
+};
+
+/// The sides that are not open, floor first, each `thickness` (m) deep and reaching over the edges by as much where
+/// the neighbour is not open either.
+std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
+
+}  // namespace holdfast

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/contact_law.hpp"
+#include "core/model/settings.hpp"
+
+namespace holdfast {
+
+/// A side of the container that is not open.
+struct ContainerSide {
+  int axis = 0;      ///< 0, 1, 2: x, y, z, perpendicular to the side
+  bool far = false;  ///< at the inner size along the axis, not at 0
+  SurfaceKind kind = SurfaceKind::wall;
+};
+
+/// Play that every box has at least at every side but the floor when a world starts, m. A box that fits exactly is not
+/// clamped: hard contacts with friction would allow it to be, with any pressure, though nothing presses. With 1 µm
+/// some steps of a tilting column end clamped; ten times as much would show in results.
+inline constexpr double kLeastPlay = 1e-5;
+
+/// How far behind its place a side stands for a box that begins at a distance `gap` of it, m.
+double side_play(SurfaceKind kind, double gap);
+
+/// The sides that are not open, floor first: floor, front, rear, left, right, roof.
+std::vector<ContainerSide> closed_sides(const ContainerSettings& container);
+
+}  // namespace holdfast

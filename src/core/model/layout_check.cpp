@@ -1,0 +1,159 @@
+#include "core/model/layout_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "core/base/error_list.hpp"
+#include "core/base/number_text.hpp"
+#include "core/model/setting_kinds.hpp"
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::array kExtentNames{"length", "width", "height"};
+
+/// Differences of coordinates are exact up to this, m: decimal numbers of metres leave some 1e-15.
+constexpr double kExact = 1e-9;
+
+std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
+std::string centimetres(const Vec3& v) {
+  const Vec3 cm = 100.0 * v;
+  return rounded_text(cm.x()) + " x " + rounded_text(cm.y()) + " x " + rounded_text(cm.z()) + " cm";
+}
+std::string box_name(std::size_t index) { return "box " + std::to_string(index + 1); }
+
+/// The check of one layout: looks at single boxes first, then at pairs of those that are boxes at all.
+class LayoutCheck {
+ public:
+  LayoutCheck(const Layout& layout, const Settings& settings, const std::string& file)
+      : boxes_(layout.boxes), settings_(settings), container_(settings.container), errors_(file) {}
+
+  void check_boxes() {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (!is_box(i)) continue;
+      check_inside(i);
+      check_centre_of_mass(i);
+      sound_.push_back(i);
+    }
+  }
+
+  void check_pairs() {
+    const auto x_min = [&](std::size_t i) { return boxes_[i].corner_min.x(); };
+    std::stable_sort(sound_.begin(), sound_.end(), [&](std::size_t a, std::size_t b) { return x_min(a) < x_min(b); });
+    for (auto a = sound_.begin(); a != sound_.end(); ++a) {
+      const double x_max = boxes_[*a].corner_max.x();
+      for (auto b = a + 1; b != sound_.end() && x_min(*b) < x_max; ++b) check_pair(std::min(*a, *b), std::max(*a, *b));
+    }
+  }
+
+  std::vector<Error> take_errors() { return errors_.take(); }
+
+  void warn(const std::string& file, std::vector<Error>& warnings) const {
+    if (tolerated_ == 0) return;
+    warnings.push_back({.file = file,
+                        .what = "overlaps and protrusions within the tolerance are ignored",
+                        .value = std::to_string(tolerated_) + ", the largest " + millimetres(largest_tolerated_),
+                        .accepted = "up to " + millimetres(kLayoutTolerance) + " is taken as rounding"});
+  }
+
+ private:
+  bool is_box(std::size_t i) {
+    const Box& box = boxes_[i];
+    if (!box.corner_min.allFinite() || !box.corner_max.allFinite()) {
+      errors_.add({.line = box.line, .what = box_name(i) + " has a corner that is not finite"});
+      return false;
+    }
+    const Vec3 extents = box.corner_max - box.corner_min;
+    bool positive = true;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (extents[axis] > kLayoutTolerance) continue;
+      positive = false;
+      const std::string kind = extents[axis] < 0.0 ? " has a negative " : " has no ";
+      errors_.add({.line = box.line,
+                   .what = box_name(i) + kind + kExtentNames[static_cast<std::size_t>(axis)],
+                   .value = rounded_text(extents[axis] * 100.0) + " cm",
+                   .accepted = "the second corner must be beyond the first along every axis, by more than " +
+                               millimetres(kLayoutTolerance)});
+    }
+    return positive;
+  }
+
+  bool is_open(const char* side) const {
+    return std::find(container_.open_sides.begin(), container_.open_sides.end(), side) != container_.open_sides.end();
+  }
+
+  void check_inside(std::size_t i) {
+    const Box& box = boxes_[i];
+    const Vec3 below = -box.corner_min;
+    const Vec3 above = box.corner_max - container_.size;
+    check_side(i, "front", below.x());
+    check_side(i, "rear", above.x());
+    check_side(i, "left", below.y());
+    check_side(i, "right", above.y());
+    check_side(i, "floor", below.z());
+    check_side(i, "roof", above.z());
+  }
+
+  void check_side(std::size_t i, const char* side, double depth) {
+    if (depth <= kExact || is_open(side) || tolerates(depth)) return;
+    if (errors_.full()) return errors_.count_more();
+    errors_.add({.line = boxes_[i].line,
+                 .what = box_name(i) + " is outside the container at the " + side,
+                 .value = millimetres(depth),
+                 .accepted = "the container is " + centimetres(container_.size)});
+  }
+
+  void check_centre_of_mass(std::size_t i) {
+    const Box& box = boxes_[i];
+    const Vec3 offset = material_of(settings_, box.material).centre_of_mass;
+    const Vec3 most = 0.5 * (box.corner_max - box.corner_min) + Vec3::Constant(kExact);
+    if ((offset.cwiseAbs().array() <= most.array()).all()) return;
+    errors_.add({.line = box.line,
+                 .what = box_name(i) + " has its centre of mass outside, by CentreOfMass of [Material " +
+                         std::to_string(box.material) + ']',
+                 .value = setting_kinds::CentimetreVector::text(offset) + " cm",
+                 .accepted = "at most half of the box to either side, " + centimetres(most)});
+  }
+
+  void check_pair(std::size_t a, std::size_t b) {
+    const Vec3 shared =
+        boxes_[a].corner_max.cwiseMin(boxes_[b].corner_max) - boxes_[a].corner_min.cwiseMax(boxes_[b].corner_min);
+    const double depth = shared.minCoeff();
+    if (depth <= kExact || tolerates(depth)) return;
+    if (errors_.full()) return errors_.count_more();
+    errors_.add({.line = boxes_[b].line,
+                 .what = box_name(b) + " overlaps " + box_name(a) + " of line " + std::to_string(boxes_[a].line),
+                 .value = millimetres(depth) + " deep",
+                 .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding"});
+  }
+
+  bool tolerates(double depth) {
+    if (depth > kLayoutTolerance + kExact) return false;
+    ++tolerated_;
+    largest_tolerated_ = std::max(largest_tolerated_, depth);
+    return true;
+  }
+
+  const std::vector<Box>& boxes_;
+  const Settings& settings_;
+  const ContainerSettings& container_;
+  ErrorList errors_;
+  std::vector<std::size_t> sound_;  ///< boxes with positive extents
+  std::size_t tolerated_ = 0;
+  double largest_tolerated_ = 0.0;  ///< m
+};
+
+}  // namespace
+
+std::vector<Error> check_layout(const Layout& layout, const Settings& settings, const std::string& file,
+                                std::vector<Error>& warnings) {
+  LayoutCheck check(layout, settings, file);
+  check.check_boxes();
+  check.check_pairs();
+  check.warn(file, warnings);
+  return check.take_errors();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,278 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/number_text.hpp"
+#include "core/model/settings.hpp"
+
+/// What the text of a key may be. A kind has `kAccepted`, the clause for messages; `parse(text)`, an optional value;
+/// and `text(value)`, how one would write the value in the file.
+namespace holdfast::setting_kinds {
+
+/// The words of a text, which any of the separators stand between.
+inline std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(separators);
+    if (begin == std::string_view::npos) return words;
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of(separators), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+}
+
+/// A number for which `Range::holds`.
+template <class Range>
+struct Number : Range {
+  static std::optional<double> parse(std::string_view text) {
+    const std::optional<double> number = parse_number(text);
+    return number && Range::holds(*number) ? number : std::nullopt;
+  }
+  static std::string text(double number) { return number_text(number); }
+};
+
+// What is beyond a million of any unit is a slip; a run would never end, or its products overflow.
+struct AnyRange {
+  static constexpr std::string_view kAccepted = "a number from -1000000 to 1000000";
+  static bool holds(double number) { return std::abs(number) <= 1e6; }
+};
+struct PositiveRange {
+  static constexpr std::string_view kAccepted = "a number from 1e-12 to 1000000";
+  static bool holds(double number) { return number >= 1e-12 && number <= 1e6; }
+};
+struct NotNegativeRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 1000000";
+  static bool holds(double number) { return number >= 0.0 && number <= 1e6; }
+};
+struct ShareRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 1";
+  static bool holds(double number) { return number >= 0.0 && number <= 1.0; }
+};
+struct AngleRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 180";
+  static bool holds(double number) { return number >= 0.0 && number <= 180.0; }
+};
+struct RateRange {
+  static constexpr std::string_view kAccepted = "a number from 1 to 1000000";
+  static bool holds(double number) { return number >= 1.0 && number <= 1e6; }
+};
+struct IntervalRange {
+  static constexpr std::string_view kAccepted = "a number from 0.000001 to 1000000";
+  static bool holds(double number) { return number >= 1e-6 && number <= 1e6; }
+};
+
+using Any = Number<AnyRange>;
+using Positive = Number<PositiveRange>;
+using NotNegative = Number<NotNegativeRange>;
+using Share = Number<ShareRange>;
+using Angle = Number<AngleRange>;
+using Rate = Number<RateRange>;
+using Interval = Number<IntervalRange>;
+
+/// Text of a length in centimetres that gives exactly `metres` when it is read again.
+inline std::string centimetre_text(double metres) {
+  const double rounded = std::round(metres * 1e11) / 1e9;
+  return number_text(rounded / 100.0 == metres ? rounded : metres * 100.0);
+}
+
+/// A length that the file gives in centimetres. Divided by 100, so that 587 gives the double nearest to 5.87.
+template <class Kind>
+struct Centimetres : Kind {
+  static std::optional<double> parse(std::string_view text) {
+    const std::optional<double> number = Kind::parse(text);
+    return number ? std::optional(*number / 100.0) : std::nullopt;
+  }
+  static std::string text(double metres) { return centimetre_text(metres); }
+};
+
+/// Three lengths in centimetres. A comma does not separate them: `1,5 0` must not be read as three numbers.
+struct CentimetreVector {
+  static constexpr std::string_view kAccepted = "three numbers separated by spaces";
+  static std::optional<Vec3> parse(std::string_view text) {
+    const std::vector<std::string_view> words = words_of(text, " \t");
+    if (words.size() != 3) return std::nullopt;
+    Vec3 vector;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::optional<double> number = parse_number(words[i]);
+      if (!number) return std::nullopt;
+      vector[static_cast<Eigen::Index>(i)] = *number / 100.0;
+    }
+    return vector;
+  }
+  static std::string text(const Vec3& vector) {
+    return centimetre_text(vector.x()) + ' ' + centimetre_text(vector.y()) + ' ' + centimetre_text(vector.z());
+  }
+};
+
+/// A whole number from `Range::kMin` to `Range::kMax`.
+template <class Range>
+struct Whole : Range {
+  static std::optional<int> parse(std::string_view text) {
+    const std::optional<long> number = parse_integer(text);
+    if (!number || *number < Range::kMin || *number > Range::kMax) return std::nullopt;
+    return static_cast<int>(*number);
+  }
+  static std::string text(int number) { return std::to_string(number); }
+};
+
+struct ThreadRange {
+  static constexpr std::string_view kAccepted = "a whole number from 0 to 1024";
+  static constexpr int kMin = 0, kMax = 1024;
+};
+struct IterationRange {
+  static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
+  static constexpr int kMin = 1, kMax = 100000;
+};
+struct CutRange {
+  static constexpr std::string_view kAccepted = "a whole number from 0 to 1000";
+  static constexpr int kMin = 0, kMax = 1000;
+};
+struct BatchRange {
+  static constexpr std::string_view kAccepted = "a whole number from 1 to 100000";
+  static constexpr int kMin = 1, kMax = 100000;
+};
+struct DirectionRange {
+  static constexpr std::string_view kAccepted = "1 or 2";
+  static constexpr int kMin = 1, kMax = 2;
+};
+
+/// true or false, as people write them.
+struct Truth {
+  static constexpr std::string_view kAccepted = "true or false (also yes, no, 1, 0)";
+  static std::optional<bool> parse(std::string_view text) {
+    std::string lower(text);
+    for (char& letter : lower)
+      if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    if (lower == "true" || lower == "yes" || lower == "1") return true;
+    if (lower == "false" || lower == "no" || lower == "0") return false;
+    return std::nullopt;
+  }
+  static std::string text(bool value) { return value ? "true" : "false"; }
+};
+
+/// A word that stands for a value.
+template <class Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+template <class Value>
+Word(std::string_view, Value) -> Word<Value>;
+
+/// One of `List::kWords`.
+template <class List>
+struct OneOf : List {
+  using Value = std::remove_cvref_t<decltype(List::kWords[0].value)>;
+  static std::optional<Value> parse(std::string_view text) {
+    for (const auto& [word, value] : List::kWords)
+      if (word == text) return value;
+    return std::nullopt;
+  }
+  static std::string text(Value wanted) {
+    for (const auto& [word, value] : List::kWords)
+      if (value == wanted) return std::string(word);
+    return {};
+  }
+};
+
+struct UpAxes {
+  static constexpr std::string_view kAccepted = "z or y";
+  static constexpr std::array kWords{Word{"z", UpAxis::z}, Word{"y", UpAxis::y}};
+};
+struct ContainerMotions {
+  static constexpr std::string_view kAccepted = "prescribed or free";
+  static constexpr std::array kWords{Word{"prescribed", ContainerMotion::prescribed},
+                                     Word{"free", ContainerMotion::free}};
+};
+struct FrictionModels {
+  static constexpr std::string_view kAccepted = "product or pairs";
+  static constexpr std::array kWords{Word{"product", FrictionModel::product}, Word{"pairs", FrictionModel::pairs}};
+};
+struct StoppingConditions {
+  static constexpr std::string_view kAccepted = "timeout or sleeping";
+  static constexpr std::array kWords{Word{"timeout", StoppingCondition::timeout},
+                                     Word{"sleeping", StoppingCondition::sleeping}};
+};
+struct ReferencePoses {
+  static constexpr std::string_view kAccepted = "layout or settled";
+  static constexpr std::array kWords{Word{"layout", ReferencePose::layout}, Word{"settled", ReferencePose::settled}};
+};
+struct Accuracies {
+  static constexpr std::string_view kAccepted = "screening, standard or reference";
+  static constexpr std::array kWords{Word{"screening", Accuracy::screening}, Word{"standard", Accuracy::standard},
+                                     Word{"reference", Accuracy::reference}};
+};
+struct BulletSleepings {
+  static constexpr std::string_view kAccepted = "off or wake_on_change";
+  static constexpr std::array kWords{Word{"off", BulletSleeping::off},
+                                     Word{"wake_on_change", BulletSleeping::wake_on_change}};
+};
+
+/// One of `List::kNames`, kept as text.
+template <class List>
+struct Name : List {
+  static std::optional<std::string> parse(std::string_view text) {
+    const auto found = std::find(List::kNames.begin(), List::kNames.end(), text);
+    return found == List::kNames.end() ? std::nullopt : std::optional<std::string>(*found);
+  }
+  static std::string text(const std::string& name) { return name; }
+};
+
+struct Engines {
+  static constexpr std::string_view kAccepted =
+      "native, bullet, bullet-f64, bullet-stock, bullet-opencl or native-plain";
+  static constexpr std::array<std::string_view, 6> kNames{"native",       "bullet",        "bullet-f64",
+                                                          "bullet-stock", "bullet-opencl", "native-plain"};
+};
+struct Schedulers {
+  static constexpr std::string_view kAccepted = "tbb, openmp or serial";
+  static constexpr std::array<std::string_view, 3> kNames{"tbb", "openmp", "serial"};
+};
+
+/// Any of the container's sides, each once.
+struct Sides {
+  static constexpr std::string_view kAccepted = "any of front, rear, left, right, roof, separated by spaces or commas";
+  static constexpr std::array<std::string_view, 5> kNames{"front", "rear", "left", "right", "roof"};
+  static std::optional<std::vector<std::string>> parse(std::string_view text) {
+    std::vector<std::string> sides;
+    for (const std::string_view word : words_of(text, " \t,")) {
+      if (std::find(kNames.begin(), kNames.end(), word) == kNames.end()) return std::nullopt;
+      if (std::find(sides.begin(), sides.end(), word) == sides.end()) sides.emplace_back(word);
+    }
+    return sides;
+  }
+  static std::string text(const std::vector<std::string>& sides) {
+    std::string joined;
+    for (const std::string& side : sides) joined += (joined.empty() ? "" : " ") + side;
+    return joined;
+  }
+};
+
+/// Any text, also none.
+struct Text {
+  static constexpr std::string_view kAccepted = "any text";
+  static std::optional<std::string> parse(std::string_view text) { return std::string(text); }
+  static std::string text(const std::string& text) { return text; }
+};
+
+/// A path; nothing where there is no default.
+struct Path : Text {
+  static constexpr std::string_view kAccepted = "a path";
+};
+
+/// A path that cannot be missing.
+struct NeededPath : Path {
+  static std::optional<std::string> parse(std::string_view text) {
+    return text.empty() ? std::nullopt : Path::parse(text);
+  }
+};
+
+}  // namespace holdfast::setting_kinds

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/model/settings.hpp"
+
+namespace holdfast {
+
+/// One key of config.ini: everything the reader, `--help-config`, docs/config.md and the results file need.
+struct SettingKey {
+  std::string_view section;        ///< as in the file, without brackets; `Material N` stands for all materials
+  std::string_view name;           ///< as in the file
+  std::string_view unit;           ///< of the value in the file; "" when it has none
+  std::string_view default_value;  ///< as one would write it in the file; "" when absent by default
+  std::string_view accepted;       ///< what is accepted, a clause for messages: "a number above 0"
+  std::string_view sentence;       ///< what it does, one sentence
+  std::string_view alias = "";     ///< another spelling that is accepted; "" when there is none
+  bool without_effect = false;     ///< accepted for the sake of old files; saying so is the reader's duty
+
+  /// Sets the member from the file's text. False when the text is not as `accepted` says; then nothing changed.
+  /// @param material id of the material for keys of `Material N`, else ignored
+  bool (*set)(Settings& settings, int material, std::string_view text) = nullptr;
+  /// The member as one would write it in the file; "" when absent.
+  std::string (*get)(const Settings& settings, int material) = nullptr;
+};
+
+/// The section of the table that stands for every `Material` section of a file.
+inline constexpr std::string_view kMaterialSection = "Material N";
+
+/// All keys, grouped by section in the order of the documentation.
+std::span<const SettingKey> setting_table();
+
+/// The sections of the table, each once, in its order.
+std::vector<std::string_view> setting_sections();
+
+/// The key of that section and name (aliases included), or nullptr. Spelling and case are strict.
+const SettingKey* find_setting(std::string_view section, std::string_view name);
+
+/// Every setting as (`Section/Key`, text as one would write it in a file), materials as `Material 3/Key`; the table's
+/// order. A setting that is absent, so that engine or inputs decide, has an empty text.
+std::vector<std::pair<std::string, std::string>> effective_settings(const Settings& settings);
+
+/// Two keys that contradict each other; the place is the key to change.
+struct SettingConflict {
+  std::string section;  ///< as in the file: `Material 3` for material 3
+  std::string name;     ///< of the key
+  Error error;          ///< without file and line
+};
+
+/// Contradictions between keys that are fine each for itself; empty when there are none.
+std::vector<SettingConflict> check_settings(const Settings& settings);
+
+}  // namespace holdfast

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace holdfast {
+
+/// Which axis of a layout file points up.
+enum class UpAxis { z, y };
+
+/// How the container moves: given in its own frame, or as a free body pushed over a ground.
+enum class ContainerMotion { prescribed, free };
+
+/// How the friction coefficient of a pair comes about: product of the two sides, or given by the kind of pair.
+enum class FrictionModel { product, pairs };
+
+/// When a world ends: at a time, or when all boxes have come to rest.
+enum class StoppingCondition { timeout, sleeping };
+
+/// What displacement is measured from: the layout's pose, or the pose after settling under gravity alone.
+enum class ReferencePose { layout, settled };
+
+/// How Bullet puts bodies to sleep.
+enum class BulletSleeping { off, wake_on_change };
+
+/// The inside of the container and the way it moves; `[Container]`.
+struct ContainerSettings {
+  Vec3 size = {5.87, 2.33, 2.20};         ///< inner length, width and height, m
+  double mass = 3700.0;                   ///< kg; matters to a free container only
+  double friction = 0.70710678118654757;  ///< of floor, walls and roof, one side of a product
+  double ground_friction = 0.6;           ///< of the ground under a free container
+  ContainerMotion motion = ContainerMotion::prescribed;
+  std::vector<std::string> open_sides;  ///< sides without a wall: front, rear, left, right, roof
+};
+
+/// Contact laws; `[Contact]`.
+struct ContactSettings {
+  double restitution = 0.0;  ///< of every pair, unless a material has its own
+  FrictionModel friction_model = FrictionModel::product;
+  double box_box = 0.5;    ///< friction coefficient of two boxes, model `pairs`
+  double box_floor = 0.5;  ///< friction coefficient of box and floor, model `pairs`
+  double box_wall = 0.5;   ///< friction coefficient of box and wall or roof, model `pairs`
+};
+
+/// What sets boxes of one material id apart; `[Material N]`. What is absent comes from the common keys.
+struct MaterialSettings {
+  std::optional<double> density;       ///< kg/m³; not together with mass
+  std::optional<double> mass;          ///< kg a box
+  std::optional<double> friction;      ///< of a box's surface, one side of a product
+  std::optional<double> restitution;   ///< of a box's surface
+  Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the centroid, axes of the container at the layout's pose, m
+};
+
+/// Which worlds to run, and how their outcome is judged; `[Screening]` and `[Simulation Settings]`.
+struct ScreeningSettings {
+  std::string layout;        ///< path for `holdfast run` on a single pair
+  std::string acceleration;  ///< path for `holdfast run` on a single pair
+  std::string engine = "native";
+  int threads = 0;  ///< 0: one a core
+  std::string scheduler = "tbb";
+  double settle_seconds = 0.0;  ///< gravity alone before t = 0, s
+  ReferencePose reference_pose = ReferencePose::layout;
+  double drop_threshold = 0.05;  ///< m
+  double move_threshold = 0.10;  ///< m
+  double tilt_threshold = 10.0;  ///< degrees
+};
+
+/// Bullet's solver; `[Bullet]`. What is absent comes from the engine's preset (`bullet`, `bullet-stock`).
+struct BulletSettings {
+  std::optional<double> steps_per_second;         ///< 1/s; overrides the common key
+  std::optional<int> iterations;                  ///< of the contact solver, a step
+  std::optional<int> friction_directions;         ///< 1 or 2 a contact point
+  std::optional<bool> random_order;               ///< constraints in a new random order each iteration
+  std::optional<bool> split_impulse;              ///< correct positions apart from velocities
+  std::optional<double> split_impulse_threshold;  ///< m; split impulse where the distance is below it
+  std::optional<double> erp;                      ///< share of a penetration corrected a step, velocity level
+  std::optional<double> erp2;                     ///< the same, split impulse
+  std::optional<double> warm_start;               ///< share of last step's impulses to start from
+  std::optional<double> linear_slop;              ///< penetration left alone, m
+  std::optional<double> restitution_velocity;     ///< approach speed below which there is no rebound, m/s
+  std::optional<BulletSleeping> sleeping;
+};
+
+/// How far the native engine goes for accuracy: each stands for a step, tolerances and caps.
+enum class Accuracy { screening, standard, reference };
+
+/// The native engine; `[Native]`. What is absent comes from the accuracy.
+struct NativeSettings {
+  Accuracy accuracy = Accuracy::standard;
+  std::optional<double> steps_per_second;  ///< 1/s; overrides the common key
+  std::optional<double> tolerance;         ///< of a moving step's velocities, over |g − a| h
+  std::optional<int> iterations;           ///< of a moving step's solve, at most
+  std::optional<double> rest_tolerance;    ///< imbalance that counts as rest, over |g − a| m
+  std::optional<int> impact_cuts;          ///< times that impacts may cut a step of an island
+  bool jump = true;                        ///< go to the end of a phase when all is at rest
+  bool freeze = true;                      ///< leave islands at rest alone until something touches them
+};
+
+/// Bullet's pipeline on an OpenCL device; `[OpenCL]`.
+struct OpenClSettings {
+  std::string device;          ///< part of the device's name; empty: the first GPU, else the first device
+  int iterations = 20;         ///< of the contact solver, a step; rounded up to a multiple of 4
+  int layouts_per_batch = 16;  ///< layouts that are stepped together, each under all accelerations
+};
+
+/// Everything a run can be told; one member a key of config.ini, in SI units. `setting_table.hpp` declares the
+/// keys, with units, defaults and ranges.
+struct Settings {
+  // [Physics Engine]
+  double density_value = 250.0;  ///< kg/m³, or kg a box when constant_density is false
+  bool constant_density = true;
+  std::optional<double> steps_per_second;  ///< 1/s; absent: the engine's own (Bullet: 240)
+  double gravity = 9.81;                   ///< m/s², along −z
+
+  // [Renderer Engine]: accepted, without effect
+  bool draw_axis = false;
+  std::string texture_pack;
+  bool use_renderer = false;
+
+  // [Export Settings]
+  double results_interval = 0.1;  ///< s
+  std::string save_path = ".";
+
+  // [Simulation Settings]
+  StoppingCondition stopping_condition = StoppingCondition::timeout;
+  std::optional<double> timeout;     ///< s; absent: the end of the acceleration file
+  double sleeping_threshold = 0.01;  ///< m/s and rad/s
+  bool batch_simulation = false;
+  std::string batch_path;
+  double box_friction = 0.70710678118654757;
+
+  UpAxis up_axis = UpAxis::z;  ///< of layout files
+  ContainerSettings container;
+  ContactSettings contact;
+  std::map<int, MaterialSettings> materials;  ///< by material id
+  ScreeningSettings screening;
+  NativeSettings native;
+  BulletSettings bullet;
+  OpenClSettings opencl;
+};
+
+/// Density or mass, friction and restitution of a box of material `id`, defaults filled in.
+struct BoxMaterial {
+  std::optional<double> density;  ///< kg/m³; absent where `mass` is given
+  std::optional<double> mass;     ///< kg
+  double friction = 0.0;
+  double restitution = 0.0;
+  Vec3 centre_of_mass = Vec3::Zero();  ///< m
+};
+BoxMaterial material_of(const Settings& settings, int id);
+
+}  // namespace holdfast

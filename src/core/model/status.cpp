@@ -1,0 +1,30 @@
+#include "core/model/status.hpp"
+
+#include <array>
+#include <utility>
+
+namespace holdfast {
+
+std::string to_string(Status status) {
+  constexpr std::array<std::pair<Status, const char*>, 6> kNames = {{{Status::bad_layout, "bad_layout"},
+                                                                     {Status::bad_acceleration, "bad_acceleration"},
+                                                                     {Status::non_finite, "non_finite"},
+                                                                     {Status::not_converged, "not_converged"},
+                                                                     {Status::capacity, "capacity"},
+                                                                     {Status::too_large, "too_large"}}};
+  std::string text;
+  for (const auto& [bit, name] : kNames) {
+    if (!has(status, bit)) continue;
+    if (!text.empty()) text += '+';
+    text += name;
+  }
+  return text.empty() ? "ok" : text;
+}
+
+std::string to_string(StopReason reason) {
+  constexpr std::array<const char*, 4> kNames = {"not_run", "timeout", "sleeping", "failed"};
+  const auto number = static_cast<std::size_t>(reason);
+  return number < kNames.size() ? kNames[number] : "unknown";
+}
+
+}  // namespace holdfast

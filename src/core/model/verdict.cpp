@@ -1,0 +1,84 @@
+#include "core/model/verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace holdfast {
+
+namespace {
+
+WorldVerdict not_simulated() {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
+  return {Verdict::failed, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
+}
+
+/// One that did not stand before any acceleration, and has settled since, is unstable though the acceleration left it
+/// alone.
+Verdict worst_of(Status status, const WorldVerdict& world) {
+  if (status != Status::ok) return Verdict::failed;
+  if (world.fallen_boxes > 0) return Verdict::fell;
+  if (world.moved_boxes + world.tilted_boxes > 0) return Verdict::moved;
+  return world.unstable_boxes > 0 ? Verdict::unstable : Verdict::stayed;
+}
+
+}  // namespace
+
+bool is_fallen(const Float3& displacement, const Thresholds& thresholds) {
+  return static_cast<double>(-displacement.z) > thresholds.drop;
+}
+
+float length(const Float3& displacement) {
+  return std::sqrt(displacement.x * displacement.x + displacement.y * displacement.y + displacement.z * displacement.z);
+}
+
+BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
+  const auto has_moved = [&](const Float3& d) { return static_cast<double>(length(d)) > thresholds.move; };
+  BoxVerdict verdict;
+  verdict.drop = 0.0F - end.displacement[i].z;  // never −0
+  verdict.fallen = is_fallen(end.displacement[i], thresholds);
+  verdict.moved = has_moved(end.displacement[i]);
+  verdict.tilted = static_cast<double>(end.tilt[i]) > thresholds.tilt;
+  verdict.unstable = is_fallen(end.settling_displacement[i], thresholds) || has_moved(end.settling_displacement[i]);
+  return verdict;
+}
+
+std::string to_string(Verdict verdict) {
+  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved", "fell", "unstable", "failed"};
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
+                         const Thresholds& thresholds) {
+  if (stop_reason == StopReason::not_run) return not_simulated();
+  WorldVerdict world;
+  world.peak_kinetic_energy = peak_kinetic_energy;
+  for (std::size_t i = 0; i < end.displacement.size(); ++i) {
+    const BoxVerdict box = judge_box(end, i, thresholds);
+    world.fallen_boxes += box.fallen ? 1 : 0;
+    world.unstable_boxes += box.unstable ? 1 : 0;
+    world.moved_boxes += box.moved ? 1 : 0;
+    world.tilted_boxes += box.tilted ? 1 : 0;
+    world.total_kinetic_energy += static_cast<double>(end.kinetic_energy[i]);
+    world.max_displacement = std::max(world.max_displacement, length(end.displacement[i]));
+    world.peak_displacement = std::max(world.peak_displacement, end.peak_displacement[i]);
+  }
+  world.verdict = worst_of(status, world);
+  return world;
+}
+
+std::vector<float> first_move_times(std::span<const double> time, std::span<const Float3> displacement,
+                                    std::size_t box_count, const Thresholds& thresholds) {
+  std::vector<float> times(box_count, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t box = 0; box < box_count; ++box) {
+    for (std::size_t sample = 0; sample < time.size(); ++sample) {
+      if (static_cast<double>(length(displacement[sample * box_count + box])) <= thresholds.move) continue;
+      times[box] = static_cast<float>(time[sample]);
+      break;
+    }
+  }
+  return times;
+}
+
+}  // namespace holdfast

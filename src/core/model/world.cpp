@@ -1,0 +1,87 @@
+#include "core/model/world.hpp"
+
+#include <cstring>
+
+namespace holdfast {
+
+namespace {
+
+void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
+  const BoxMaterial material = material_of(settings, box.material);
+  const Vec3 size = box.corner_max - box.corner_min;
+  const double mass = material.mass ? *material.mass : *material.density * size.prod();
+  const Vec3 square = size.cwiseProduct(size);
+
+  BoxColumns& boxes = batch.boxes;
+  boxes.half_extents.push_back(0.5 * size);
+  boxes.mass.push_back(mass);
+  boxes.inertia.push_back(mass / 12.0 *
+                          Vec3(square.y() + square.z(), square.z() + square.x(), square.x() + square.y()));
+  boxes.centre_of_mass.push_back(material.centre_of_mass);
+  boxes.friction.push_back(material.friction);
+  boxes.restitution.push_back(material.restitution);
+  boxes.material.push_back(box.material);
+
+  StateColumns& state = batch.state;
+  state.position.emplace_back(0.5 * (box.corner_min + box.corner_max) + material.centre_of_mass);
+  state.orientation.emplace_back(Rotation::Identity());
+  state.velocity.emplace_back(Vec3::Zero());
+  state.angular_velocity.emplace_back(Vec3::Zero());
+}
+
+/// The numbers that an entry of a column consists of.
+std::span<const double, 3> numbers(const Vec3& v) { return std::span<const double, 3>(v.data(), 3); }
+std::span<const double, 4> numbers(const Rotation& q) { return std::span<const double, 4>(q.coeffs().data(), 4); }
+
+template <class Visit>
+void for_each_number(const StateView& state, Visit visit) {
+  for_each_state_column(
+      [&](const char*, const auto& column) {
+        for (const auto& entry : column)
+          for (const double number : numbers(entry)) visit(number);
+      },
+      state);
+}
+
+}  // namespace
+
+WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Motion* const> motions,
+                      const Settings& settings) {
+  WorldBatch batch;
+  for (const Layout& layout : layouts) {
+    for (const Motion* motion : motions) {
+      batch.worlds.push_back({&layout, motion, batch.state.position.size(), layout.boxes.size()});
+      for (const Box& box : layout.boxes) append_box(batch, box, settings);
+    }
+  }
+  return batch;
+}
+
+StateView view(const StateColumns& state, const World& world) {
+  const auto part = [&](const auto& column) { return std::span(column).subspan(world.box_begin, world.box_count); };
+  return {part(state.position), part(state.orientation), part(state.velocity), part(state.angular_velocity)};
+}
+
+BoxView view(const BoxColumns& boxes, const World& world) {
+  const auto part = [&](const auto& column) { return std::span(column).subspan(world.box_begin, world.box_count); };
+  return {part(boxes.half_extents), part(boxes.mass),        part(boxes.inertia), part(boxes.centre_of_mass),
+          part(boxes.friction),     part(boxes.restitution), part(boxes.material)};
+}
+
+std::uint64_t state_hash(const StateView& state) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for_each_number(state, [&](double number) {
+    unsigned char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3ULL;
+  });
+  return hash;
+}
+
+bool is_finite(const StateView& state) {
+  bool finite = true;
+  for_each_number(state, [&](double number) { finite = finite && std::isfinite(number); });
+  return finite;
+}
+
+}  // namespace holdfast

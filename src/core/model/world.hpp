@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+#include "core/model/acceleration.hpp"
+#include "core/model/layout.hpp"
+#include "core/model/settings.hpp"
+
+namespace holdfast {
+
+/// What of a box never changes, a column a quantity, an entry a box.
+struct BoxColumns {
+  std::vector<Vec3> half_extents;    ///< m, body axes (those of the container at the layout's pose)
+  std::vector<double> mass;          ///< kg; infinite: fixed to the container, as are its moments
+  std::vector<Vec3> inertia;         ///< principal moments about the centre of mass, body axes, kg m²
+  std::vector<Vec3> centre_of_mass;  ///< offset from the centroid, body axes, m
+  std::vector<double> friction;      ///< coefficient of the surface, one side of a product
+  std::vector<double> restitution;   ///< coefficient of the surface
+  std::vector<int> material;         ///< id of the layout file
+};
+
+/// What of a box changes, a column a quantity, an entry a box; in the container's frame.
+struct StateColumns {
+  std::vector<Vec3> position;          ///< of the centre of mass, m
+  std::vector<Rotation> orientation;   ///< container_from_body
+  std::vector<Vec3> velocity;          ///< of the centre of mass, m/s
+  std::vector<Vec3> angular_velocity;  ///< rad/s
+};
+
+/// Calls `visit(name, column)` for every column: resizing, hashing, copying and uploading all go through here,
+/// so that a new column is met everywhere. Any number of structures of the same kind are walked side by side.
+template <class Visit, class... Columns>
+void for_each_box_column(Visit&& visit, Columns&&... c) {
+  visit("half_extents", c.half_extents...);
+  visit("mass", c.mass...);
+  visit("inertia", c.inertia...);
+  visit("centre_of_mass", c.centre_of_mass...);
+  visit("friction", c.friction...);
+  visit("restitution", c.restitution...);
+  visit("material", c.material...);
+}
+template <class Visit, class... Columns>
+void for_each_state_column(Visit&& visit, Columns&&... c) {
+  visit("position", c.position...);
+  visit("orientation", c.orientation...);
+  visit("velocity", c.velocity...);
+  visit("angular_velocity", c.angular_velocity...);
+}
+
+/// A layout under a motion: a range of the columns of its batch. The layout and the motion belong to the caller.
+struct World {
+  const Layout* layout = nullptr;
+  const Motion* motion = nullptr;
+  std::size_t box_begin = 0;
+  std::size_t box_count = 0;
+};
+
+/// Worlds that are handed to an engine together: one set of columns, worlds as ranges of it.
+struct WorldBatch {
+  BoxColumns boxes;
+  StateColumns state;
+  std::vector<World> worlds;
+};
+
+/// The worlds of every pair of `layouts` and `motions`, motion fastest, at rest in the layout's pose.
+/// Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
+/// I = m/12 (b² + c²), about the centre of mass.
+WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Motion* const> motions,
+                      const Settings& settings);
+
+/// Changing state of one world, a view of a batch's columns.
+struct StateView {
+  std::span<const Vec3> position;          ///< m
+  std::span<const Rotation> orientation;   ///< container_from_body
+  std::span<const Vec3> velocity;          ///< m/s
+  std::span<const Vec3> angular_velocity;  ///< rad/s
+};
+
+/// Constant description of one world's boxes, a view of a batch's columns.
+struct BoxView {
+  std::span<const Vec3> half_extents;
+  std::span<const double> mass;
+  std::span<const Vec3> inertia;
+  std::span<const Vec3> centre_of_mass;
+  std::span<const double> friction;
+  std::span<const double> restitution;
+  std::span<const int> material;
+};
+
+StateView view(const StateColumns& state, const World& world);
+BoxView view(const BoxColumns& boxes, const World& world);
+
+/// Hash of a world's changing state, of the bits of every column in the order of the columns (64-bit FNV-1a).
+/// Equal states have equal hashes on every machine of the same byte order; −0 and 0 differ.
+std::uint64_t state_hash(const StateView& state);
+
+/// True when every number of the state is finite.
+bool is_finite(const StateView& state);
+
+}  // namespace holdfast

@@ -1,0 +1,78 @@
+#include "core/native/collision/manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace holdfast::native {
+
+namespace {
+
+/// On one of its bodies a point moves less than this within a step as long as it is the same point, m.
+constexpr double kSamePoint = 0.02;
+
+/// Points come in the order of the contact's corners: one that has moved less than this from its namesake is taken for
+/// the same without a look at the others, m.
+constexpr double kSameCorner = 1e-3;
+
+/// Where a point of the body has gone.
+Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point) {
+  const Vec3 arm = point - then.centre;
+  if (then.aligned && now.aligned) return now.centre + arm;
+  return now.centre + now.axes * (then.axes.transpose() * arm);
+}
+
+}  // namespace
+
+std::array<Vec3, 3> directions_of(const Vec3& normal) {
+  // The first tangent is along y where the normal is mostly along x, else along x, as far as it is across the normal.
+  const bool along_x = std::abs(normal.x()) > std::max(std::abs(normal.y()), std::abs(normal.z()));
+  const Vec3 other = along_x ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitX());
+  const Vec3 first = (other - normal * normal.dot(other)).normalized();
+  return {normal, first, normal.cross(first)};
+}
+
+void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
+  const std::array<OrientedBox, 2> now = {
+      manifold.with_side() ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(manifold.a)],
+      bodies.shape[static_cast<std::size_t>(manifold.b)]};
+  const auto old_count = static_cast<std::size_t>(manifold.contact.count);
+  const auto count = static_cast<std::size_t>(contact.count);
+  std::array<ContactPoint, 8> old;
+  for (std::size_t j = 0; j < old_count; ++j) {
+    old[j].on_a = carried(manifold.found_at[0], now[0], manifold.contact.points[j].on_a);
+    old[j].on_b = carried(manifold.found_at[1], now[1], manifold.contact.points[j].on_b);
+  }
+  // A point may slide over one of the two bodies.
+  const auto square = [&](std::size_t i, std::size_t j) {
+    return std::min((contact.points[i].on_a - old[j].on_a).squaredNorm(),
+                    (contact.points[i].on_b - old[j].on_b).squaredNorm());
+  };
+  bool same = count == old_count && contact.axis == manifold.contact.axis;
+  for (std::size_t i = 0; same && i < count; ++i) same = square(i, i) < kSameCorner * kSameCorner;
+  if (!same) {
+    std::array<PointMemory, 8> memory;
+    for (std::size_t i = 0; i < count; ++i) {
+      double nearest = kSamePoint * kSamePoint;
+      for (std::size_t j = 0; j < old_count; ++j) {
+        if (square(i, j) >= nearest) continue;
+        nearest = square(i, j);
+        memory[i] = manifold.memory[j];
+      }
+    }
+    manifold.memory = memory;
+  }
+  manifold.contact = contact;
+  manifold.found_at = now;
+}
+
+ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
+                       double margin, const ContactAxis& previous) {
+  const OrientedBox& box = bodies.shape[static_cast<std::size_t>(b)];
+  if (a < 0) {
+    const Side& side = sides[static_cast<std::size_t>(-1 - a)];
+    return contact_of({side.space.normal, side.space.offset - side.play[static_cast<std::size_t>(b)]}, box, margin);
+  }
+  return contact_of(bodies.shape[static_cast<std::size_t>(a)], box, margin, previous);
+}
+
+}  // namespace holdfast::native

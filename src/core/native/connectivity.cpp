@@ -1,0 +1,73 @@
+#include "core/native/connectivity.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/native/island_motion.hpp"
+
+namespace holdfast::native {
+
+void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
+  const std::size_t count = bodies.count();
+  root_.resize(count);
+  std::iota(root_.begin(), root_.end(), 0U);
+  const auto find = [&](std::uint32_t i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  };
+  const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
+  for (const Manifold& manifold : manifolds) {
+    if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
+    const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
+    const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
+    root_[std::max(of_a, of_b)] = std::min(of_a, of_b);
+  }
+  // Islands by their first body, bodies and manifolds in their own order.
+  island_of_.assign(count, kNone);
+  ranges_.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (bodies.fixed[i] != 0) continue;
+    const std::uint32_t first = find(i);
+    if (first == i) {
+      island_of_[i] = static_cast<std::uint32_t>(ranges_.size());
+      ranges_.emplace_back();
+    } else {
+      island_of_[i] = island_of_[first];
+    }
+    ++ranges_[island_of_[i]].body_end;
+  }
+  const auto island_of_manifold = [&](const Manifold& manifold) {
+    const std::uint32_t of_a = free(manifold.a) ? island_of_[at(manifold.a)] : kNone;
+    const std::uint32_t of_b = free(manifold.b) ? island_of_[at(manifold.b)] : kNone;
+    if (of_a == kNone) return of_b;
+    return of_b == kNone || of_a == of_b ? of_a : kNone;
+  };
+  for (const Manifold& manifold : manifolds) {
+    const std::uint32_t island = island_of_manifold(manifold);
+    if (island != kNone) ++ranges_[island].manifold_end;
+  }
+  std::size_t bodies_before = 0, manifolds_before = 0;
+  for (Range& island : ranges_) {
+    island.body_begin = bodies_before;
+    island.manifold_begin = manifolds_before;
+    bodies_before += std::exchange(island.body_end, bodies_before);
+    manifolds_before += std::exchange(island.manifold_end, manifolds_before);
+  }
+  members_.resize(bodies_before);
+  inside_.resize(manifolds_before);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (island_of_[i] != kNone) members_[ranges_[island_of_[i]].body_end++] = i;
+  for (std::uint32_t m = 0; m < manifolds.size(); ++m) {
+    const std::uint32_t island = island_of_manifold(manifolds[m]);
+    if (island != kNone) inside_[ranges_[island].manifold_end++] = m;
+  }
+}
+
+IslandView Islands::operator[](std::size_t island) const {
+  const Range& range = ranges_[island];
+  return {std::span(members_).subspan(range.body_begin, range.body_end - range.body_begin),
+          std::span(inside_).subspan(range.manifold_begin, range.manifold_end - range.manifold_begin)};
+}
+
+}  // namespace holdfast::native

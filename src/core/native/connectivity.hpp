@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/native/bodies.hpp"
+#include "core/native/collision/manifold.hpp"
+#include "core/native/island.hpp"
+
+namespace holdfast::native {
+
+/// The islands of a world: bodies that active manifolds join, in the order of their first bodies.
+class Islands {
+ public:
+  /// What a body that is fixed belongs to.
+  static constexpr std::uint32_t kNone = ~0U;
+
+  /// Finds them anew. Views of those before end.
+  void find(const Bodies& bodies, const std::vector<Manifold>& manifolds);
+
+  std::size_t size() const { return ranges_.size(); }
+
+  /// Bodies and manifolds of an island, each in their own order.
+  IslandView operator[](std::size_t island) const;
+
+  /// The island of a body, or `kNone`.
+  std::uint32_t of(std::size_t body) const { return island_of_[body]; }
+
+ private:
+  /// Bodies of one island as a range of `members_`, manifolds inside as a range of `inside_`.
+  struct Range {
+    std::size_t body_begin = 0, body_end = 0;
+    std::size_t manifold_begin = 0, manifold_end = 0;
+  };
+
+  std::vector<Range> ranges_;
+  std::vector<std::uint32_t> members_, inside_;
+  std::vector<std::uint32_t> root_;       ///< a body: another of its island, itself where it stands for it
+  std::vector<std::uint32_t> island_of_;  ///< a body
+};
+
+}  // namespace holdfast::native

@@ -1,0 +1,222 @@
+// Arithmetic of the contacts, once for every instruction set, chosen at run time.
+#include "core/native/solver/contact_kernels.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/native/solver/simd_targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/native/solver/contact_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/native/solver/pack-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace holdfast::native::HWY_NAMESPACE {
+namespace {
+
+/// limit / √square where that shortens, else 1.
+HWY_INLINE Four shrink(const Four& limit, const Four& square) {
+  Four p;
+  const Four::D d;
+  for (std::size_t i = 0; i < Four::kVectors; ++i) {
+    const auto beyond = hn::Gt(square.part[i], hn::Mul(limit.part[i], limit.part[i]));
+    // The square is positive wherever it is beyond the limit; elsewhere 1 keeps 0/0 out.
+    const auto safe = hn::IfThenElse(beyond, square.part[i], hn::Set(d, 1.0));
+    p.part[i] = hn::IfThenElse(beyond, hn::Div(limit.part[i], hn::Sqrt(safe)), hn::Set(d, 1.0));
+  }
+  return p;
+}
+
+/// Velocity of b's surface relative to a's at the points, container frame.
+struct Relative {
+  Four x, y, z;
+};
+HWY_INLINE Relative relative_velocity(const Arms& arms, const double* va, const double* vb) {
+  const auto arm = [](const std::array<Lanes, 3>& from, int i)
+                       HWY_ATTR { return Four::load(from[static_cast<std::size_t>(i)].data()); };
+  const Four ax = arm(arms.a, 0), ay = arm(arms.a, 1), az = arm(arms.a, 2);
+  const Four bx = arm(arms.b, 0), by = arm(arms.b, 1), bz = arm(arms.b, 2);
+  const Four wax = Four::all(va[3]), way = Four::all(va[4]), waz = Four::all(va[5]);
+  const Four wbx = Four::all(vb[3]), wby = Four::all(vb[4]), wbz = Four::all(vb[5]);
+  return {Four::all(vb[0] - va[0]) + (wby * bz - wbz * by) - (way * az - waz * ay),
+          Four::all(vb[1] - va[1]) + (wbz * bx - wbx * bz) - (waz * ax - wax * az),
+          Four::all(vb[2] - va[2]) + (wbx * by - wby * bx) - (wax * ay - way * ax)};
+}
+
+HWY_INLINE Four along(const Relative& v, const std::array<double, 3>& direction) {
+  return Four::all(direction[0]) * v.x + Four::all(direction[1]) * v.y + Four::all(direction[2]) * v.z;
+}
+
+/// Adds the wrench of the forces `f` (along the patch's directions, on b) to b, and its opposite to a.
+HWY_INLINE void add_wrench(const Patch& patch, const Arms& arms, const Four (&f)[3], LaneWrench* wrench) {
+  Four force[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    force[i] = Four::all(patch.directions[0][i]) * f[0] + Four::all(patch.directions[1][i]) * f[1] +
+               Four::all(patch.directions[2][i]) * f[2];
+  }
+  LaneWrench& on_a = wrench[patch.a];
+  LaneWrench& on_b = wrench[patch.b];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    (Four::load(on_a.row[i]) - force[i]).store(on_a.row[i]);
+    (Four::load(on_b.row[i]) + force[i]).store(on_b.row[i]);
+    const Four torque_a = Four::load(arms.a[j].data()) * force[k] - Four::load(arms.a[k].data()) * force[j];
+    const Four torque_b = Four::load(arms.b[j].data()) * force[k] - Four::load(arms.b[k].data()) * force[j];
+    (Four::load(on_a.row[3 + i]) - torque_a).store(on_a.row[3 + i]);
+    (Four::load(on_b.row[3 + i]) + torque_b).store(on_b.row[3 + i]);
+  }
+}
+
+HWY_INLINE Four load(const PatchVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
+
+/// The largest of the lanes.
+HWY_INLINE double largest(const Four& four) {
+  alignas(64) double lane[kLanes];
+  four.store(lane);
+  return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3]));
+}
+
+HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity, double relaxation,
+                             PatchVector* out_u, PatchVector* out_g, PatchVector* out_r) {
+  const Four alpha = Four::all(relaxation);
+  Four worst = Four::all(0.0);
+  Four squares[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
+  for (std::size_t p = 0; p < count; ++p) {
+    const Patch& patch = patches[p];
+    const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
+    const Four resistance[2] = {Four::load(patch.resistance[0].data()), Four::load(patch.resistance[1].data())};
+    const Four compliance[2] = {Four::load(patch.compliance[0].data()), Four::load(patch.compliance[1].data())};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Four u = along(v, patch.directions[i]) + load(patch.allowance, i);
+      const Four z = load(patch.slip, i);
+      const Four mismatch = u - z;
+      const Four r = Four::all(0.0) - alpha * (resistance[i > 0] * mismatch);
+      u.store(out_u[p].row[i].data());
+      r.store(out_r[p].row[i].data());
+      (load(patch.impulse, i) - resistance[i > 0] * z + r).store(out_g[p].row[i].data());
+      // A lane without a point has no slip to compare with.
+      const Four counted = mismatch * (compliance[i > 0] * resistance[i > 0]);
+      worst = max(worst, counted.abs());
+      squares[i] = squares[i] + counted * counted;
+    }
+  }
+  return {largest(worst), total(squares[0] + (squares[1] + squares[2]))};
+}
+
+HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* mid_arms, std::size_t count,
+                             const PatchVector* in_x, const PatchVector* in_u, const NormalBounds* most,
+                             LaneWrench* wrench) {
+  for (std::size_t p = 0; p < count; ++p) {
+    Patch& patch = patches[p];
+    const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
+    const Four friction = Four::all(patch.friction);
+    const Four square = x[1] * x[1] + x[2] * x[2];
+    Four normal = max(x[0], Four::all(0.0));
+    if (projection == Projection::orthogonal) {
+      // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
+      // one.
+      const Four raise = Four::all(1.0 / (1.0 + patch.friction * patch.friction));
+      normal = max(normal, raise * (x[0] + friction * square.sqrt()));
+      if (most != nullptr) normal = min(normal, Four::load(most[p].lane.data()));
+    }
+    const Four share = shrink(friction * normal, square);
+    const Four y[3] = {normal, x[1] * share, x[2] * share};
+    Four f[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Four z = (y[i] - x[i]) * Four::load(patch.compliance[i > 0].data());
+      y[i].store(patch.impulse.row[i].data());
+      z.store(patch.slip.row[i].data());
+      f[i] = y[i] + Four::load(patch.resistance[i > 0].data()) * (z - load(in_u[p], i));
+    }
+    add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], f, wrench);
+  }
+}
+
+HWY_ATTR double dot_kernel(const Patch* patches, std::size_t count, const PatchVector* a, const PatchVector* b) {
+  Four sum[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(patches[p].compliance[i > 0].data());
+  return total(sum[0] + (sum[1] + sum[2]));
+}
+
+HWY_ATTR void take_difference_kernel(std::size_t count, const PatchVector* now, PatchVector* last, PatchVector* step) {
+  for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Four x = load(now[p], i);
+      (x - load(last[p], i)).store(step[p].row[i].data());
+      x.store(last[p].row[i].data());
+    }
+  }
+}
+
+HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<PatchVector>* history, const double* weight,
+                              std::size_t depth, PatchVector* x) {
+  for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Four sum = load(x[p], i);
+      for (std::size_t k = 0; k < depth; ++k) sum = sum - Four::all(weight[k]) * load(history[k].data()[p], i);
+      sum.store(x[p].row[i].data());
+    }
+  }
+}
+
+HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count, LaneWrench* wrench) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const Patch& patch = patches[p];
+    const Four y[3] = {load(patch.impulse, 0), load(patch.impulse, 1), load(patch.impulse, 2)};
+    add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], y, wrench);
+  }
+}
+
+}  // namespace
+}  // namespace holdfast::native::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace holdfast::native {
+
+HWY_EXPORT(aim_kernel);
+HWY_EXPORT(project_kernel);
+HWY_EXPORT(dot_kernel);
+HWY_EXPORT(take_difference_kernel);
+HWY_EXPORT(subtract_kernel);
+HWY_EXPORT(add_impulses_kernel);
+
+Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {
+  return HWY_DYNAMIC_DISPATCH(aim_kernel)(patches.data(), patches.size(), velocity.data(), relaxation, u.data(),
+                                          g.data(), r.data());
+}
+
+void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
+             std::span<LaneWrench> wrench) {
+  HWY_DYNAMIC_DISPATCH(project_kernel)
+  (projection, patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),
+   most.empty() ? nullptr : most.data(), wrench.data());
+}
+
+double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b) {
+  return HWY_DYNAMIC_DISPATCH(dot_kernel)(patches.data(), patches.size(), a.data(), b.data());
+}
+
+void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step) {
+  HWY_DYNAMIC_DISPATCH(take_difference_kernel)(now.size(), now.data(), last.data(), step.data());
+}
+
+void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
+              std::span<PatchVector> x) {
+  HWY_DYNAMIC_DISPATCH(subtract_kernel)(x.size(), history.data(), weight.data(), weight.size(), x.data());
+}
+
+void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench) {
+  HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
+}
+
+}  // namespace holdfast::native
+#endif  // HWY_ONCE

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/native/solver/body_block.hpp"
+#include "core/native/solver/contact_constraint.hpp"
+
+// The inner loops over contacts.
+
+namespace holdfast::native {
+
+/// How far the velocities at the points are from those that go with the impulses, |u − z|.
+struct Mismatch {
+  double largest = 0.0;  ///< of a component, m/s
+  double squares = 0.0;  ///< summed over all components of all points, m²/s²
+};
+
+/// First half of an iteration of the splitting: measures u = J v + allowance and finds where the iteration leads
+/// from x = y − R z, to g = x − α R (u − z).
+/// @param velocity   a body; the last entry, of what is fixed, is zero
+/// @param relaxation α: 1 plain, 1.6 over-relaxed
+/// @param u, g, r    a patch; r = g − x
+Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
+             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
+
+/// How impulses are brought into Coulomb's cone K, |y_t| ≤ μ y_n.
+enum class Projection {
+  /// The normal part is cut at zero, the tangential part at the disc of radius μ y_n: at the fixed point friction
+  /// opposes the slip and the normal velocity is free of it. Not a projection onto a convex set.
+  coulomb,
+  /// To the nearest point of K. Convex, so that the iteration converges to forces that hold the bodies whenever there
+  /// are any; where there are none, the motion that it ends with separates surfaces as they slip, which none does.
+  orthogonal
+};
+
+/// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
+/// J_midᵀ (y + R (z − u)) to `wrench`.
+/// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the patches
+/// @param wrench   a body, added to
+/// @param most     a patch: largest normal impulses, heeded by the orthogonal projection alone; empty: none is bounded
+void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
+             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
+             std::span<LaneWrench> wrench);
+
+/// Σ a b / R over all points: an inner product of impulses.
+double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);
+
+/// step = now − last, last = now.
+void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step);
+
+/// x = x − Σ weight · history.
+void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
+              std::span<PatchVector> x);
+
+/// Adds J_midᵀ y to `wrench`.
+void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
+
+}  // namespace holdfast::native

@@ -1,0 +1,91 @@
+// A few doubles in SIMD vectors, once for every instruction set. Operations go element by element, sums over lanes have
+// a fixed order, and nothing is fused or estimated: the bits are the same on every instruction set.
+
+// Highway has each instruction set include this file again.
+#if defined(HOLDFAST_PACK_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HOLDFAST_PACK_INL
+#undef HOLDFAST_PACK_INL
+#else
+#define HOLDFAST_PACK_INL
+#endif
+
+#include <hwy/highway.h>
+#include <cstddef>
+
+#include "core/native/solver/body_block.hpp"
+#include "core/native/solver/contact_constraint.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace holdfast::native::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A fixed number of doubles, however many vectors they take.
+template <std::size_t kSize>
+struct Pack {
+  using D = hn::CappedTag<double, kSize>;
+  static constexpr std::size_t kWidth = hn::MaxLanes(D());
+  static constexpr std::size_t kVectors = kSize / kWidth;
+  hn::Vec<D> part[kVectors];
+
+  static HWY_INLINE Pack load(const double* from) {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
+    return p;
+  }
+  static HWY_INLINE Pack all(double value) {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
+    return p;
+  }
+  HWY_INLINE void store(double* to) const {
+    for (std::size_t i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
+  }
+
+  template <class Operation>
+  static HWY_INLINE Pack map(const Pack& a, const Pack& b, Operation operation) {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = operation(a.part[i], b.part[i]);
+    return p;
+  }
+  friend HWY_INLINE Pack operator+(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Add(x, y); });
+  }
+  friend HWY_INLINE Pack operator-(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Sub(x, y); });
+  }
+  friend HWY_INLINE Pack operator*(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Mul(x, y); });
+  }
+  friend HWY_INLINE Pack max(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Max(x, y); });
+  }
+  friend HWY_INLINE Pack min(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Min(x, y); });
+  }
+  HWY_INLINE Pack abs() const {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Abs(part[i]);
+    return p;
+  }
+  HWY_INLINE Pack sqrt() const {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Sqrt(part[i]);
+    return p;
+  }
+};
+
+using Four = Pack<kLanes>;
+using Eight = Pack<kPaddedRows>;
+
+/// Sum over the lanes.
+HWY_INLINE double total(const Four& four) {
+  alignas(64) double lane[kLanes];
+  four.store(lane);
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
+}  // namespace holdfast::native::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // HOLDFAST_PACK_INL

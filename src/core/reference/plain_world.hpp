@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "core/engine/engine.hpp"
+#include "core/model/contact_law.hpp"
+#include "core/model/settings.hpp"
+#include "core/model/world.hpp"
+#include "core/reference/plain_contacts.hpp"
+#include "core/reference/plain_solver.hpp"
+
+namespace holdfast::plain {
+
+/// One container with its boxes, moved step by step; everything in the container's frame.
+///
+/// A step (Moreau 1988): contacts are found where the step begins, the field g − a(t) changes the velocities, impulses
+/// change them again so that the laws of contact hold at its end, then positions follow.
+class PlainWorld {
+ public:
+  /// The batch's columns give the poses and velocities at the start. `settings` must outlive the world.
+  PlainWorld(const WorldBatch& batch, const World& world, const Settings& settings);
+
+  /// Takes the next step inside the phase. Returns the time reached, s.
+  double advance(const Phase& phase);
+
+  /// Writes the world's range of the columns.
+  void read_back(StateColumns& state) const;
+
+  const Counters& counters() const { return counters_; }
+
+  /// `not_converged` once the solver has given up in a step with too large a residual.
+  Status status() const { return status_; }
+
+ private:
+  /// A box: what it is, and where.
+  struct Body {
+    Vec3 half_extents;
+    Vec3 centre_of_mass;  ///< offset from the centroid, body axes, m
+    double inverse_mass;  ///< 1/kg; 0: fixed
+    Vec3 inertia;         ///< principal moments, kg m²
+    Surface surface;
+    Vec3 position;  ///< of the centre of mass, m
+    Rotation orientation;
+    Vec3 velocity;
+    Vec3 angular_velocity;
+
+    bool is_fixed() const { return inverse_mass == 0.0; }
+    Block block() const;
+    Mover mover_at_rest() const;
+    /// Radius about the centre of mass that the box lies in, m.
+    double radius() const;
+  };
+  struct Side {
+    HalfSpace half_space;
+    Surface surface;
+    std::vector<double> play;  ///< a box: how far behind its place the side stands for it, m
+  };
+  /// A point where two bodies touch, or will within a step.
+  struct Touch {
+    PointLaw law;
+    double gap;  ///< m
+    double restitution;
+    /// Share of the step until the bodies hit each other, where they do; until then they keep their old velocity.
+    double impact = 0.0;
+  };
+
+  std::vector<Touch> find_touches(double step, double slack) const;
+  Touch touch_at(const ContactPoint& point, std::size_t a, std::size_t b, const Surface& first) const;
+  std::vector<Mover> movers() const;
+  void take_step(double step);
+  bool demand(Touch& touch, const std::vector<Mover>& before, const std::vector<Mover>& unhindered, double step) const;
+  std::vector<double> old_shares(const std::vector<Touch>& touches, const std::vector<Vec3>& impulses,
+                                 const std::vector<Mover>& before, double step) const;
+  void move(Body& body, const Mover& after, double old_share, double step) const;
+  void separate();
+
+  const World& world_;
+  const Settings& settings_;
+  std::vector<Body> bodies_;
+  std::vector<Side> sides_;
+  double time_ = -std::numeric_limits<double>::infinity();  ///< end of the last step, s
+  Vec3 field_ = Vec3::Zero();                               ///< g − a(t), m/s²
+  Counters counters_;
+  Status status_ = Status::ok;
+};
+
+}  // namespace holdfast::plain

@@ -1,0 +1,12 @@
+#include "io/export/csv_field.hpp"
+
+namespace holdfast {
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return field + '"';
+}
+
+}  // namespace holdfast

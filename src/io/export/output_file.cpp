@@ -1,0 +1,46 @@
+#include "io/export/output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace holdfast {
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  errno = 0;
+  stream_.open(path, std::ios::binary | std::ios::trunc);
+  if (!stream_) fail();
+}
+
+void OutputFile::write(std::string_view text) {
+  errno = 0;
+  if (!stream_.write(text.data(), static_cast<std::streamsize>(text.size()))) fail();
+}
+
+void OutputFile::close() {
+  errno = 0;
+  stream_.close();
+  if (!stream_) fail();
+}
+
+void OutputFile::fail() const {
+  throw h5::Failure(Error{.file = path_, .what = "cannot be written", .value = errno != 0 ? std::strerror(errno) : ""});
+}
+
+void make_output_folder(const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw h5::Failure(Error{.file = folder, .what = "cannot be made", .value = failure.message()});
+}
+
+std::string layout_name(const ResultsInfo& info, const WorldRow& row) {
+  const std::uint64_t i = row.layout - info.layout_begin;
+  return i < info.layouts.size() ? info.layouts[i] : std::to_string(row.layout);
+}
+
+std::string acceleration_name(const ResultsInfo& info, const WorldRow& row) {
+  const std::uint64_t i = row.acceleration;
+  return i < info.accelerations.size() ? info.accelerations[i] : std::to_string(i);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_reader.hpp"
+
+namespace holdfast {
+
+/// A text file that is written from its beginning; every failure is thrown as `h5::Failure`. For src/io only.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path);
+  void write(std::string_view text);
+  /// Also reports what went wrong since: a full disk may show only here.
+  void close();
+
+ private:
+  [[noreturn]] void fail() const;
+  std::string path_;
+  std::ofstream stream_;
+};
+
+/// Makes the folder and those above it, where missing.
+void make_output_folder(const std::string& folder);
+
+/// Names of a world's inputs; of a part that lacks the layout, its index.
+std::string layout_name(const ResultsInfo& info, const WorldRow& row);
+std::string acceleration_name(const ResultsInfo& info, const WorldRow& row);
+
+}  // namespace holdfast

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_columns.hpp"
+
+namespace holdfast {
+
+/// Fills a dataset of known length from its beginning to its end, compressing chunk by chunk. For src/io only;
+/// throws `h5::Failure`.
+class TableWriter {
+ public:
+  TableWriter(const h5::File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size = 1);
+
+  /// Adds entries as they are stored.
+  void append(std::span<const std::byte> entries);
+  template <class T>
+  void append_values(const std::vector<T>& values) {
+    assert(dataset_.spec().type == element_type_of<T>() && dataset_.entry_bytes() == sizeof(T));
+    append(std::as_bytes(std::span(values)));
+  }
+
+  /// Writes the last chunk; the dataset must be full.
+  void finish();
+
+ private:
+  void write_pending();
+
+  h5::Dataset dataset_;
+  std::uint64_t written_ = 0;       ///< chunks
+  std::vector<std::byte> pending_;  ///< less than a chunk
+};
+
+/// Writes a whole column as a new dataset.
+void write_column(const h5::File& file, const Column& column);
+
+}  // namespace holdfast

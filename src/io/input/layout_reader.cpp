@@ -1,0 +1,172 @@
+#include "io/input/layout_reader.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/error_list.hpp"
+#include "core/base/number_text.hpp"
+#include "core/model/layout_check.hpp"
+#include "io/input/announced_boxes.hpp"
+#include "io/input/text_lines.hpp"
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::size_t kColumns = 7;
+constexpr const char* kLineFormat = "x1 y1 z1 x2 y2 z2 material";
+constexpr std::array kNames{"x1", "y1", "z1", "x2", "y2", "z2"};
+
+std::optional<int> parse_material(std::string_view text) {
+  const std::optional<long> id = parse_integer(text);
+  if (!id || *id < 0 || *id > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(*id);
+}
+
+/// Whether a line that stands where the header should be is a box: its loss would go unnoticed.
+bool looks_like_box(const std::vector<Field>& fields) {
+  if (fields.size() < kColumns || !parse_material(fields[6].text)) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<double> low = parse_number(fields[axis].text);
+    const std::optional<double> high = parse_number(fields[axis + 3].text);
+    if (!low || !high || *low >= *high) return false;
+  }
+  return true;
+}
+
+class LayoutReader {
+ public:
+  LayoutReader(const TextFile& file, const Settings& settings) : file_(file), settings_(settings), errors_(file.path) {
+    layout_.name = file.name;
+    layout_.sha256 = file.sha256;
+  }
+
+  Result<Layout> read(std::vector<Error>& warnings) {
+    read_lines();
+    if (errors_.empty() && box_count_ == 0)
+      errors_.add({.what = header_line_ == 0 ? "is empty" : "has no boxes",
+                   .accepted = std::string("a layout is a header line, then a line a box: ") + kLineFormat});
+    if (!errors_.empty()) return errors_.take();
+    if (extra_line_ > 0)
+      warnings.push_back({.file = file_.path,
+                          .line = extra_line_,
+                          .column = extra_column_,
+                          .what = "columns after the seventh are ignored, here and in all further lines"});
+    if (announced_)
+      warnings.push_back({.file = file_.path,
+                          .line = header_line_,
+                          .what = "the header announces " + std::to_string(*announced_) + " boxes and the file has " +
+                                  std::to_string(box_count_) + ", as a copy that was cut off would"});
+    std::vector<Error> geometry = check_layout(layout_, settings_, file_.path, warnings);
+    if (!geometry.empty()) return geometry;
+    return std::move(layout_);
+  }
+
+ private:
+  void read_lines() {
+    LineReader lines(file_.text);
+    std::vector<Field> header;
+    std::vector<Field> fields;
+    while (lines.next()) {
+      split_fields(lines.line(), fields);
+      if (fields.empty()) continue;
+      if (box_count_ == kMostBoxes) {
+        errors_.add({.line = lines.number(),
+                     .what = "a box too many",
+                     .accepted = "at most " + std::to_string(kMostBoxes) + " boxes"});
+        return;
+      }
+      if (header_line_ > 0)
+        read_box(lines.number(), fields);
+      else
+        read_header(lines, header = fields);
+    }
+    announced_ = contradicted_count(header, box_count_);
+  }
+
+  void read_header(const LineReader& lines, const std::vector<Field>& fields) {
+    header_line_ = lines.number();
+    const std::string_view header = trimmed(lines.line());
+    if (header.size() > kMostHeaderBytes) {
+      errors_.add({.line = header_line_,
+                   .column = fields[0].column,
+                   .what = "the header is too long",
+                   .value = std::to_string(header.size()) + " bytes",
+                   .accepted = "at most " + std::to_string(kMostHeaderBytes)});
+      return;
+    }
+    layout_.header = header;
+    if (!looks_like_box(fields)) return;
+    errors_.add({.line = header_line_,
+                 .column = fields[0].column,
+                 .what = "the header is missing, the first line is a box",
+                 .value = shown(layout_.header),
+                 .accepted = "the first line is a header of numbers, such as the seed and the number of boxes"});
+  }
+
+  void read_box(long line, const std::vector<Field>& fields) {
+    ++box_count_;
+    if (fields.size() < kColumns) {
+      errors_.add({.line = line,
+                   .column = fields[0].column,
+                   .what = "box " + std::to_string(box_count_) + " has too few columns",
+                   .value = std::to_string(fields.size()),
+                   .accepted = std::string("the seven columns are ") + kLineFormat});
+      return;
+    }
+    if (fields.size() > kColumns && extra_line_ == 0) {
+      extra_line_ = line;
+      extra_column_ = fields[kColumns].column;
+    }
+    std::array<double, 6> corner{};
+    bool good = true;
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+      const std::optional<double> number = parse_number(fields[i].text);
+      if (!number)
+        good = refuse(line, fields[i], kNames[i], "not a number", "a finite number of cm such as 80 or 12.5");
+      else if (std::abs(*number) > kFarthestCorner)
+        good = refuse(line, fields[i], kNames[i], "too far away", "a number of cm from -1000000 to 1000000");
+      else
+        corner[i] = *number / 100.0;
+    }
+    const std::optional<int> material = parse_material(fields[6].text);
+    if (!material) good = refuse(line, fields[6], "the material", "not an id", "a whole number from 0 to 2147483647");
+    if (good) layout_.boxes.push_back(make_box(corner, *material, line));
+  }
+
+  /// Always false: the box cannot be used.
+  bool refuse(long line, const Field& field, const char* name, const char* fault, const char* accepted) {
+    errors_.add({.line = line,
+                 .column = field.column,
+                 .what = std::string(name) + " of box " + std::to_string(box_count_) + " is " + fault,
+                 .value = shown(field.text),
+                 .accepted = accepted});
+    return false;
+  }
+
+  Box make_box(const std::array<double, 6>& c, int material, long line) const {
+    if (settings_.up_axis == UpAxis::z) return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, material, line};
+    const double width = settings_.container.size.y();
+    return {{c[0], width - c[5], c[1]}, {c[3], width - c[2], c[4]}, material, line};
+  }
+
+  const TextFile& file_;
+  const Settings& settings_;
+  ErrorList errors_;
+  Layout layout_;
+  long header_line_ = 0;
+  std::size_t box_count_ = 0;  ///< box lines so far, good or bad
+  long extra_line_ = 0;        ///< first line with an eighth column
+  long extra_column_ = 0;
+  std::optional<std::size_t> announced_;  ///< boxes by the header, where there are not so many
+};
+
+}  // namespace
+
+Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings) {
+  return LayoutReader(file, settings).read(warnings);
+}
+
+}  // namespace holdfast

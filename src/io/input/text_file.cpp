@@ -1,0 +1,71 @@
+#define OPENSSL_API_COMPAT 0x10100000L  // SHA256_Init and the like are of that age
+
+#include "io/input/text_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <openssl/sha.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <span>
+
+#include "io/input/regular_file.hpp"
+#include "io/results/durable_file.hpp"
+
+namespace holdfast {
+
+namespace {
+
+Error cannot_be_read(const std::string& path) {
+  return {.file = path, .what = "cannot be read", .value = std::strerror(errno)};
+}
+
+}  // namespace
+
+Result<TextFile> read_text_file(const std::string& path) {
+  // Without waiting: the opening of a pipe would wait for its writer.
+  const Descriptor input(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (input.number < 0) return cannot_be_read(path);
+  struct stat status = {};
+  if (::fstat(input.number, &status) != 0) return cannot_be_read(path);
+  if (const auto error = why_no_regular_file(path, status.st_mode)) return *error;
+  TextFile file;
+  file.path = path;
+  file.name = std::filesystem::path(path).filename().string();
+  // Block by block, whatever size the system tells: some files of the kernel tell none.
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
+  for (std::size_t size = 0; size <= kMostTextBytes;) {
+    file.text.resize(size + kBlock);
+    const ssize_t count = ::read(input.number, file.text.data() + size, kBlock);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return cannot_be_read(path);
+    size += static_cast<std::size_t>(count);
+    file.text.resize(size);
+    if (count == 0) break;
+  }
+  if (file.text.size() > kMostTextBytes) {
+    return Error{.file = path,
+                 .what = "is too large for an input file",
+                 .accepted = fmt::format("at most {} MiB", kMostTextBytes >> 20U)};
+  }
+  file.sha256 = sha256_of(file.text);
+  return file;
+}
+
+std::string sha256_of(std::string_view bytes) {
+  // OpenSSL 3's own way looks for a provider of this hash first, and takes longer for that than for hashing a layout.
+  SHA256_CTX context;
+  SHA256_Init(&context);
+  SHA256_Update(&context, bytes.data(), bytes.size());
+  unsigned char digest[SHA256_DIGEST_LENGTH];
+  SHA256_Final(digest, &context);
+  std::string text;
+  for (const unsigned char byte : std::span(digest)) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+}  // namespace holdfast

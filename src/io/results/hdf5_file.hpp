@@ -1,0 +1,206 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "io/results/hdf5_disk.hpp"
+#include "io/results/results_schema.hpp"
+
+/// HDF5's C interface with owners and errors: what the results file needs of it. Inside src/io only; `Failure`
+/// never leaves that folder.
+namespace holdfast::h5 {
+
+/// Thrown where a call of HDF5 or of the file system failed.
+class Failure : public std::exception {
+ public:
+  explicit Failure(Error error) : error_(std::move(error)), text_(error_.message()) {}
+  const Error& error() const { return error_; }
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  Error error_;
+  std::string text_;
+};
+
+/// Runs `work` and returns the error that it threw, if any; for the public functions.
+template <class Work>
+std::optional<Error> caught(const std::string& path, Work&& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const Failure& failure) {
+    return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
+  } catch (const std::exception& exception) {
+    return Error{.file = path, .what = exception.what()};
+  }
+}
+
+/// The same for work with a value.
+template <class Work>
+auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work())> {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    return failure.error();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(path);
+  } catch (const std::exception& exception) {
+    return Error{.file = path, .what = exception.what()};
+  }
+}
+
+/// Runs `work`; a failure of it that has no cure yet gets one.
+template <class Work>
+auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    Error error = failure.error();
+    if (error.accepted.empty()) error.accepted = cure;
+    throw Failure(std::move(error));
+  }
+}
+
+/// Keeps HDF5 from printing its error stack, which it does unless told not to, thread by thread.
+void be_quiet();
+
+/// Owner of an HDF5 identifier.
+class Id {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Id() = default;
+  Id(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+  Id(Id&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(other.closer_) {}
+  Id& operator=(Id&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(closer_, other.closer_);
+    return *this;
+  }
+  ~Id() { close(); }
+  /// False when HDF5 could not close it, for instance because the disk is full.
+  bool close() { return id_ < 0 || closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Closer closer_ = nullptr;
+};
+
+/// An open HDF5 file.
+class File {
+ public:
+  File(File&&) = default;
+
+  /// A new file on disk; one of that name is replaced.
+  static File create(const std::string& path);
+  /// A new file that lives in memory; `path` is for messages.
+  static File create_in_memory(const std::string& path);
+  /// An existing file, to read.
+  static File open(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  hid_t id() const { return id_; }
+
+  /// All bytes of a file in memory, as they would be on disk.
+  std::vector<std::byte> image();
+  /// Writes what is left to write and closes the file. Every dataset of it must be closed before.
+  void close();
+
+  /// Fails when something could not be written to disk so far.
+  void check_disk(const std::string& what) const;
+  /// A failure that names the file and what HDF5 said last.
+  [[noreturn]] void fail(const std::string& what) const;
+  /// Fails when HDF5 returned a negative number; passes it on otherwise.
+  hid_t check(hid_t id, const std::string& what) const {
+    if (id < 0) fail(what);
+    return id;
+  }
+
+ private:
+  File(std::string path, hid_t id) : path_(std::move(path)), id_(id, H5Fclose) {}
+  std::string path_;
+  std::unique_ptr<DiskState> disk_;  ///< of a file made on disk
+  Id id_;
+};
+
+/// Makes a group and those above it.
+void make_group(const File& file, const std::string& path);
+bool exists(const File& file, const std::string& path);
+
+void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text);
+/// The same where the object is open already; `object` names it in messages.
+void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
+                     std::string_view text);
+void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value);
+void write_attribute(const File& file, const std::string& object, const std::string& name, double value);
+std::string read_text_attribute(const File& file, const std::string& object, const std::string& name);
+std::uint64_t read_count_attribute(const File& file, const std::string& object, const std::string& name);
+double read_number_attribute(const File& file, const std::string& object, const std::string& name);
+
+/// A single text as a dataset, for texts that are pages long.
+void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description);
+std::string read_text(const File& file, const std::string& path);
+
+/// Where the compressed bytes of a chunk are in their file.
+struct ChunkPlace {
+  std::uint64_t begin = 0;
+  std::uint64_t bytes = 0;
+};
+
+/// An open dataset of the schema. Its file must outlive it.
+class Dataset {
+ public:
+  /// A new dataset of `length` entries, with its attributes.
+  /// @param text_size bytes of an entry of a text column, else ignored
+  static Dataset create(const File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size);
+  /// An existing one; fails when type or shape are not those of the schema.
+  static Dataset open(const File& file, const DatasetSpec& spec);
+
+  const DatasetSpec& spec() const { return *spec_; }
+  std::uint64_t length() const { return length_; }
+  std::size_t entry_bytes() const { return number_bytes_ * spec_->width; }
+  /// Bytes of a number, or of a text.
+  std::size_t number_bytes() const { return number_bytes_; }
+  std::uint64_t chunk_entries() const { return chunk_entries_; }
+
+  /// Entries [begin, begin + count), as they are stored.
+  std::vector<std::byte> read(std::uint64_t begin, std::uint64_t count) const;
+  /// Lengthens a long dataset; never shorter.
+  void extend(std::uint64_t length);
+  /// True for a new one so short that it is not cut into chunks: `write_whole` fills it.
+  bool whole() const { return whole_; }
+  /// All entries, as they are stored.
+  void write_whole(std::span<const std::byte> bytes);
+  /// Compressed bytes of a whole chunk.
+  void write_chunk(std::uint64_t index, std::span<const std::byte> bytes);
+  /// Where a chunk of a long dataset is; fails when it is not as `write_chunk` wrote it.
+  ChunkPlace chunk_place(std::uint64_t index) const;
+
+ private:
+  Dataset(const File& file, const DatasetSpec& spec) : file_(&file), spec_(&spec) {}
+  [[noreturn]] void fail(const std::string& what) const;
+
+  const File* file_;
+  const DatasetSpec* spec_;
+  Id id_;
+  std::uint64_t length_ = 0;
+  std::size_t number_bytes_ = 0;
+  std::uint64_t chunk_entries_ = 0;
+  bool whole_ = false;
+};
+
+}  // namespace holdfast::h5

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_columns.hpp"
+#include "io/results/run_description.hpp"
+
+/// The parts of the file that are not results. For src/io only; throws `h5::Failure`.
+namespace holdfast {
+
+/// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
+void write_run(const h5::File& file, const RunDescription& run);
+
+/// /inputs/layout_hashes: what all layouts of the run were when it began, in its first part alone. Those that the
+/// run has come to are in /inputs/layouts as well.
+void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes);
+std::vector<std::string> read_layout_hashes(const h5::File& file);
+
+/// Thresholds and their units as attributes of /summary.
+void write_thresholds(const h5::File& file, const Thresholds& thresholds);
+Thresholds read_thresholds(const h5::File& file);
+
+/// Adds all accelerations to /inputs/accelerations.
+void append_accelerations(ColumnSet& columns, const std::vector<Motion>& accelerations);
+
+/// Adds a layout to /inputs/layouts.
+/// @param box_begin index of its first box in the run
+void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_begin);
+
+}  // namespace holdfast

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/engine/world_record.hpp"
+#include "core/model/verdict.hpp"
+
+namespace holdfast {
+
+/// What a results file says about its run.
+struct ResultsInfo {
+  std::string path;  ///< as it was opened, for messages
+  std::string software;
+  std::string git_commit;
+  std::string engine;
+  std::string command_line;
+  std::string created_utc;
+  std::string host;
+  std::string fingerprint;
+  bool complete = false;           ///< false for a part
+  Thresholds thresholds;           ///< by which its summary is judged
+  std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
+  std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
+  std::uint64_t world_count = 0;
+  std::uint64_t box_count = 0;
+  std::vector<std::string> layouts;        ///< names, from `layout_begin` on
+  std::vector<std::string> accelerations;  ///< names
+};
+
+/// One row of /worlds. What begins where counts in the file, of a part too.
+struct WorldRow {
+  std::uint64_t layout = 0;
+  std::uint64_t acceleration = 0;
+  Status status = Status::ok;
+  std::string status_text;
+  StopReason stop_reason = StopReason::not_run;
+  std::uint64_t box_begin = 0;
+  std::uint32_t box_count = 0;
+  std::uint64_t sample_begin = 0;
+  std::uint32_t sample_count = 0;
+  std::uint64_t row_begin = 0;
+  double end_time = 0.0;
+  std::uint64_t steps = 0;
+  std::uint64_t steps_skipped = 0;
+  std::uint64_t solve_iterations = 0;
+  double max_residual = 0.0;
+  double max_penetration = 0.0;
+  double peak_total_kinetic_energy = 0.0;
+  double cpu_seconds = 0.0;
+  std::uint64_t state_hash = 0;
+  std::string engine;
+};
+
+namespace h5 {
+class File;
+}
+
+/// Reads a results file, or a single part of one. Used by one thread at a time.
+class ResultsReader {
+ public:
+  /// An error when the file cannot be opened, is not a results file, or is of a later format.
+  static Result<ResultsReader> open(const std::string& path);
+
+  /// Reads a file that is still being written; `file` must outlive the reader. For src/io only.
+  static Result<ResultsReader> attach(const h5::File& file);
+
+  ResultsReader(ResultsReader&&) noexcept;
+  ResultsReader& operator=(ResultsReader&&) noexcept;
+  ~ResultsReader();
+
+  const ResultsInfo& info() const;
+
+  /// Rows [begin, begin + count) of /worlds.
+  Result<std::vector<WorldRow>> worlds(std::uint64_t begin, std::uint64_t count);
+
+  /// Rows [begin, begin + count) of /boxes: what the boxes are, and how they ended.
+  Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);
+  Result<EndTable> ends(std::uint64_t begin, std::uint64_t count);
+
+  /// The series of a world; empty when not recorded.
+  Result<Series> series(const WorldRow& world);
+
+  /// Of a world's series, time and displacement only.
+  Result<Series> path_of(const WorldRow& world);
+
+ private:
+  struct State;
+  explicit ResultsReader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,115 @@
+#include "io/results/results_resume.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_columns.hpp"
+#include "io/results/results_inputs.hpp"
+#include "io/results/results_part.hpp"
+#include "io/results/results_reader.hpp"
+#include "io/results/run_description.hpp"
+
+namespace holdfast {
+
+namespace {
+
+std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
+  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
+  return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
+}
+
+void add_counts(const PartRange& range, Progress& progress) {
+  progress.world_count = at(range.end, Axis::worlds);
+  progress.box_count = at(range.end, Axis::boxes);
+  progress.sample_count = at(range.end, Axis::samples);
+  progress.row_count = at(range.end, Axis::rows);
+  progress.layout_count = at(range.end, Axis::layouts);
+  progress.layout_box_count = at(range.end, Axis::layout_boxes);
+}
+
+/// Those of all layouts from the first part; what a part says of its own must be the same.
+void take_hashes(const h5::File& part, const PartRange& range, Progress& progress) {
+  if (progress.part_count == 1) progress.layout_hashes = read_layout_hashes(part);
+  const std::vector<std::string>& all = progress.layout_hashes;
+  const std::vector<std::string> own = read_texts(part, "/inputs/layouts/sha256");
+  const std::uint64_t begin = at(range.begin, Axis::layouts);
+  if (begin > all.size() || own.size() > all.size() - begin ||
+      !std::equal(own.begin(), own.end(), all.begin() + static_cast<std::ptrdiff_t>(begin)))
+    throw h5::Failure(Error{.file = part.path(), .what = "is damaged: its layouts are not those of the run"});
+}
+
+Progress progress_of_finished_file(const std::string& path, const std::string& fingerprint) {
+  const h5::File file = h5::File::open(path);
+  check_same_run(file, fingerprint);
+  Progress progress{.complete = true};
+  add_counts(read_range(file), progress);
+  progress.layout_hashes = read_texts(file, "/inputs/layouts/sha256");
+  return progress;
+}
+
+WorldRecord record_of(const WorldRow& row, EndTable&& end) {
+  WorldRecord world;
+  world.layout = row.layout;
+  world.acceleration = row.acceleration;
+  world.outcome.status = row.status;
+  world.outcome.stop_reason = row.stop_reason;
+  world.outcome.end_time = row.end_time;
+  world.outcome.counters = {row.steps, row.steps_skipped, row.solve_iterations, row.max_residual, row.max_penetration};
+  world.status_text = row.status_text;
+  world.cpu_seconds = row.cpu_seconds;
+  world.peak_total_kinetic_energy = row.peak_total_kinetic_energy;
+  world.state_hash = row.state_hash;
+  world.end = std::move(end);
+  return world;
+}
+
+void visit_file(const std::string& path, const std::function<void(const WorldRecord&)>& visit) {
+  Result<ResultsReader> results = ResultsReader::open(path);
+  if (!results) throw h5::Failure(results.error());
+  constexpr std::uint64_t kSlice = 1024;
+  const std::uint64_t count = results->info().world_count;
+  for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
+    const auto rows = results->worlds(begin, std::min(kSlice, count - begin));
+    if (!rows) throw h5::Failure(rows.error());
+    for (const WorldRow& row : *rows) {
+      Result<EndTable> end = results->ends(row.box_begin, row.box_count);
+      if (!end) throw h5::Failure(end.error());
+      visit(record_of(row, std::move(*end)));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
+                                    const std::function<void(const WorldRecord&)>& visit) {
+  return h5::caught(path, [&] {
+    if (progress.complete) return visit_file(path, visit);
+    for (std::uint64_t part = 1; part <= progress.part_count; ++part)
+      h5::with_cure(kCureOfPart, [&] { visit_file(part_path(path, part), visit); });
+  });
+}
+
+Result<Progress> find_finished(const std::string& path, const std::string& fingerprint) {
+  return h5::caught_result(path, [&] {
+    remove_temporaries(path);
+    if (std::filesystem::exists(path)) {
+      Progress progress =
+          h5::with_cure("--overwrite starts anew", [&] { return progress_of_finished_file(path, fingerprint); });
+      remove_parts(path);  // a run that was killed after assembling did not come to it
+      return progress;
+    }
+    Progress progress;
+    for (const PartRange& range : check_parts(path, fingerprint)) {
+      add_counts(range, progress);
+      ++progress.part_count;
+      h5::with_cure(kCureOfPart,
+                    [&] { take_hashes(h5::File::open(part_path(path, progress.part_count)), range, progress); });
+    }
+    return progress;
+  });
+}
+
+}  // namespace holdfast

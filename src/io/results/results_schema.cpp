@@ -1,0 +1,192 @@
+#include "io/results/results_schema.hpp"
+
+#include <cassert>
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
+    // inputs
+    {"/inputs/layouts/name", ElementType::text, 1, Axis::layouts, "none", "file name of the layout"},
+    {"/inputs/layouts/sha256", ElementType::text, 1, Axis::layouts, "none",
+     "SHA-256 of the layout file's bytes, hexadecimal"},
+    {"/inputs/layouts/header", ElementType::text, 1, Axis::layouts, "none",
+     "first line of the layout file, not interpreted"},
+    {"/inputs/layouts/box_begin", ElementType::u64, 1, Axis::layouts, "1",
+     "first box of the layout: row of corner_min, corner_max and material"},
+    {"/inputs/layouts/box_count", ElementType::u32, 1, Axis::layouts, "1",
+     "boxes of the layout; 0 when it could not be used"},
+    {"/inputs/layouts/corner_min", ElementType::f64, 3, Axis::layout_boxes, "m",
+     "corner of the box with the smallest x, y, z as loaded, container frame (z up)"},
+    {"/inputs/layouts/corner_max", ElementType::f64, 3, Axis::layout_boxes, "m",
+     "corner of the box with the largest x, y, z as loaded"},
+    {"/inputs/layouts/material", ElementType::i32, 1, Axis::layout_boxes, "1",
+     "material id of the box in the layout file"},
+    {"/inputs/accelerations/name", ElementType::text, 1, Axis::accelerations, "none", "file name of the acceleration"},
+    {"/inputs/accelerations/sha256", ElementType::text, 1, Axis::accelerations, "none",
+     "SHA-256 of the acceleration file's bytes, hexadecimal"},
+    {"/inputs/accelerations/segment_begin", ElementType::u64, 1, Axis::accelerations, "1",
+     "first segment: row of start, duration and value"},
+    {"/inputs/accelerations/segment_count", ElementType::u32, 1, Axis::accelerations, "1",
+     "segments of the acceleration; 0 when it could not be used"},
+    {"/inputs/accelerations/start", ElementType::f64, 1, Axis::segments, "s", "start of the segment"},
+    {"/inputs/accelerations/duration", ElementType::f64, 1, Axis::segments, "s", "duration of the segment"},
+    {"/inputs/accelerations/value", ElementType::f64, 3, Axis::segments, "m/s2",
+     "acceleration of the container x, y, z in the segment; zero outside all segments"},
+    // worlds: a row a (layout, acceleration) pair
+    {"/worlds/layout", ElementType::u64, 1, Axis::worlds, "1", "index of the layout: row of /inputs/layouts"},
+    {"/worlds/acceleration", ElementType::u64, 1, Axis::worlds, "1",
+     "index of the acceleration: row of /inputs/accelerations"},
+    {"/worlds/status", ElementType::u32, 1, Axis::worlds, "1",
+     "what went wrong, a bit a cause; 0 is well; the bits are listed in docs/results_file.md"},
+    {"/worlds/status_text", ElementType::text, 1, Axis::worlds, "none", "a sentence where the status is not 0"},
+    {"/worlds/stop_reason", ElementType::u8, 1, Axis::worlds, "1",
+     "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed"},
+    {"/worlds/box_begin", ElementType::u64, 1, Axis::worlds, "1",
+     "first box of the world: row of /boxes and /summary/boxes"},
+    {"/worlds/box_count", ElementType::u32, 1, Axis::worlds, "1", "boxes of the world; 0 when it was not run"},
+    {"/worlds/sample_begin", ElementType::u64, 1, Axis::worlds, "1",
+     "first sample of the world: entry of /series/time and its like"},
+    {"/worlds/sample_count", ElementType::u32, 1, Axis::worlds, "1", "samples of the world; 0 without series"},
+    {"/worlds/row_begin", ElementType::u64, 1, Axis::worlds, "1",
+     "first row of the world in /series/displacement and its like: row = row_begin + sample * box_count + box"},
+    {"/worlds/end_time", ElementType::f64, 1, Axis::worlds, "s", "simulated time at which the world ended"},
+    {"/worlds/steps", ElementType::u64, 1, Axis::worlds, "1", "steps that the simulated time was cut into"},
+    {"/worlds/steps_skipped", ElementType::u64, 1, Axis::worlds, "1",
+     "of these, the ones proved to change nothing and not computed"},
+    {"/worlds/solve_iterations", ElementType::u64, 1, Axis::worlds, "1",
+     "iterations of the contact solver over all steps"},
+    {"/worlds/max_residual", ElementType::f64, 1, Axis::worlds, "1",
+     "largest change of a contact's velocity in the last iteration of a step; worst step. In units of what the pull "
+     "adds in the step: |g - a| (native; m/s where that is zero), or g (others; 0 without gravity), times the step"},
+    {"/worlds/max_penetration", ElementType::f64, 1, Axis::worlds, "m",
+     "deepest that a box was inside another or a side, over all steps; 0 where the engine does not measure it"},
+    {"/worlds/peak_total_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",
+     "largest kinetic energy of all boxes together, over all steps"},
+    {"/worlds/cpu_seconds", ElementType::f64, 1, Axis::worlds, "s", "processor time to build and simulate the world"},
+    {"/worlds/state_hash", ElementType::u64, 1, Axis::worlds, "1",
+     "hash of the bits of the final state: equal hashes, equal results"},
+    {"/worlds/engine", ElementType::text, 1, Axis::worlds, "none", "name of the engine"},
+    // boxes: a row a box, world after world
+    {"/boxes/world", ElementType::u64, 1, Axis::boxes, "1", "world of the box: row of /worlds"},
+    {"/boxes/id", ElementType::u32, 1, Axis::boxes, "1", "place among the boxes of the layout file, from 1"},
+    {"/boxes/material", ElementType::i32, 1, Axis::boxes, "1", "material id of the layout file"},
+    {"/boxes/mass", ElementType::f32, 1, Axis::boxes, "kg", "mass"},
+    {"/boxes/size", ElementType::f32, 3, Axis::boxes, "m", "edge lengths along x, y, z as loaded"},
+    {"/boxes/initial_position", ElementType::f32, 3, Axis::boxes, "m",
+     "centre of mass as loaded, container frame (z up)"},
+    {"/boxes/end_displacement", ElementType::f32, 3, Axis::boxes, "m",
+     "displacement x, y, z of the centre of mass from the reference pose, at the end"},
+    {"/boxes/end_tilt", ElementType::f32, 1, Axis::boxes, "degree",
+     "angle of the rotation from the reference pose, at the end"},
+    {"/boxes/end_kinetic_energy", ElementType::f32, 1, Axis::boxes, "J",
+     "kinetic energy in the container's frame, at the end"},
+    {"/boxes/peak_displacement", ElementType::f32, 1, Axis::boxes, "m",
+     "largest length of the displacement, over all steps"},
+    {"/boxes/peak_kinetic_energy", ElementType::f32, 1, Axis::boxes, "J", "largest kinetic energy, over all steps"},
+    {"/boxes/settling_displacement", ElementType::f32, 3, Axis::boxes, "m",
+     "displacement x, y, z while settling under gravity alone, before t = 0"},
+    // series: world after world; inside a world sample after sample, box after box
+    {"/series/time", ElementType::f64, 1, Axis::samples, "s", "time of the sample"},
+    {"/series/container_acceleration", ElementType::f32, 3, Axis::samples, "m/s2",
+     "acceleration of the container; at a breakpoint the value before it"},
+    {"/series/total_kinetic_energy", ElementType::f32, 1, Axis::samples, "J", "kinetic energy of all boxes together"},
+    {"/series/fallen_count", ElementType::u32, 1, Axis::samples, "1",
+     "boxes lower than in the reference pose by more than the drop threshold of the run"},
+    {"/series/displacement", ElementType::f32, 3, Axis::rows, "m",
+     "displacement x, y, z of the centre of mass from the reference pose"},
+    {"/series/orientation", ElementType::f32, 4, Axis::rows, "1",
+     "unit quaternion w, x, y, z that rotates from the box's axes to the container's"},
+    {"/series/angular_velocity", ElementType::f32, 3, Axis::rows, "rad/s", "angular velocity x, y, z"},
+    {"/series/linear_acceleration", ElementType::f32, 3, Axis::rows, "m/s2",
+     "acceleration x, y, z in the container, mean over the last step"},
+    {"/series/force", ElementType::f32, 3, Axis::rows, "N",
+     "external force x, y, z: minus mass times the container's acceleration; zero in a free container"},
+    {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
+    // summary: derived from the tables above, by the thresholds in the attributes of /summary
+    {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
+     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed",
+     Origin::derived},
+    {"/summary/worlds/fallen_boxes", ElementType::u32, 1, Axis::worlds, "1", "boxes that had fallen at the end",
+     Origin::derived},
+    {"/summary/worlds/unstable_boxes", ElementType::u32, 1, Axis::worlds, "1",
+     "boxes that fell or moved while settling, before any acceleration", Origin::derived},
+    {"/summary/worlds/moved_boxes", ElementType::u32, 1, Axis::worlds, "1",
+     "boxes displaced by more than the move threshold at the end", Origin::derived},
+    {"/summary/worlds/tilted_boxes", ElementType::u32, 1, Axis::worlds, "1",
+     "boxes rotated by more than the tilt threshold at the end", Origin::derived},
+    {"/summary/worlds/total_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",
+     "kinetic energy of all boxes together at the end", Origin::derived},
+    {"/summary/worlds/peak_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",
+     "largest kinetic energy of all boxes together, over all steps", Origin::derived},
+    {"/summary/worlds/max_displacement", ElementType::f32, 1, Axis::worlds, "m",
+     "largest displacement of a box at the end", Origin::derived},
+    {"/summary/worlds/peak_displacement", ElementType::f32, 1, Axis::worlds, "m",
+     "largest displacement of a box, over all steps", Origin::derived},
+    {"/summary/boxes/displacement", ElementType::f32, 3, Axis::boxes, "m",
+     "displacement x, y, z of the centre of mass at the end", Origin::derived},
+    {"/summary/boxes/max_displacement", ElementType::f32, 1, Axis::boxes, "m",
+     "largest length of the displacement, over all steps", Origin::derived},
+    {"/summary/boxes/drop", ElementType::f32, 1, Axis::boxes, "m",
+     "by how much the centre of mass is lower at the end; negative: higher", Origin::derived},
+    {"/summary/boxes/tilt", ElementType::f32, 1, Axis::boxes, "degree", "angle of the rotation at the end",
+     Origin::derived},
+    {"/summary/boxes/kinetic_energy", ElementType::f32, 1, Axis::boxes, "J", "kinetic energy at the end",
+     Origin::derived},
+    {"/summary/boxes/peak_kinetic_energy", ElementType::f32, 1, Axis::boxes, "J",
+     "largest kinetic energy, over all steps", Origin::derived},
+    {"/summary/boxes/fallen", ElementType::u8, 1, Axis::boxes, "1", "1 when drop exceeds the drop threshold, else 0",
+     Origin::derived},
+    {"/summary/boxes/moved", ElementType::u8, 1, Axis::boxes, "1",
+     "1 when the displacement at the end is longer than the move threshold, else 0", Origin::derived},
+    {"/summary/boxes/tilted", ElementType::u8, 1, Axis::boxes, "1", "1 when tilt exceeds the tilt threshold, else 0",
+     Origin::derived},
+    {"/summary/boxes/unstable", ElementType::u8, 1, Axis::boxes, "1",
+     "1 when the box fell or moved while settling, else 0", Origin::derived},
+    {"/summary/boxes/first_move_time", ElementType::f32, 1, Axis::boxes, "s",
+     "time of the first sample with a displacement longer than the move threshold; NaN when never, or without series",
+     Origin::derived},
+}};
+
+}  // namespace
+
+constexpr std::array<DatasetSpec, kDatasetCount> kSchema = kTable;
+
+std::string_view to_string(Axis axis) {
+  constexpr std::array<std::string_view, kAxisCount> kNames = {"worlds",  "boxes",        "samples",       "rows",
+                                                               "layouts", "layout_boxes", "accelerations", "segments"};
+  return kNames.at(static_cast<std::size_t>(axis));
+}
+
+std::size_t size_of(ElementType type) {
+  constexpr std::array<std::size_t, 7> kSizes = {1, 4, 8, 4, 4, 8, 0};
+  return kSizes.at(static_cast<std::size_t>(type));
+}
+
+std::string_view to_string(ElementType type) {
+  constexpr std::array<std::string_view, 7> kNames = {"uint8",   "uint32",  "uint64", "int32",
+                                                      "float32", "float64", "text"};
+  return kNames.at(static_cast<std::size_t>(type));
+}
+
+std::size_t dataset_index(std::string_view path) {
+  for (std::size_t i = 0; i < kSchema.size(); ++i)
+    if (kSchema[i].path == path) return i;
+  assert(false && "a path of the schema");
+  return 0;
+}
+
+const std::array<std::size_t, kLongDatasets>& long_datasets() {
+  static const std::array<std::size_t, kLongDatasets> kPlaces = [] {
+    std::array<std::size_t, kLongDatasets> places{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kSchema.size(); ++i)
+      if (is_long(kSchema[i])) places.at(count++) = i;
+    assert(count == kLongDatasets);
+    return places;
+  }();
+  return kPlaces;
+}
+
+}  // namespace holdfast

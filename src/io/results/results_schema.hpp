@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "core/base/vector.hpp"
+#include "core/engine/world_record.hpp"
+#include "core/model/status.hpp"
+
+namespace holdfast {
+
+/// What the entries of a dataset stand for, one each. All datasets of an axis have the same length.
+enum class Axis : std::uint8_t {
+  worlds,
+  boxes,
+  samples,
+  rows,
+  layouts,
+  layout_boxes,
+  accelerations,
+  segments,
+};
+inline constexpr std::size_t kAxisCount = 8;
+
+/// Name of the axis as above.
+std::string_view to_string(Axis axis);
+
+/// The axes that grow with boxes and samples, not with worlds and layouts alone.
+inline constexpr std::array<Axis, 4> kLongAxes = {Axis::boxes, Axis::samples, Axis::rows, Axis::layout_boxes};
+
+/// A number an axis.
+using AxisCounts = std::array<std::uint64_t, kAxisCount>;
+inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
+inline std::uint64_t at(const AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
+
+/// Type of the numbers of a dataset. Text is UTF-8 of fixed length, as long as the longest value needs, padded with
+/// zero bytes.
+enum class ElementType : std::uint8_t { u8, u32, u64, i32, f32, f64, text };
+
+/// Size of one number, bytes; 0 for text, whose length varies from file to file.
+std::size_t size_of(ElementType type);
+
+/// Name as in numpy: "float32"; "text".
+std::string_view to_string(ElementType type);
+
+/// Where a dataset comes from: what was simulated, or a judgement of that by thresholds.
+enum class Origin : std::uint8_t { recorded, derived };
+
+/// One dataset of the results file.
+struct DatasetSpec {
+  std::string_view path;
+  ElementType type;
+  std::size_t width;  ///< numbers an entry: 1, or the length of the second dimension
+  Axis axis;
+  std::string_view units;  ///< "1": a number without unit; "none": text
+  std::string_view description;
+  Origin origin = Origin::recorded;
+};
+
+/// Entries a chunk of a long axis holds: 64 KiB of one float32 column of a series, 192 KiB of a vector. Less of the
+/// boxes, for every part repeats what is in its first chunks.
+constexpr std::uint64_t chunk_entries(Axis axis) { return axis == Axis::samples || axis == Axis::rows ? 16384 : 4096; }
+
+/// Start of the chunk that an entry of a long axis lies in.
+constexpr std::uint64_t chunk_begin(Axis axis, std::uint64_t entry) { return entry - entry % chunk_entries(axis); }
+
+/// Most bytes of a chunk of any other dataset.
+inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
+
+/// A dataset of worlds or the like with no more bytes is stored as it is: a chunk and its index take more.
+inline constexpr std::size_t kWholeTableBytes = 1024;
+
+/// Version of the layout of the file; raised when a reader of the old layout would go wrong.
+inline constexpr std::uint64_t kFormatVersion = 1;
+inline constexpr std::string_view kFormatName = "holdfast results";
+
+/// Number of datasets in the schema.
+inline constexpr std::size_t kDatasetCount = 77;
+
+/// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
+/// docs/results_file.md and the tests all go by this table.
+extern const std::array<DatasetSpec, kDatasetCount> kSchema;
+
+/// Place of a dataset in `kSchema`; the path must be one of the table.
+std::size_t dataset_index(std::string_view path);
+
+/// The dataset of that path, which must be one of the table.
+inline const DatasetSpec& dataset_spec(std::string_view path) { return kSchema[dataset_index(path)]; }
+
+/// True for the datasets of a long axis, which are cut into chunks of `chunk_entries`.
+inline bool is_long(const DatasetSpec& spec) {
+  return std::find(kLongAxes.begin(), kLongAxes.end(), spec.axis) != kLongAxes.end();
+}
+
+/// Places in `kSchema` of the long datasets, rising.
+inline constexpr std::size_t kLongDatasets = 36;
+const std::array<std::size_t, kLongDatasets>& long_datasets();
+
+/// Element type and width as which a C++ type is stored.
+template <class T>
+constexpr ElementType element_type_of() {
+  if constexpr (std::is_enum_v<T>) {
+    return element_type_of<std::underlying_type_t<T>>();
+  } else if constexpr (std::is_same_v<T, std::uint8_t>) {
+    return ElementType::u8;
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+    return ElementType::u32;
+  } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+    return ElementType::u64;
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    return ElementType::i32;
+  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3>) {
+    return ElementType::f64;
+  } else {
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, Float3> || std::is_same_v<T, Float4>);
+    return ElementType::f32;
+  }
+}
+
+}  // namespace holdfast

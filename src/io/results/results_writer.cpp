@@ -1,0 +1,159 @@
+#include "io/results/results_writer.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <utility>
+
+#include "io/results/chunk_codec.hpp"
+#include "io/results/part_builder.hpp"
+#include "io/results/unit_columns.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Entries of the incomplete chunks at the end of the last finished part.
+LongEntries read_tail(const std::string& path, const Progress& resume) {
+  LongEntries tail;
+  if (resume.part_count == 0) return tail;
+  const h5::File file = h5::File::open(part_path(path, resume.part_count));
+  for (std::size_t column = 0; column < kLongDatasets; ++column) {
+    const h5::Dataset dataset = h5::Dataset::open(file, kSchema[long_datasets()[column]]);
+    const std::uint64_t begin = chunk_begin(dataset.spec().axis, dataset.length());
+    tail[column] = dataset.read(begin, dataset.length() - begin);
+  }
+  return tail;
+}
+
+AxisCounts counts_of(const Progress& progress) {
+  AxisCounts counts{};
+  at(counts, Axis::worlds) = progress.world_count;
+  at(counts, Axis::boxes) = progress.box_count;
+  at(counts, Axis::samples) = progress.sample_count;
+  at(counts, Axis::rows) = progress.row_count;
+  at(counts, Axis::layouts) = progress.layout_count;
+  at(counts, Axis::layout_boxes) = progress.layout_box_count;
+  return counts;
+}
+
+void prepare_folder(const std::string& path, const Progress& resume) {
+  if (std::filesystem::exists(path)) {
+    throw h5::Failure(Error{.file = path,
+                            .what = "exists already, and a finished results file is never written over",
+                            .accepted = "give another name, or --overwrite to replace it"});
+  }
+  const std::size_t found = list_parts(path).size();
+  if (found != resume.part_count) {
+    throw h5::Failure(Error{.file = parts_folder(path),
+                            .what = "holds the finished parts of an interrupted run",
+                            .value = std::to_string(found),
+                            .accepted = "--resume goes on with it, --overwrite starts anew"});
+  }
+  std::error_code failure;
+  std::filesystem::create_directories(parts_folder(path), failure);
+  if (failure)
+    throw h5::Failure(Error{.file = parts_folder(path), .what = "cannot be made", .value = failure.message()});
+}
+
+}  // namespace
+
+struct ResultsWriter::State {
+  std::string path;
+  RunDescription run;
+  PartLimits limits;
+  ChunkGrid grid;       ///< of `place` alone, as the next
+  AxisCounts placed{};  ///< entries of the run so far
+
+  std::mutex mutex;  ///< guards what follows
+  std::unique_ptr<PartBuilder> part;
+  std::uint64_t finished_parts = 0;
+  AxisCounts end{};  ///< of the finished parts
+  LongEntries tail;  ///< their entries in the incomplete chunks
+  std::optional<Error> error;
+
+  void close_part() {
+    if (!part) return;
+    part->close();
+    end = part->end();
+    tail = part->tail();
+    ++finished_parts;
+    part.reset();
+  }
+
+  /// Runs `work` under the lock; once anything has failed, nothing is touched any more.
+  template <class Work>
+  std::optional<Error> guarded(Work&& work) {
+    const std::lock_guard lock(mutex);
+    h5::be_quiet();
+    if (!error) error = h5::caught(path, work);
+    if (error) part.reset();
+    return error;
+  }
+};
+
+ResultsWriter::ResultsWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+ResultsWriter::~ResultsWriter() {
+  // A run that ended before its first part leaves no folder behind; one with parts in it stays.
+  std::error_code not_empty;
+  std::filesystem::remove(parts_folder(state_->path), not_empty);
+}
+
+Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& path, RunDescription run,
+                                                           const Progress& resume, const PartLimits& limits) {
+  return h5::caught_result(path, [&] {
+    prepare_folder(path, resume);
+    auto state = std::make_unique<State>();
+    state->path = path;
+    state->run = std::move(run);
+    state->limits = limits;
+    state->finished_parts = resume.part_count;
+    state->end = counts_of(resume);
+    state->tail = read_tail(path, resume);
+    state->placed = state->end;
+    state->grid = ChunkGrid(state->end, state->tail);
+    return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(state)));
+  });
+}
+
+PlacedUnit ResultsWriter::place(UnitRecord&& unit) {
+  PlacedUnit placed;
+  placed.record = std::move(unit);
+  placed.columns = columns_of(placed.record, state_->run, state_->placed);
+  placed.end = state_->placed;
+  placed.piece = state_->grid.add(placed.columns);
+  return placed;
+}
+
+PackedUnit ResultsWriter::pack(PlacedUnit&& unit) {
+  PackedUnit packed{std::move(unit)};
+  for (GridChunk& chunk : packed.piece.chunks)
+    chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[long_datasets()[chunk.column]].type));
+  return packed;
+}
+
+std::optional<Error> ResultsWriter::write(PackedUnit&& unit) {
+  return state_->guarded([&] {
+    std::unique_ptr<PartBuilder>& part = state_->part;
+    if (!part) {
+      part = std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run,
+                                           state_->end, std::move(state_->tail));
+    }
+    part->add(std::move(unit));
+    const PartLimits& limits = state_->limits;
+    const bool full = part->world_count() >= limits.worlds || part->bytes() >= limits.bytes;
+    if (full || std::chrono::steady_clock::now() - part->opened() >= limits.age) state_->close_part();
+  });
+}
+
+std::optional<Error> ResultsWriter::close_part_if_due(std::chrono::steady_clock::time_point now) {
+  return state_->guarded([&] {
+    if (state_->part && now - state_->part->opened() >= state_->limits.age) state_->close_part();
+  });
+}
+
+std::optional<Error> ResultsWriter::finish() {
+  return state_->guarded([&] { state_->close_part(); });
+}
+
+}  // namespace holdfast

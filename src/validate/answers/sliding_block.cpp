@@ -1,0 +1,40 @@
+#include "validate/answers/sliding_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace holdfast {
+
+namespace {
+
+/// Takes the block through a piece of constant acceleration, from stop to stop.
+void slide(SlidingBlock& block, double acceleration, double duration, double friction) {
+  double left = duration;
+  while (left > 0.0) {
+    const bool at_rest = block.velocity == 0.0;
+    if (at_rest && std::abs(acceleration) <= friction) return;
+    const double heading = at_rest ? -std::copysign(1.0, acceleration) : std::copysign(1.0, block.velocity);
+    const double rate = -acceleration - heading * friction;
+    // Slower and slower means that it stops after |v| / |rate|, unless the piece ends before.
+    const bool slows = !at_rest && rate * heading < 0.0;
+    const double until_stop = slows ? -block.velocity / rate : left;
+    const bool stops = slows && until_stop <= left;
+    const double time = stops ? until_stop : left;
+    const double path = time * (block.velocity + 0.5 * rate * time);
+    block.displacement += path;
+    block.distance += std::abs(path);
+    block.velocity = stops ? 0.0 : block.velocity + rate * time;
+    left -= time;
+  }
+}
+
+}  // namespace
+
+SlidingBlock slide_along_x(const Motion& motion, double friction_deceleration) {
+  SlidingBlock block;
+  for (const Phase& phase : phases_of(motion, motion.end_time()))
+    slide(block, phase.acceleration.x(), phase.end - phase.begin, friction_deceleration);
+  return block;
+}
+
+}  // namespace holdfast

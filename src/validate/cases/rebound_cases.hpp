@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "validate/laboratory/case.hpp"
+
+namespace holdfast {
+
+/// Parts of the suite `rebound`.
+std::vector<Case> wall_cases();     ///< a box meets a wall
+std::vector<Case> meeting_cases();  ///< boxes meet boxes
+std::vector<Case> landing_cases();  ///< boxes fall onto the floor
+std::vector<Case> rocking_cases();  ///< boxes rock and trip
+
+}  // namespace holdfast

@@ -1,0 +1,322 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "validate/answers/sliding_block.hpp"
+#include "validate/laboratory/case.hpp"
+#include "validate/laboratory/threshold.hpp"
+
+namespace holdfast {
+
+namespace {
+
+constexpr double kRest = 0.25;       ///< before the load, s
+constexpr double kPush = 2.0;        ///< for which the load lasts, s
+constexpr double kPrecision = 1e-7;  ///< to which an exact threshold is found
+
+struct Heading {
+  const char* name;
+  double degrees;  ///< of the container's acceleration, from x to y
+};
+constexpr std::array<Heading, 4> kHeadings = {
+    {{"along_x", 0.0}, {"along_y", 90.0}, {"diagonal", 45.0}, {"other_diagonal", 135.0}}};
+
+/// Unit vector in the floor's plane; exact along the axes.
+Vec3 towards(double degrees) {
+  if (degrees == 90.0) return Vec3::UnitY();
+  const double angle = degrees * std::numbers::pi / 180.0;
+  return {std::cos(angle), std::sin(angle), 0.0};
+}
+
+/// Largest distance along the floor of any box from where it began, m; infinite when the run failed. Seen enough at
+/// `limit`.
+double largest_drift(Laboratory& laboratory, const Scene& scene, double limit) {
+  double largest = 0.0;
+  const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
+    for (std::size_t i = 0; i < scene.boxes.size(); ++i)
+      largest = std::max(largest, (moment.state.position[i] - scene.boxes[i].position).head<2>().norm());
+    return largest <= limit;
+  });
+  return outcome.stop_reason == StopReason::failed ? kFixed : largest;
+}
+
+/// The smallest acceleration that moves any box of the scene by more than 1 mm and by more than 10 mm. Just above the
+/// threshold, μ (g + a_z), boxes and stacks go ½ (a − threshold) t² (all boxes of a stack alike: the floor brakes the
+/// whole by the threshold, no box can be braked by more): the limit d is passed from a = threshold + 2 d / t² on.
+/// @param scene without motion
+/// @param heave vertical acceleration of the container, from the start on, m/s²
+std::vector<Measurement> slide_threshold(Laboratory& laboratory, const Scene& scene, double friction,
+                                         const Vec3& heading, double heave = 0.0) {
+  const double gravity = scene.settings.gravity;
+  std::vector<Measurement> measurements;
+  for (const double limit : {0.001, 0.01}) {
+    const double expected = friction * (gravity + heave) + 2.0 * limit / (kPush * kPush);
+    const double found = border_near(expected, kPrecision, [&](double acceleration) {
+      Scene pushed = scene;
+      pushed.then(kRest, heave * Vec3::UnitZ()).then(kPush, acceleration * heading + heave * Vec3::UnitZ());
+      return largest_drift(laboratory, pushed, limit) > limit;
+    });
+    measurements.push_back(relative(fmt::format("acceleration that moves it {:g} mm (g)", 1000.0 * limit),
+                                    found / gravity, expected / gravity, ToleranceClass::fine));
+  }
+  return measurements;
+}
+
+/// The sliding test of Martinez-Franco et al. (section 4.2): a box of 25 x 110 x 55 cm, friction 0.1 to 0.8, a = μ g.
+/// It lies on its largest face: l/h = 4.4 along x and 2.2 along y, above every μ, so that it slides before it tips in
+/// every heading.
+Scene sliding_test(double friction) {
+  Scene scene = empty_scene({10, 10, 3}, friction);
+  scene.boxes.push_back(standing_box({1.10, 0.55, 0.25}, {4.45, 4.725, 0}));
+  return scene;
+}
+
+std::vector<Case> sliding_tests() {
+  std::vector<Case> cases;
+  for (const Heading& heading : kHeadings) {
+    for (int tenths = 1; tenths <= 8; ++tenths) {
+      const double friction = tenths / 10.0;
+      cases.push_back({"slide", fmt::format("slide_mu_{:.1f}_{}", friction, heading.name),
+                       fmt::format("smallest acceleration that slides the paper's box of friction {:.1f}", friction),
+                       "creep below the limit; a friction pyramid holds more on the diagonals", heading.degrees == 0.0,
+                       [=](Laboratory& laboratory) {
+                         return slide_threshold(laboratory, sliding_test(friction), friction, towards(heading.degrees));
+                       }});
+    }
+  }
+  return cases;
+}
+
+/// A flat box of friction 0.5 in the middle of a large floor.
+Scene flat_box(double friction = 0.5) {
+  Scene scene = empty_scene({60, 60, 10}, friction);
+  scene.boxes.push_back(standing_box({1.0, 1.0, 0.2}, {29.5, 29.5, 0}));
+  return scene;
+}
+
+/// A flat box under a constant acceleration of 1.5 μg along x for a second. Sliding against the acceleration with
+/// a − μg, it has gone −½ (a − μg) t², and its kinetic energy is the work of the inertial force, m a |x|, less
+/// that of friction, μ m g |x|.
+std::vector<Measurement> slide_path(Laboratory& laboratory) {
+  const double friction = 0.5;
+  Scene scene = flat_box(friction);
+  const double gravity = scene.settings.gravity;
+  const double excess = 0.5 * friction * gravity;
+  scene.then(1.0, {friction * gravity + excess, 0, 0});
+  const Snapshot end = final_state(laboratory, scene);
+  const double moved = end.position[0].x() - scene.boxes[0].position.x();
+  return {relative("displacement (m)", moved, -0.5 * excess, ToleranceClass::exact),
+          relative("velocity (m/s)", end.velocity[0].x(), -excess, ToleranceClass::exact),
+          relative("kinetic energy over the path (J/kg)", 0.5 * end.velocity[0].squaredNorm(), excess * std::abs(moved),
+                   ToleranceClass::exact)};
+}
+
+/// Ten seconds at (1 ± margin) μg: nothing, or ½ margin μg t².
+std::vector<Measurement> slide_near_limit(Laboratory& laboratory, double margin) {
+  const double limit = 0.5 * empty_scene({1, 1, 1}, 0.5).settings.gravity;
+  Scene below = flat_box();
+  below.then(10.0, {(1.0 - margin) * limit, 0, 0});
+  Scene above = flat_box();
+  above.then(10.0, {(1.0 + margin) * limit, 0, 0});
+  const Snapshot end = final_state(laboratory, above);
+  return {scaled("creep below the limit (m)", largest_drift(laboratory, below, 100.0), 0.0, 1.0, ToleranceClass::exact),
+          relative("displacement above the limit (m)", end.position[0].x() - above.boxes[0].position.x(),
+                   -0.5 * margin * limit * 100.0, ToleranceClass::fine)};
+}
+
+/// Every 5 degrees: at (1 − 1e-3) μg rest; at (1 + 1e-3) μg the path ½ 1e-3 μg t²; at 1.5 μg slip against the
+/// acceleration. The cone is round: no heading differs from another. The worst heading counts.
+std::vector<Measurement> slide_every_heading(Laboratory& laboratory) {
+  const double limit = 0.5 * empty_scene({1, 1, 1}, 0.5).settings.gravity;
+  double creep = 0.0;
+  double path_error = 0.0;
+  double turn = 0.0;
+  for (int degrees = 0; degrees < 360; degrees += 5) {
+    const Vec3 heading = towards(degrees);
+    const auto displacement = [&](double acceleration, double duration) {
+      Scene scene = flat_box();
+      scene.then(duration, acceleration * heading);
+      return Vec3(final_state(laboratory, scene).position[0] - scene.boxes[0].position);
+    };
+    creep = std::max(creep, displacement(0.999 * limit, kPush).head<2>().norm());
+    const double path = 0.5 * 1e-3 * limit * kPush * kPush;
+    path_error = std::max(path_error, std::abs(-displacement(1.001 * limit, kPush).dot(heading) / path - 1.0));
+    const Vec3 slip = -displacement(1.5 * limit, 1.0);
+    const double across = heading.x() * slip.y() - heading.y() * slip.x();
+    turn = std::max(turn, std::abs(std::atan2(across, heading.dot(slip))));
+  }
+  return {scaled("largest creep below the limit (m)", creep, 0.0, 1.0, ToleranceClass::exact),
+          scaled("largest error of the path above it (share)", path_error, 0.0, 1.0, ToleranceClass::fine),
+          scaled("largest turn of the slip off the load (rad)", turn, 0.0, 1.0, ToleranceClass::fine)};
+}
+
+/// A brake pulse: the box speeds up to (a − μg) T, then friction stops it after (a − μg) T / (μg). Altogether
+/// ½ (a − μg) T² + ½ ((a − μg) T)² / (μg) = ½ (a − μg) T² a / (μg), at the time a T / (μg) after the pulse's beginning.
+/// @param wait  before the pulse, s
+/// @param pulse its duration T, s
+std::vector<Measurement> slide_pulse(Laboratory& laboratory, double wait, double pulse) {
+  Scene scene = flat_box();
+  const double limit = 0.5 * scene.settings.gravity;
+  const double acceleration = 1.6 * limit;
+  const double coasting = pulse * (acceleration / limit - 1.0);
+  if (wait > 0.0) scene.then(wait, Vec3::Zero());
+  scene.then(pulse, {acceleration, 0, 0}).then(coasting + 0.1, Vec3::Zero());
+  const double path = 0.5 * (acceleration - limit) * pulse * pulse * acceleration / limit;
+  const double stopped = final_state(laboratory, scene).position[0].x();
+  scene.then(1.0, Vec3::Zero());
+  const double later = final_state(laboratory, scene).position[0].x();
+  return {relative("displacement (m)", stopped - scene.boxes[0].position.x(), -path, ToleranceClass::fine),
+          scaled("creep in the second after the stop (m)", later - stopped, 0.0, 1.0, ToleranceClass::exact)};
+}
+
+/// Vibration of 1 kHz, +A +A −A −A at 4 kHz, with A = 0.99 μg: always below the limit, so the box rests.
+std::vector<Measurement> slide_vibration(Laboratory& laboratory) {
+  Scene scene = flat_box();
+  const double amplitude = 0.99 * 0.5 * scene.settings.gravity;
+  for (int quarter = 0; quarter < 240000; ++quarter)
+    scene.motion.segments.push_back(
+        {quarter / 4000.0, 1.0 / 4000.0, Vec3(quarter % 4 < 2 ? amplitude : -amplitude, 0, 0)});
+  return {scaled("largest drift in 60 s (m)", largest_drift(laboratory, scene, 1.0), 0.0, 1.0, ToleranceClass::exact)};
+}
+
+/// Newmark's sliding block (Geotechnique 15, 1965): a sine of 1 Hz, cut into 48 pieces a cycle, plus a bias. The
+/// reference is integrated piece by piece in closed form. With A = 1.5 μg and no bias every cycle but the last ends as
+/// it began, slipping the same way forth and back; the last slip ends differently, in the rest that follows.
+std::vector<Measurement> newmark_block(Laboratory& laboratory, double bias_share) {
+  Scene scene = flat_box();
+  const double limit = 0.5 * scene.settings.gravity;
+  constexpr int kPieces = 48;
+  for (int piece = 0; piece < 10 * kPieces; ++piece) {
+    const double phase = 2.0 * std::numbers::pi * (piece % kPieces + 0.5) / kPieces;
+    scene.motion.segments.push_back({static_cast<double>(piece) / kPieces, 1.0 / kPieces,
+                                     Vec3(limit * (1.5 * std::sin(phase) + bias_share), 0, 0)});
+  }
+  scene.then(1.0, Vec3::Zero());
+  const SlidingBlock block = slide_along_x(scene.motion, limit);
+  const double moved = final_state(laboratory, scene).position[0].x() - scene.boxes[0].position.x();
+  return {scaled("displacement over the path's length (m)", moved, block.displacement, block.distance,
+                 ToleranceClass::good)};
+}
+
+/// A container that falls faster than gravity: the box stays behind, z = ½ (−a_z − g) t².
+std::vector<Measurement> lift_off(Laboratory& laboratory) {
+  Scene scene = flat_box();
+  const double gravity = scene.settings.gravity;
+  scene.then(0.5, {0, 0, -1.2 * gravity});
+  const Snapshot end = final_state(laboratory, scene);
+  return {relative("height (m)", end.position[0].z() - scene.boxes[0].position.z(), 0.5 * 0.2 * gravity * 0.25,
+                   ToleranceClass::fine),
+          scaled("turn (rad)", turn_of(end.orientation[0]), 0.0, 1.0, ToleranceClass::exact)};
+}
+
+/// Boxes on each other without friction stay behind together, x = −½ a t²: nothing turns them, and nothing tells them
+/// apart.
+std::vector<Measurement> frictionless(Laboratory& laboratory, int count) {
+  Scene scene = empty_scene({60, 60, 10}, 0.0);
+  for (int i = 0; i < count; ++i) {
+    SceneBox box = standing_box({0.4, 0.4, 1.2}, {29.8, 29.8, 1.2 * i});
+    box.mass = 10.0 * (1 + i % 3);
+    scene.boxes.push_back(box);
+  }
+  const double acceleration = scene.settings.gravity;
+  scene.then(1.0, {acceleration, 0, 0});
+  const Snapshot end = final_state(laboratory, scene);
+  double worst = 0.0;
+  double turn = 0.0;
+  for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+    const Vec3 exact = scene.boxes[i].position - Vec3(0.5 * acceleration, 0, 0);
+    worst = std::max(worst, (end.position[i] - exact).norm());
+    turn = std::max(turn, turn_of(end.orientation[i]));
+  }
+  return {
+      scaled("largest error of a position over the path (m)", worst, 0.0, 0.5 * acceleration, ToleranceClass::exact),
+      scaled("largest turn (rad)", turn, 0.0, 1.0, ToleranceClass::exact)};
+}
+
+/// μ = l/h: friction at its limit passes through the edge, so that the box slides without any moment that would turn
+/// it. Turning grows from rounding only, e^(5 t).
+std::vector<Measurement> doubly_degenerate(Laboratory& laboratory) {
+  const auto moved = [&](double share, double& turn) {
+    Scene scene = empty_scene({20, 20, 5}, 0.5);
+    scene.boxes.push_back(standing_box({0.5, 0.5, 1.0}, {9.75, 9.75, 0}));
+    scene.then(1.0, {share * 0.5 * scene.settings.gravity, 0, 0});
+    const Snapshot end = final_state(laboratory, scene);
+    turn = turn_of(end.orientation[0]);
+    return (end.position[0] - scene.boxes[0].position).head<2>().norm();
+  };
+  // ½ 1e-3 · 0.5 · 9.81 · 1² = 2.45 mm
+  double turn_below = 0.0;
+  double turn_above = 0.0;
+  const double below = moved(0.999, turn_below);
+  const double above = moved(1.001, turn_above);
+  return {verdict("rests at 0.999 of the limit", below < 1e-4 && turn_below < 1e-3, true),
+          verdict("slides at 1.001 of it", above > 1.2e-3 && above < 5e-3, true),
+          verdict("does not turn at 1.001 of it", turn_above < 1e-3, true)};
+}
+
+/// Flat boxes, one on the other: every interface has the limit μg, whatever the height.
+std::vector<Measurement> stack_slides(Laboratory& laboratory, int count) {
+  Scene scene = empty_scene({20, 20, 5}, 0.4);
+  for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.2}, {9.5, 9.5, 0.2 * i}));
+  return slide_threshold(laboratory, scene, 0.4, Vec3::UnitX());
+}
+
+}  // namespace
+
+std::vector<Case> slide_cases() {
+  std::vector<Case> cases = {
+      {"slide", "slide_path", "how far and how fast a box slides at 1.5 times its limit",
+       "first-order time stepping lengthens the path by the factor 1 + h/t", true, slide_path},
+      {"slide", "slide_near_limit_1e-3", "rest or slip at 0.999 and 1.001 of the limit, 10 s",
+       "soft contacts creep below the limit", true,
+       [](Laboratory& laboratory) { return slide_near_limit(laboratory, 1e-3); }},
+      {"slide", "slide_near_limit_1e-6", "the same a thousand times nearer to the limit",
+       "single precision; a solver's tolerance above the margin", true,
+       [](Laboratory& laboratory) { return slide_near_limit(laboratory, 1e-6); }},
+      {"slide", "slide_every_heading", "the same limit and straight slip in every heading",
+       "a friction pyramid holds up to 1.41 times more on the diagonals and turns the slip", false,
+       slide_every_heading},
+      {"slide", "slide_brake_pulse", "where a box stops after a brake pulse",
+       "slips back in the step in which it stops", true,
+       [](Laboratory& laboratory) { return slide_pulse(laboratory, 0.0, 0.5); }},
+      {"slide", "slide_pulse_off_grid", "the same when the pulse begins, ends and the box stops between steps",
+       "steps that straddle the pulse's edges", true,
+       [](Laboratory& laboratory) { return slide_pulse(laboratory, 0.1037, 0.4321); }},
+      {"slide", "slide_vibration", "rest under vibration of 1 kHz just below the limit",
+       "friction of the last step left in the warm start", false, slide_vibration},
+      {"slide", "newmark_block", "no drift under a symmetric sine above the limit", "one way is favoured", false,
+       [](Laboratory& laboratory) { return newmark_block(laboratory, 0.0); }},
+      {"slide", "newmark_block_biased", "drift under a sine with a bias", "stops and starts smeared over a step", false,
+       [](Laboratory& laboratory) { return newmark_block(laboratory, 0.2); }},
+      {"slide", "slide_lift_off", "height of a box over a floor that falls away", "the floor holds on to the box", true,
+       lift_off},
+      {"slide", "slide_frictionless", "path of a tall box without friction", "unequal corner loads turn the box", true,
+       [](Laboratory& laboratory) { return frictionless(laboratory, 1); }},
+      {"slide", "slide_frictionless_tower", "five tall boxes without friction stay together",
+       "unequal corner loads turn the boxes", true, [](Laboratory& laboratory) { return frictionless(laboratory, 5); }},
+      {"slide", "slide_doubly_degenerate", "a box with μ = l/h slides upright", "tips instead, by rounding", true,
+       doubly_degenerate},
+      {"slide", "slide_stack_5", "smallest acceleration that slides any of five boxes on each other",
+       "friction that has not converged: stacks creep apart far below the limit", false,
+       [](Laboratory& laboratory) { return stack_slides(laboratory, 5); }},
+      {"slide", "slide_stack_10", "smallest acceleration that slides any of ten boxes on each other",
+       "friction that has not converged: stacks creep apart far below the limit", false,
+       [](Laboratory& laboratory) { return stack_slides(laboratory, 10); }},
+  };
+  for (const double heave : {-0.5, 0.5}) {
+    cases.push_back({"slide", fmt::format("slide_heave_{:+.1f}_g", heave),
+                     fmt::format("smallest acceleration that slides a box while the floor rises with {:+.1f} g", heave),
+                     "the weight taken as m g", true, [=](Laboratory& laboratory) {
+                       const Scene scene = flat_box();
+                       return slide_threshold(laboratory, scene, 0.5, Vec3::UnitX(), heave * scene.settings.gravity);
+                     }});
+  }
+  const std::vector<Case> tests = sliding_tests();
+  cases.insert(cases.end(), tests.begin(), tests.end());
+  return cases;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "validate/laboratory/laboratory.hpp"
+
+namespace holdfast {
+
+/// The engines and settings that are validated: the curves of speed against error. The first one of each engine is its
+/// default.
+const std::vector<EngineSetting>& engine_settings();
+
+}  // namespace holdfast

@@ -1,0 +1,84 @@
+#include "app/screening/unit_runner.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "io/results/results_fixture.hpp"
+#include "scenes.hpp"
+#include "scripted_engine.hpp"
+
+using namespace holdfast;
+using namespace holdfast::scenes;
+using results_fixture::Folder;
+
+TEST_CASE(
+    "unit_runner: a world that blows up is marked, as is one of a bad input, and the others are as they are alone",
+    "[app][unit_runner]") {
+  const Folder folder;
+  const std::vector<std::string> paths = {folder / "a.txt"};
+  std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
+  const std::vector<RunMotion> motions = {
+      {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
+  const Settings settings;
+  const std::vector<std::string> hashes = hash_layouts(paths);
+  const std::atomic<bool> abort = false;
+  StageCosts costs;
+  const auto worlds_of = [&](const Script& script) {
+    const ScriptedEngine engine(script);
+    UnitRunner runner(engine, settings, true, paths, hashes, motions, abort, costs);
+    const std::optional<UnitRecord> unit = runner.run({0, 1, 0, motions.size()}, 1);
+    REQUIRE(unit);
+    REQUIRE(unit->worlds.size() == motions.size());
+    return unit->worlds;
+  };
+  const std::vector<WorldRecord> calm = worlds_of({});
+  const std::vector<WorldRecord> worlds = worlds_of({.breaks_at = 0.2, .breaking_world = 1});
+
+  CHECK(worlds[2].outcome.status == Status::non_finite);
+  CHECK(worlds[2].outcome.stop_reason == StopReason::failed);
+  CHECK(worlds[2].outcome.end_time <= 0.2);
+  CHECK(worlds[2].status_text == "a state became infinite or undefined; try a smaller step");
+  CHECK(worlds[1].outcome.status == Status::bad_acceleration);
+  CHECK(worlds[1].outcome.stop_reason == StopReason::not_run);
+  CHECK(worlds[1].status_text == "b.txt: is empty");
+  for (const std::size_t i : {0U, 3U}) {
+    CHECK(worlds[i].acceleration == i);
+    CHECK(worlds[i].outcome.status == Status::ok);
+    CHECK(worlds[i].status_text.empty());
+    CHECK(worlds[i].state_hash == calm[i].state_hash);
+  }
+  CHECK(worlds[2].state_hash != calm[2].state_hash);
+}
+
+TEST_CASE("unit_runner: a series that would be too large is not begun, and the others are as they are alone",
+          "[app][unit_runner]") {
+  const Folder folder;
+  const std::vector<std::string> paths = {folder / "a.txt", folder / "b.txt"};
+  std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
+  std::ofstream large(paths[1]);
+  large << "1 201\n";
+  for (int i = 0; i < 201; ++i) large << 2 * i << " 0 0 " << 2 * i + 2 << " 50 50 1\n";
+  large.close();
+  Settings settings;
+  settings.results_interval = 1e-5;
+  const std::vector<RunMotion> motions = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
+  const std::vector<std::string> hashes = hash_layouts(paths);
+  const std::atomic<bool> abort = false;
+  StageCosts costs;
+  const ScriptedEngine engine({});
+  UnitRunner runner(engine, settings, true, paths, hashes, motions, abort, costs);
+  const std::optional<UnitRecord> unit = runner.run({0, 2, 0, 2}, 1);
+  REQUIRE(unit);
+  REQUIRE(unit->worlds.size() == 4);
+  const std::vector<std::size_t> boxes = {1, 1, 201, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(unit->worlds[i].layout == i / 2);
+    CHECK(unit->worlds[i].acceleration == i % 2);
+    CHECK(unit->worlds[i].outcome.status == (i == 3 ? Status::too_large : Status::ok));
+    CHECK(unit->worlds[i].boxes.id.size() == boxes[i]);
+  }
+  CHECK(unit->worlds[3].outcome.stop_reason == StopReason::not_run);
+  CHECK(unit->worlds[3].status_text.find("samples of 201 boxes: 2010") != std::string::npos);
+  UnitRunner without(engine, settings, false, paths, hashes, motions, abort, costs);
+  CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].outcome.status == Status::ok);
+}

@@ -1,0 +1,313 @@
+#include "core/engine/series_recorder.hpp"
+
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "scenes.hpp"
+
+using namespace holdfast;
+using namespace holdfast::scenes;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// One box of 1 x 2 x 3 m whose states a test sets by hand, and a recorder.
+class HandDriven {
+ public:
+  explicit HandDriven(const RecordingPlan& plan, const Settings& settings = {})
+      : layout_(layout_of({box({0, 0, 0}, {1, 2, 3})})), recorder(plan) {
+    const Motion* const motions[] = {&motion_};
+    batch_ = make_batch(std::span(&layout_, 1), motions, settings);
+    now = before_ = batch_.state;
+  }
+
+  StateColumns now;  ///< state at the end of the next step
+
+  StateView view_of(const StateColumns& state) const { return view(state, batch_.worlds[0]); }
+  void start() { recorder.start(view(batch_.boxes, batch_.worlds[0]), view_of(batch_.state), view_of(now)); }
+  void step(double until, const Vec3& acceleration = Vec3::Zero()) {
+    recorder.step({time_, until, acceleration, view_of(before_), view_of(now)});
+    before_ = now;
+    time_ = until;
+  }
+  WorldRecord finish() {
+    recorder.finish({.stop_reason = StopReason::timeout, .end_time = time_}, view_of(before_));
+    return recorder.take();
+  }
+  void keep() { before_ = now; }
+
+ private:
+  Layout layout_;
+  Motion motion_;
+  WorldBatch batch_;
+  StateColumns before_;
+  double time_ = 0.0;
+
+ public:
+  SeriesRecorder recorder;
+};
+
+bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+bool is_positive_zero(float number) { return same_bits(number, 0.0F); }
+
+}  // namespace
+
+TEST_CASE("series_recorder: samples lie at 0, at every interval and at the end", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  CHECK(world.recorder.watch() == 0.1);
+  world.step(0.08);
+  world.step(0.13);
+  CHECK(world.recorder.watch() == 0.2);
+  world.step(0.45);
+  const Series series = world.finish().series;
+  REQUIRE(series.time.size() == 6);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(series.time[i] == static_cast<double>(i) * 0.1);
+  CHECK(series.time[5] == 0.45);
+  CHECK(series.displacement.size() == 6);
+  CHECK(series.total_kinetic_energy.size() == 6);
+}
+
+TEST_CASE("series_recorder: an end on the interval is not sampled twice", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.step(0.2);
+  // The end of the file as an add of decimal times leaves it.
+  world.step(0.1 + 0.2);
+  CHECK(world.finish().series.time.size() == 4);
+
+  HandDriven other({.interval = 0.1});
+  other.start();
+  other.step(0.3);
+  CHECK(other.finish().series.time.size() == 4);
+}
+
+TEST_CASE("series_recorder: states are linear between the ends of a step", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.position[0] += Vec3(0.4, 0, -0.8);
+  world.now.angular_velocity[0] = Vec3(0, 0, 4);
+  world.now.orientation[0] = Rotation(Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitZ()));
+  world.step(0.4);
+  const Series series = world.finish().series;
+  REQUIRE(series.time.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto share = static_cast<double>(i) / 4.0;
+    CHECK(series.displacement[i].x == Approx(0.4 * share).margin(1e-7));
+    CHECK(series.displacement[i].z == Approx(-0.8 * share).margin(1e-7));
+    CHECK(series.angular_velocity[i].z == Approx(4 * share).margin(1e-6));
+    CHECK(series.orientation[i].z == Approx(std::sin(0.01 * share)).margin(1e-7));
+    CHECK(series.orientation[i].w == Approx(std::cos(0.01 * share)));
+    CHECK(series.fallen_count[i] == (i > 0 ? 1U : 0U));
+  }
+}
+
+TEST_CASE("series_recorder: orientations go the shorter way round", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.orientation[0].coeffs() = -Rotation(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())).coeffs();
+  world.step(0.2);
+  const WorldRecord record = world.finish();
+  CHECK(record.series.orientation[1].w == Approx(std::cos(0.05)));
+  CHECK(record.series.orientation[1].x == Approx(std::sin(0.05)));
+  // The negative quaternion is the same rotation.
+  CHECK(record.end.tilt[0] == Approx(0.2 * 180 / kPi));
+}
+
+TEST_CASE("series_recorder: at a breakpoint a sample shows the acceleration before it", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.step(0.1, {2, 0, 0});
+  world.step(0.15, {0, 3, 0});
+  world.step(0.25, {0, 0, -1});
+  const Series series = world.finish().series;
+  REQUIRE(series.time.size() == 4);
+  CHECK(series.container_acceleration[0].x == 0.0F);
+  CHECK(series.container_acceleration[1].x == 2.0F);
+  CHECK(series.container_acceleration[2].z == -1.0F);
+  CHECK(series.container_acceleration[3].z == -1.0F);
+  const float mass = 1500.0F;
+  CHECK(series.force[1].x == -2.0F * mass);
+  CHECK(series.force[2].z == mass);
+}
+
+TEST_CASE("series_recorder: the force is -m a and never a negative zero", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.step(0.1, {2, 0, -0.0});
+  const Series series = world.finish().series;
+  REQUIRE(series.force.size() == 2);
+  for (const Float3& force : {series.force[0], series.force[1]}) {
+    CHECK(is_positive_zero(force.y));
+    CHECK(is_positive_zero(force.z));
+  }
+  CHECK(is_positive_zero(series.force[0].x));
+}
+
+TEST_CASE("series_recorder: what is too small for a float is 0, not -0", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.velocity[0] = Vec3(-1e-60, 0, 0);
+  world.now.angular_velocity[0] = Vec3(-1e-60, -0.0, 0);
+  world.step(0.1, Vec3(-0.0, 0, 0));
+  const WorldRecord record = world.finish();
+  CHECK(is_positive_zero(record.series.angular_velocity.back().x));
+  CHECK(is_positive_zero(record.series.angular_velocity.back().y));
+  CHECK(is_positive_zero(record.series.container_acceleration.back().x));
+  CHECK(is_positive_zero(record.series.linear_acceleration.back().x));
+}
+
+TEST_CASE("series_recorder: no external force on boxes in a free container", "[core][series_recorder]") {
+  Settings settings;
+  settings.container.motion = ContainerMotion::free;
+  CHECK_FALSE(recording_plan(settings, true).external_force);
+  HandDriven world(recording_plan(settings, true));
+  world.start();
+  world.step(0.1, {2, 0, 0});
+  const Series series = world.finish().series;
+  CHECK(is_positive_zero(series.force[1].x));
+  CHECK(series.container_acceleration[1].x == 2.0F);
+}
+
+TEST_CASE("series_recorder: linear acceleration is the mean over the last step", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.velocity[0] = Vec3(1, 0, 0);
+  world.step(0.05);
+  world.now.velocity[0] = Vec3(1, -2, 0);
+  world.step(0.15);
+  const Series series = world.finish().series;
+  CHECK(series.linear_acceleration[0].x == 0.0F);
+  CHECK(series.linear_acceleration[1].x == 0.0F);
+  CHECK(series.linear_acceleration[1].y == Approx(-20.0));
+  CHECK(series.linear_acceleration[2].y == Approx(-20.0));
+}
+
+TEST_CASE("series_recorder: kinetic energy of a spinning, tilted box", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  const Rotation tilted(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()));
+  const Vec3 velocity(0.3, -0.2, 0.5);
+  const Vec3 spin(1, -2, 0.5);
+  world.now.orientation[0] = tilted;
+  world.now.velocity[0] = velocity;
+  world.now.angular_velocity[0] = spin;
+  world.start();
+  const WorldRecord record = world.finish();
+
+  // The formula with the tensor of inertia in the container's axes.
+  const double mass = 1500.0;
+  const Eigen::Matrix3d turn = tilted.toRotationMatrix();
+  const Eigen::DiagonalMatrix<double, 3> inertia(mass / 12 * 13, mass / 12 * 10, mass / 12 * 5);
+  const Eigen::Matrix3d tensor = turn * inertia * turn.transpose();
+  const double expected = 0.5 * mass * velocity.squaredNorm() + 0.5 * spin.dot(tensor * spin);
+  CHECK(record.series.kinetic_energy[0] == Approx(expected).epsilon(1e-7));
+  CHECK(record.series.total_kinetic_energy[0] == Approx(expected).epsilon(1e-7));
+  CHECK(record.end.peak_kinetic_energy[0] == Approx(expected).epsilon(1e-7));
+  CHECK(record.peak_total_kinetic_energy == Approx(expected).epsilon(1e-12));
+}
+
+TEST_CASE("series_recorder: peaks are over all steps, though samples miss them", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.start();
+  world.now.position[0] += Vec3(0, 0.5, 0);
+  world.now.velocity[0] = Vec3(2, 0, 0);
+  world.step(0.05);
+  world.now.position[0] -= Vec3(0, 0.5, 0);
+  world.now.velocity[0] = Vec3::Zero();
+  world.step(0.1);
+  const WorldRecord record = world.finish();
+  for (const Float3& displacement : record.series.displacement) CHECK(displacement.y == 0.0F);
+  CHECK(record.end.displacement[0].y == 0.0F);
+  CHECK(record.end.peak_displacement[0] == 0.5F);
+  CHECK(record.end.peak_kinetic_energy[0] == 3000.0F);
+  CHECK(record.end.kinetic_energy[0] == 0.0F);
+  CHECK(record.peak_total_kinetic_energy == 3000.0);
+}
+
+TEST_CASE("series_recorder: the ends are the last sample, to the bit", "[core][series_recorder]") {
+  for (const double end_time : {0.2, 0.1 + 0.1, 0.237}) {
+    HandDriven world({.interval = 0.1});
+    world.start();
+    world.now.velocity[0] = Vec3(0.1, 0.2, 0.3);
+    world.step(0.1);
+    world.now.position[0] += Vec3(1.0 / 3, -1.0 / 7, 1e-3);
+    world.now.orientation[0] = Rotation(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
+    world.step(end_time);
+    const WorldRecord record = world.finish();
+    const Float3& sample = record.series.displacement.back();
+    const Float3& end = record.end.displacement[0];
+    CHECK(same_bits(sample.x, end.x));
+    CHECK(same_bits(sample.y, end.y));
+    CHECK(same_bits(sample.z, end.z));
+    CHECK(same_bits(record.series.kinetic_energy.back(), record.end.kinetic_energy[0]));
+  }
+}
+
+TEST_CASE("series_recorder: displacement and tilt from the layout's or the settled pose", "[core][series_recorder]") {
+  for (const ReferencePose pose : {ReferencePose::layout, ReferencePose::settled}) {
+    HandDriven world({.interval = 0.1, .reference_pose = pose});
+    world.now.position[0] += Vec3(0, 0, -0.25);
+    world.now.orientation[0] = Rotation(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
+    world.start();
+    world.keep();
+    world.step(0.1);
+    const WorldRecord record = world.finish();
+    const bool settled = pose == ReferencePose::settled;
+    CHECK(record.end.settling_displacement[0].z == -0.25F);
+    CHECK(record.end.displacement[0].z == (settled ? 0.0F : -0.25F));
+    CHECK(record.end.peak_displacement[0] == (settled ? 0.0F : 0.25F));
+    CHECK(record.end.tilt[0] == Approx(settled ? 0.0 : 0.5 * 180 / kPi).margin(1e-6));
+    CHECK(record.series.fallen_count[0] == (settled ? 0U : 1U));
+    // The table keeps the layout's pose in any case.
+    CHECK(record.boxes.initial_position[0].z == 1.5F);
+  }
+}
+
+TEST_CASE("series_recorder: without series peaks and ends are kept all the same", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1, .series = false});
+  world.start();
+  CHECK(world.recorder.watch() == std::numeric_limits<double>::infinity());
+  world.now.position[0] += Vec3(1, 0, 0);
+  world.step(0.5);
+  const WorldRecord record = world.finish();
+  CHECK(record.series.time.empty());
+  CHECK(record.series.displacement.empty());
+  CHECK(record.end.displacement[0].x == 1.0F);
+  CHECK(record.end.peak_displacement[0] == 1.0F);
+}
+
+TEST_CASE("series_recorder: the table of boxes", "[core][series_recorder]") {
+  Settings settings;
+  settings.materials[1] = {.mass = 12.5, .centre_of_mass = {0.25, 0, 0}};
+  HandDriven world({.interval = 0.1}, settings);
+  world.start();
+  const BoxTable boxes = world.finish().boxes;
+  REQUIRE(boxes.id.size() == 1);
+  CHECK(boxes.id[0] == 1);
+  CHECK(boxes.material[0] == 1);
+  CHECK(boxes.mass[0] == 12.5F);
+  CHECK(boxes.size[0].x == 1.0F);
+  CHECK(boxes.size[0].z == 3.0F);
+  CHECK(boxes.initial_position[0].x == 0.75F);
+}
+
+TEST_CASE("series_recorder: the plan comes from the settings", "[core][series_recorder]") {
+  Settings settings;
+  settings.results_interval = 0.25;
+  settings.screening.reference_pose = ReferencePose::settled;
+  settings.screening.drop_threshold = 0.3;
+  settings.screening.move_threshold = 0.4;
+  settings.screening.tilt_threshold = 5;
+  const RecordingPlan plan = recording_plan(settings, false);
+  CHECK(plan.interval == 0.25);
+  CHECK_FALSE(plan.series);
+  CHECK(plan.reference_pose == ReferencePose::settled);
+  CHECK(plan.external_force);
+  CHECK(plan.thresholds.drop == 0.3);
+  CHECK(plan.thresholds.move == 0.4);
+  CHECK(plan.thresholds.tilt == 5);
+}

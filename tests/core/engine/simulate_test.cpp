@@ -1,0 +1,338 @@
+#include "core/engine/simulate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "scenes.hpp"
+#include "scripted_engine.hpp"
+
+using namespace holdfast;
+using namespace holdfast::scenes;
+
+namespace {
+
+const Layout kOneBox = layout_of({box({1, 1, 0}, {1, 1, 1})});
+
+/// A motion with breakpoints that no step of 1/240 s meets.
+Motion pulse() { return motion_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(2, -1, 0)}, {0.5, Vec3(0, 0, 0)}}); }
+
+/// What the drive loop says.
+struct Heard {
+  struct Stretch {
+    double begin, end;
+    Vec3 acceleration;
+  };
+  std::vector<Stretch> steps;
+  int starts = 0;
+  int finishes = 0;
+  Outcome outcome;
+  Vec3 settled_position;
+};
+
+/// Keeps what it hears; asks for no samples.
+class Listener final : public Recorder {
+ public:
+  Heard heard;
+
+  void start(const BoxView&, const StateView&, const StateView& settled) override {
+    ++heard.starts;
+    heard.settled_position = settled.position[0];
+  }
+  double watch() const override { return std::numeric_limits<double>::infinity(); }
+  void step(const Step& step) override { heard.steps.push_back({step.begin, step.end, step.acceleration}); }
+  void finish(const Outcome& outcome, const StateView&) override {
+    ++heard.finishes;
+    heard.outcome = outcome;
+  }
+};
+
+/// Runs one box with a listener.
+Heard listen(const Script& script, const Motion& motion, const Settings& settings) {
+  const Motion* const motions[] = {&motion};
+  WorldBatch batch = make_batch(std::span(&kOneBox, 1), motions, settings);
+  Listener listener;
+  Recorder* const recorders[] = {&listener};
+  const std::atomic<bool> abort = false;
+  CHECK(simulate(ScriptedEngine(script), batch, settings, recorders, abort));
+  CHECK(listener.heard.starts == 1);
+  CHECK(listener.heard.finishes == 1);
+  return listener.heard;
+}
+
+Settings sleeping() {
+  Settings settings;
+  settings.stopping_condition = StoppingCondition::sleeping;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("simulate: steps follow each other without gap and straddle no breakpoint", "[core][simulate]") {
+  const Motion motion = pulse();
+  const Heard heard = listen({}, motion, {});
+  double time = 0.0;
+  for (const Heard::Stretch& step : heard.steps) {
+    CHECK(step.begin == time);
+    CHECK(step.end > step.begin);
+    CHECK(step.end - step.begin <= 1.0 / 240 * (1 + 1e-6));
+    for (const double edge : {0.1003, 0.5007}) CHECK_FALSE((step.begin < edge - 1e-9 && step.end > edge + 1e-9));
+    const bool pushed = step.begin > 0.1 && step.end < 0.501;
+    CHECK(step.acceleration == (pushed ? Vec3(2, -1, 0) : Vec3(0, 0, 0)));
+    time = step.end;
+  }
+  CHECK(time == motion.end_time());
+  CHECK(heard.outcome.end_time == motion.end_time());
+  CHECK(heard.outcome.status == Status::ok);
+  CHECK(heard.outcome.stop_reason == StopReason::timeout);
+  CHECK(heard.outcome.counters.steps == heard.steps.size());
+}
+
+TEST_CASE("simulate: a pulse gives its exact velocity whatever the step", "[core][simulate]") {
+  for (const double rate : {7.0, 60.0, 240.0}) {
+    const Run one = run(ScriptedEngine({.steps_per_second = rate}), kOneBox, pulse(), {});
+    CHECK(one.state.velocity[0].x() == Approx(-2 * 0.4004).epsilon(1e-12));
+    CHECK(one.displacement().y() == Approx(0.5 * 0.4004 * 0.4004 + 0.4004 * 0.5).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("simulate: the sampling interval never changes the motion", "[core][simulate]") {
+  Settings settings;
+  const auto hash = [&](double interval) {
+    settings.results_interval = interval;
+    return run(ScriptedEngine({}), kOneBox, pulse(), settings).record.state_hash;
+  };
+  const std::uint64_t expected = hash(0.1);
+  CHECK(hash(0.001) == expected);
+  CHECK(hash(0.0371) == expected);
+  CHECK(hash(100.0) == expected);
+}
+
+TEST_CASE("simulate: an engine that takes many steps at once loses no sample", "[core][simulate]") {
+  Settings settings;
+  settings.results_interval = 0.01;
+  const Motion motion = constant(2.0, 1.0);
+  const Run run_slowly = run(ScriptedEngine({}), kOneBox, motion, settings);
+  const Run run_fast = run(ScriptedEngine({.steps_a_call = 100}), kOneBox, motion, settings);
+  CHECK(run_fast.record.state_hash == run_slowly.record.state_hash);
+  CHECK(run_fast.record.series.time == run_slowly.record.series.time);
+  REQUIRE(run_fast.record.series.time.size() == 101);
+  CHECK(run_fast.record.series.displacement.back().x == run_slowly.record.series.displacement.back().x);
+  // Calls end at 100/240, 200/240 and 1 s; between them the position is linear.
+  const double stop = 100.0 / 240;
+  CHECK(run_fast.record.series.displacement[20].x == Approx(-stop * stop * 0.2 / stop));
+}
+
+TEST_CASE("simulate: an end after the motion is at rest, one before cuts it", "[core][simulate]") {
+  const Motion motion = constant(2.0, 1.0);
+  CHECK(latest_end(motion, {}) == 1.0);
+  Settings settings;
+  settings.timeout = 0.5;
+  const Run cut = run(ScriptedEngine({}), kOneBox, motion, settings);
+  CHECK(cut.record.outcome.end_time == 0.5);
+  CHECK(cut.state.velocity[0].x() == Approx(-1.0));
+  settings.timeout = 2.5;
+  const Run longer = run(ScriptedEngine({}), kOneBox, motion, settings);
+  CHECK(longer.record.outcome.end_time == 2.5);
+  CHECK(longer.state.velocity[0].x() == Approx(-2.0));
+  CHECK(longer.displacement().x() == Approx(-4.0));
+}
+
+TEST_CASE("simulate: a motion without time ends at once, at 0", "[core][simulate]") {
+  const Run none = run(ScriptedEngine({}), kOneBox, Motion{}, {});
+  CHECK(none.record.outcome.end_time == 0.0);
+  CHECK_FALSE(std::signbit(none.record.outcome.end_time));
+  CHECK(none.record.outcome.counters.steps == 0);
+  CHECK(none.record.series.time == std::vector<double>{0.0});
+  CHECK(none.displacement() == Vec3(0, 0, 0));
+}
+
+TEST_CASE("simulate: settling is not recorded and starts the world where it ends", "[core][simulate]") {
+  Settings settings;
+  settings.screening.settle_seconds = 0.35;
+  const Heard heard = listen({}, constant(2.0, 1.0), settings);
+  CHECK(heard.steps.front().begin == 0.0);
+  CHECK(heard.outcome.end_time == 1.0);
+  CHECK(heard.outcome.counters.steps == heard.steps.size() + 84);
+  CHECK(heard.settled_position == Vec3(1.5, 1.5, 0.5));
+
+  const Run one = run(ScriptedEngine({}), kOneBox, constant(2.0, 1.0), settings);
+  CHECK(one.record.series.time.front() == 0.0);
+  CHECK(one.record.series.time.size() == 11);
+  CHECK(one.displacement().x() == Approx(-1.0));
+}
+
+TEST_CASE("simulate: a state that is not finite ends the world at its last finite state", "[core][simulate]") {
+  const Motion motion = constant(2.0, 1.0);
+  const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, motion, {});
+  const Outcome& outcome = one.record.outcome;
+  CHECK(outcome.status == Status::non_finite);
+  CHECK(outcome.stop_reason == StopReason::failed);
+  CHECK(outcome.end_time == Approx(100.0 / 240));
+  CHECK(one.displacement().x() == Approx(-outcome.end_time * outcome.end_time));
+  CHECK(one.record.series.time.back() == outcome.end_time);
+  CHECK(one.record.series.displacement.back().x == one.record.end.displacement[0].x);
+  CHECK(std::isfinite(one.record.end.kinetic_energy[0]));
+  CHECK(std::isfinite(one.record.peak_total_kinetic_energy));
+}
+
+TEST_CASE("simulate: a state that is not finite while settling", "[core][simulate]") {
+  Settings settings;
+  settings.screening.settle_seconds = 1.0;
+  const Heard heard = listen({.breaks_at = -0.5}, constant(2.0, 1.0), settings);
+  CHECK(heard.outcome.status == Status::non_finite);
+  CHECK(heard.outcome.stop_reason == StopReason::failed);
+  CHECK(heard.outcome.end_time == 0.0);
+  CHECK(heard.steps.empty());
+  CHECK(heard.settled_position == Vec3(1.5, 1.5, 0.5));
+
+  const Run one = run(ScriptedEngine({.breaks_at = -0.5}), kOneBox, constant(2.0, 1.0), settings);
+  CHECK(one.record.series.time == std::vector<double>{0.0});
+  CHECK(one.displacement() == Vec3(0, 0, 0));
+}
+
+TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simulate]") {
+  const Motion motion = constant(2.0, 1.0);
+  const Motion* const motions[] = {&motion};
+  const std::vector<Layout> layouts = {kOneBox, kOneBox, kOneBox};
+  for (const bool all_together : {false, true}) {
+    for (const double settle : {0.0, 0.6}) {
+      Settings settings;
+      settings.screening.settle_seconds = settle;
+      const double breaks_at = settle > 0 ? -0.3 : 0.5;
+      const ScriptedEngine engine({.all_together = all_together, .breaks_at = breaks_at, .breaking_world = 1});
+      const std::vector<Run> runs = run_all(engine, layouts, motions, settings);
+      CHECK(runs[1].record.outcome.status == Status::non_finite);
+      for (const std::size_t i : {0U, 2U}) {
+        CHECK(runs[i].record.outcome.status == Status::ok);
+        CHECK(runs[i].record.outcome.end_time == 1.0);
+        CHECK(runs[i].displacement().x() == Approx(-1.0));
+      }
+    }
+  }
+}
+
+TEST_CASE("simulate: what the engine finds wrong is in the status", "[core][simulate]") {
+  const Run one = run(ScriptedEngine({.status = Status::not_converged}), kOneBox, constant(1, 1), {});
+  CHECK(one.record.outcome.status == Status::not_converged);
+  CHECK(one.record.outcome.stop_reason == StopReason::timeout);
+  const Run both =
+      run(ScriptedEngine({.breaks_at = 0.5, .status = Status::not_converged}), kOneBox, constant(1, 1), {});
+  CHECK(both.record.outcome.status == (Status::not_converged | Status::non_finite));
+}
+
+TEST_CASE("simulate: sleeping waits for the last change of the motion", "[core][simulate]") {
+  const Motion motion = motion_of({{1, Vec3(0, 0, 0)}, {1, Vec3(1, 0, 0)}});
+  const Run one = run(ScriptedEngine({.still_from = 0.0}), kOneBox, motion, sleeping());
+  CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
+  CHECK(one.record.outcome.end_time == Approx(2.5));
+}
+
+TEST_CASE("simulate: sleeping takes half a second of quiet", "[core][simulate]") {
+  const Motion motion = constant(0.5, 1.0);
+  const Run one = run(ScriptedEngine({.still_from = 3.0}), kOneBox, motion, sleeping());
+  CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
+  CHECK(one.record.outcome.end_time == Approx(3.5).margin(1.0 / 240));
+  CHECK(one.record.series.time.back() == one.record.outcome.end_time);
+}
+
+TEST_CASE("simulate: what never sleeps ends at the timeout, or after a minute", "[core][simulate]") {
+  const Motion motion = constant(0.5, 1.0);
+  CHECK(latest_end(motion, sleeping()) == 61.0);
+  const Run one = run(ScriptedEngine({}), kOneBox, motion, sleeping());
+  CHECK(one.record.outcome.stop_reason == StopReason::timeout);
+  CHECK(one.record.outcome.end_time == 61.0);
+  Settings settings = sleeping();
+  settings.timeout = 2.0;
+  CHECK(run(ScriptedEngine({}), kOneBox, motion, settings).record.outcome.end_time == 2.0);
+  settings.timeout = 1.2;
+  const Run early = run(ScriptedEngine({.still_from = 0.0}), kOneBox, motion, settings);
+  CHECK(early.record.outcome.stop_reason == StopReason::timeout);
+}
+
+TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
+  const Motion motion = constant(1.0, 1.0);
+  const Motion* const motions[] = {&motion};
+  WorldBatch batch = make_batch(std::span(&kOneBox, 1), motions, {});
+  std::atomic<bool> abort = false;
+
+  /// Aborts at its third step.
+  class Aborting final : public Recorder {
+   public:
+    explicit Aborting(std::atomic<bool>& flag) : flag_(flag) {}
+    void start(const BoxView&, const StateView&, const StateView&) override {}
+    double watch() const override { return 0.0; }
+    void step(const Step&) override { flag_ = ++steps == 3; }
+    void finish(const Outcome&, const StateView&) override { finished = true; }
+    int steps = 0;
+    bool finished = false;
+
+   private:
+    std::atomic<bool>& flag_;
+  } recorder(abort);
+  Recorder* const recorders[] = {&recorder};
+  CHECK_FALSE(simulate(ScriptedEngine({}), batch, {}, recorders, abort));
+  CHECK(recorder.steps == 3);
+  CHECK_FALSE(recorder.finished);
+
+  Settings settling;
+  settling.screening.settle_seconds = 1.0;
+  CHECK_FALSE(simulate(ScriptedEngine({}), batch, settling, recorders, abort));
+  CHECK(recorder.steps == 3);
+}
+
+TEST_CASE("simulate: a world is the same alone, in a batch and together with others", "[core][simulate]") {
+  const std::vector<Layout> layouts = {kOneBox, stack(3, {2, 0, 0}, {1, 2, 0.5}), layout_of({})};
+  const Motion one = pulse();
+  const Motion other = constant(-1.0, 1.3);
+  const Motion* const motions[] = {&one, &other};
+  const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, motions, {});
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, {});
+  REQUIRE(batch.size() == 6);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Run alone = run(ScriptedEngine({}), layouts[i / 2], *motions[i % 2], {});
+    for (const Run* same : {&batch[i], &together[i]}) {
+      CHECK(same->record.state_hash == alone.record.state_hash);
+      CHECK(same->record.series.time == alone.record.series.time);
+      CHECK(same->record.peak_total_kinetic_energy == alone.record.peak_total_kinetic_energy);
+      CHECK(same->record.outcome.end_time == alone.record.outcome.end_time);
+    }
+  }
+}
+
+TEST_CASE("simulate: worlds that advance all together keep their own motions", "[core][simulate]") {
+  const Layout layouts[] = {kOneBox, kOneBox};
+  const Motion first = pulse();
+  const Motion second = motion_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
+  const Motion* const motions[] = {&first, &second};
+  Settings settings;
+  settings.screening.settle_seconds = 0.1;
+  const std::vector<Run> alone = run_all(ScriptedEngine({}), layouts, motions, settings);
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, settings);
+  REQUIRE(together.size() == 4);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    CHECK(together[i].record.state_hash == alone[i].record.state_hash);
+    CHECK(together[i].record.outcome.end_time == alone[i].record.outcome.end_time);
+    CHECK(together[i].record.outcome.counters.steps == alone[i].record.outcome.counters.steps);
+    CHECK(together[i].record.series.time == alone[i].record.series.time);
+  }
+}
+
+TEST_CASE("simulate: a world ends alone where all advance together", "[core][simulate]") {
+  const Layout layouts[] = {kOneBox, kOneBox};
+  const Motion motion = pulse();
+  const Motion* const motions[] = {&motion};
+  const Script script{.all_together = true, .breaks_at = 0.2, .breaking_world = 1};
+  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, motions, {});
+  CHECK(runs[0].record.outcome.stop_reason == StopReason::timeout);
+  CHECK(runs[0].record.outcome.end_time == motion.end_time());
+  CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
+  CHECK(runs[1].record.outcome.end_time == Approx(0.2).margin(1.0 / 240));
+}
+
+TEST_CASE("simulate: a world whose engine lost contacts fails with the last good state", "[core][simulate]") {
+  const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), {});
+  CHECK(lost.record.outcome.stop_reason == StopReason::failed);
+  CHECK(has(lost.record.outcome.status, Status::capacity));
+  CHECK(lost.record.outcome.end_time == 0.0);
+}

@@ -1,0 +1,38 @@
+#include "core/model/settings_page.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "core/model/setting_table.hpp"
+
+using namespace holdfast;
+
+TEST_CASE("settings_page: docs/config.md is up to date", "[core][settings_page]") {
+  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/config.md", std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  INFO("docs/config.md differs from the table of keys; run: holdfast --config-page > docs/config.md");
+  CHECK((page == settings_page()));
+}
+
+TEST_CASE("settings_page: page and help have every key and section", "[core][settings_page]") {
+  const std::string page = settings_page(), help = settings_help();
+  for (const SettingKey& key : setting_table()) {
+    INFO(key.section << " " << key.name);
+    CHECK(page.find("## [" + std::string(key.section) + "]\n") != std::string::npos);
+    CHECK(page.find("| `" + std::string(key.name) + "` |") != std::string::npos);
+    CHECK(key.accepted.find('|') == std::string_view::npos);
+    CHECK(key.sentence.find('|') == std::string_view::npos);
+    CHECK(help.find("\n[" + std::string(key.section) + "]\n") != std::string::npos);
+    CHECK(help.find("\n  " + std::string(key.name)) != std::string::npos);
+  }
+}
+
+TEST_CASE("settings_page: help fits a terminal", "[core][settings_page]") {
+  std::istringstream help(settings_help());
+  for (std::string line; std::getline(help, line);) {
+    INFO(line);
+    CHECK(line.size() <= 100);
+  }
+}

@@ -1,0 +1,96 @@
+#include "io/input/acceleration_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "io/input/memory_file.hpp"
+
+using namespace holdfast;
+using namespace holdfast::test;
+
+namespace {
+
+Result<Motion> parse(const std::string& text) {
+  std::vector<Error> warnings;
+  return parse_acceleration(memory_file(text), warnings);
+}
+
+Messages errors_of(const std::string& text) { return messages_of(parse(text)); }
+
+}  // namespace
+
+TEST_CASE("acceleration_reader: the published example", "[io][acceleration_reader]") {
+  const Result<Motion> motion = parse(
+      "#Initial-Time / Duration / X / Y / Z\n"
+      "0     1     0  0  0\n"
+      "1     0.3   1  0  0\n"
+      "1.3   12    2  0  0\n"
+      "13.3  0.35  2  0  -1e-1\n");
+  REQUIRE(motion);
+  CHECK(motion->name == "a.txt");
+  CHECK(motion->sha256.size() == 64);
+  REQUIRE(motion->segments.size() == 4);
+  CHECK(motion->segments[3].acceleration == Vec3(2, 0, -0.1));
+  CHECK(motion->segments[3].line == 5);
+  CHECK(motion->end_time() == Approx(13.65));
+}
+
+TEST_CASE("acceleration_reader: white space and comments are free, gaps are fine", "[io][acceleration_reader]") {
+  const Result<Motion> motion = parse("\xEF\xBB\xBF\t0.5\t1 +1 0 0 # brake\r\n\r\n#\r\n  3 1 0 0 0");
+  REQUIRE(motion);
+  REQUIRE(motion->segments.size() == 2);
+  CHECK(motion->segments[0].start == 0.5);
+  CHECK(motion->segments[1].line == 4);
+}
+
+TEST_CASE("acceleration_reader: differences below an instant are closed", "[io][acceleration_reader]") {
+  const Result<Motion> motion = parse("0 0.1 1 0 0\n0.1 0.2 2 0 0\n0.3 0.1 3 0 0\n0.4000000005 1 4 0 0\n");
+  REQUIRE(motion);
+  for (std::size_t i = 1; i < 4; ++i)
+    CHECK(motion->segments[i].start == motion->segments[i - 1].start + motion->segments[i - 1].duration);
+}
+
+TEST_CASE("acceleration_reader: overlap and order", "[io][acceleration_reader]") {
+  CHECK(
+      errors_of("0 1 0 0 0\n# c\n 0.75 1 1 0 0\n") ==
+      Messages{"a.txt:3:2: the segment overlaps that of line 1: starts at 0.75 s; at least 1 s, where that one ends"});
+  CHECK(
+      errors_of("2 1 0 0 0\n0 1 1 0 0\n") ==
+      Messages{
+          "a.txt:2:1: the segment is before that of line 1: starts at 0 s; segments are in the order of their times"});
+  CHECK(errors_of("2 1 0 0 0\n2 1 1 0 0\n") ==
+        Messages{"a.txt:2:1: the segment overlaps that of line 1: starts at 2 s; at least 3 s, where that one ends"});
+}
+
+TEST_CASE("acceleration_reader: numbers must be whole, finite, decimal", "[io][acceleration_reader]") {
+  CHECK(errors_of("zero 1 0 0 0") ==
+        Messages{"a.txt:1:1: the initial time is not a number: zero; a finite number of s"});
+  CHECK(errors_of("0 1,5 0 0 0") == Messages{"a.txt:1:3: the duration is not a number: 1,5; a finite number of s"});
+  CHECK(errors_of("0 1 nan 0 0") == Messages{"a.txt:1:5: ax is not a number: nan; a finite number of m/s²"});
+  CHECK(errors_of("0 1 0 -inf 0") == Messages{"a.txt:1:7: ay is not a number: -inf; a finite number of m/s²"});
+  CHECK(errors_of("0 1 0 0 0x10") == Messages{"a.txt:1:9: az is not a number: 0x10; a finite number of m/s²"});
+}
+
+TEST_CASE("acceleration_reader: times must make sense", "[io][acceleration_reader]") {
+  CHECK(errors_of("-1 1 0 0 0") == Messages{"a.txt:1:1: the initial time is negative: -1; a time of at least 0 s"});
+  CHECK(errors_of("0 0 0 0 0") == Messages{"a.txt:1:3: the duration is too short: 0; a duration of at least 1e-9 s"});
+  CHECK(errors_of("0 -2 0 0 0") == Messages{"a.txt:1:3: the duration is too short: -2; a duration of at least 1e-9 s"});
+}
+
+TEST_CASE("acceleration_reader: what no drive has is a slip", "[io][acceleration_reader]") {
+  CHECK(errors_of("0 1e300 0 0 0") ==
+        Messages{"a.txt:1:3: a time that no run would reach: 1e300; times of at most 1e6 s"});
+  const std::string accepted = "; accelerations from -10000 to 10000 m/s²";
+  CHECK(errors_of("0 1 0 1e300 0") == Messages{"a.txt:1:7: ay is too large: 1e300" + accepted});
+  CHECK(errors_of("0 1 0 0 -10000.5") == Messages{"a.txt:1:9: az is too large: -10000.5" + accepted});
+  CHECK(parse("0 1 10000 -10000 0"));
+}
+
+TEST_CASE("acceleration_reader: five columns, at least one segment", "[io][acceleration_reader]") {
+  const std::string columns = "; the five columns are initial-time duration ax ay az";
+  CHECK(errors_of("0 1 0 0") == Messages{"a.txt:1:1: too few columns: 4" + columns});
+  CHECK(errors_of("0 1 0 0 0 0\n1 1") ==
+        Messages{"a.txt:1:1: too many columns: 6" + columns, "a.txt:2:1: too few columns: 2" + columns});
+  const std::string lines = "; an acceleration is a line a segment: initial-time duration ax ay az";
+  CHECK(errors_of("") == Messages{"a.txt: is empty" + lines});
+  CHECK(errors_of("# only a header\n") == Messages{"a.txt: has no segments" + lines});
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "io/input/text_file.hpp"
+
+namespace holdfast::test {
+
+/// An input file that exists in memory only.
+inline TextFile memory_file(std::string text, const std::string& path = "a.txt") {
+  std::string sha256 = sha256_of(text);
+  return {path, path.substr(path.rfind('/') + 1), std::move(text), std::move(sha256)};
+}
+
+using Messages = std::vector<std::string>;
+
+inline Messages messages_of(const std::vector<Error>& errors) {
+  Messages messages;
+  for (const Error& error : errors) messages.push_back(error.message());
+  return messages;
+}
+
+/// The messages of what should be an error; a single note when it is none.
+template <class T>
+Messages messages_of(const Result<T>& result) {
+  return result ? Messages{"no error"} : messages_of(result.errors());
+}
+
+}  // namespace holdfast::test

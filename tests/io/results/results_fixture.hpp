@@ -1,0 +1,181 @@
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/results/results_assembler.hpp"
+#include "io/results/results_reader.hpp"
+#include "io/results/results_resume.hpp"
+#include "io/results/results_writer.hpp"
+
+/// Made-up runs for the tests of the results file.
+namespace results_fixture {
+
+using namespace holdfast;
+
+/// A folder that is gone when the test ends.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "holdfast_test_XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// What a layout's worlds look like.
+struct Shape {
+  std::size_t boxes = 0;
+  std::size_t samples = 0;
+};
+
+/// A run with everything that would be simulated.
+struct Run {
+  RunDescription description;
+  std::vector<UnitRecord> units;  ///< a unit a layout
+};
+
+inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::uint64_t acceleration, Shape shape) {
+  std::uniform_real_distribution<float> uniform(-0.2F, 0.2F);
+  const auto number = [&] { return uniform(random); };
+  const auto vector = [&] { return Float3{number(), number(), number()}; };
+  WorldRecord world;
+  world.layout = layout;
+  world.acceleration = acceleration;
+  world.outcome.stop_reason = StopReason::timeout;
+  world.outcome.end_time = 0.1 * static_cast<double>(shape.samples);
+  world.outcome.counters = {1000 + layout, 10, 10000, 0.001, 1e-6 * static_cast<double>(layout)};
+  world.cpu_seconds = 0.25;
+  world.peak_total_kinetic_energy = 5.0 + static_cast<double>(number());
+  world.state_hash = random() * 0x100000001ULL;
+  if (shape.boxes == 0) {
+    world.outcome.status = Status::bad_layout;
+    world.outcome.stop_reason = StopReason::not_run;
+    world.status_text = "überlappt: box 3 and box 7";
+  }
+  for (std::size_t box = 0; box < shape.boxes; ++box) {
+    world.boxes.id.push_back(static_cast<std::uint32_t>(box + 1));
+    world.boxes.material.push_back(-1);
+    world.boxes.mass.push_back(12.5F);
+    world.boxes.size.push_back({0.8F, 0.6F, 0.4F});
+    world.boxes.initial_position.push_back(vector());
+    world.end.displacement.push_back(vector());
+    world.end.tilt.push_back(100 * number());
+    world.end.kinetic_energy.push_back(number() + 1);
+    world.end.peak_displacement.push_back(length(world.end.displacement.back()) + 0.01F);
+    world.end.peak_kinetic_energy.push_back(2);
+    world.end.settling_displacement.push_back(vector());
+  }
+  Series& series = world.series;
+  for (std::size_t sample = 0; sample < shape.samples; ++sample) {
+    series.time.push_back(0.1 * static_cast<double>(sample));
+    series.container_acceleration.push_back(vector());
+    series.total_kinetic_energy.push_back(number());
+    series.fallen_count.push_back(static_cast<std::uint32_t>(random() % 9));
+    for (std::size_t box = 0; box < shape.boxes; ++box) {
+      const bool last = sample + 1 == shape.samples;
+      series.displacement.push_back(last ? world.end.displacement[box] : vector());
+      series.orientation.push_back({1, number(), number(), number()});
+      series.angular_velocity.push_back(vector());
+      series.linear_acceleration.push_back(vector());
+      series.force.push_back(vector());
+      series.kinetic_energy.push_back(number());
+    }
+  }
+  return world;
+}
+
+/// A run of a unit a layout, two accelerations with each.
+inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
+  std::mt19937 random(7);
+  Run run;
+  RunDescription& about = run.description;
+  about = {.software = "holdfast 0.1.0",
+           .git_commit = "unknown",
+           .engine = "bullet",
+           .command_line = "holdfast screen --layouts a b",
+           .created_utc = "2024-05-01T12:00:00Z",
+           .host = "host",
+           .config_text = "[Physics Engine]\nDensityValue = 250\n",
+           .settings = {{"Physics Engine/DensityValue", "250"}, {"Export Settings/SavePath", ""}},
+           .record_series = series};
+  Motion braking{.name = "braking.txt", .sha256 = std::string(64, 'b')};
+  braking.segments = {{.start = 0, .duration = 1, .acceleration = {1, 0, 0}},
+                      {.start = 1.5, .duration = 0.25, .acceleration = {8, 0, 0.5}}};
+  about.accelerations = {braking, Motion{.name = "missing.txt"}};
+  for (std::uint64_t layout = 0; layout < shapes.size(); ++layout) {
+    const Shape shape = shapes[layout];
+    const std::string name = "loading, \"" + std::to_string(layout) + "\".txt";
+    about.layout_names.push_back(name);
+    about.layout_hashes.emplace_back(64, 'a');
+    UnitRecord unit;
+    LayoutRecord record{layout, {.name = name, .sha256 = std::string(64, 'a'), .header = "262  18"}};
+    for (std::size_t box = 0; box < shape.boxes; ++box)
+      record.layout.boxes.push_back({Vec3(0, 0, 0), Vec3(0.8, 0.6, 0.4), static_cast<int>(layout), 2});
+    unit.layouts.push_back(record);
+    for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
+      unit.worlds.push_back(make_world(random, layout, acceleration, shape));
+      if (!series) unit.worlds.back().series = {};
+    }
+    run.units.push_back(unit);
+  }
+  return run;
+}
+
+/// Shapes that meet every border of the chunks: none, one, and several in one world.
+inline std::vector<Shape> mixed_shapes() {
+  return {{3, 4}, {0, 0}, {600, 31}, {1, 1}, {64, 256}, {0, 0}, {100, 31}, {1, 20000}, {5, 1}};
+}
+
+/// Closes a part at every unit, or none before the end.
+inline PartLimits every_unit() { return {.worlds = 1, .age = std::chrono::hours(1)}; }
+inline PartLimits never() {
+  return {.worlds = 1U << 30U, .bytes = std::size_t{1} << 40U, .age = std::chrono::hours(1)};
+}
+
+inline void require_ok(const std::optional<Error>& error) {
+  INFO((error ? error->message() : ""));
+  REQUIRE_FALSE(error);
+}
+
+template <class T>
+T require_value(Result<T> result) {
+  INFO((result ? "" : result.error().message()));
+  REQUIRE(result);
+  return std::move(*result);
+}
+
+/// Units [begin, end) through the three stages.
+inline void write_units(ResultsWriter& writer, const Run& run, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i)
+    require_ok(writer.write(ResultsWriter::pack(writer.place(UnitRecord(run.units[i])))));
+}
+
+/// A whole run into a finished file.
+inline void write_run_to(const std::string& path, const Run& run, const PartLimits& limits) {
+  const auto writer = require_value(ResultsWriter::open(path, run.description, {}, limits));
+  write_units(*writer, run, 0, run.units.size());
+  require_ok(writer->finish());
+  require_ok(assemble(path, run.description));
+}
+
+std::string file_bytes(const std::string& path);
+
+/// Names in a folder, sorted.
+std::vector<std::string> list_directory(const std::string& path);
+
+}  // namespace results_fixture

@@ -1,0 +1,78 @@
+#include "io/results/results_reader.hpp"
+
+#include <fstream>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_fixture.hpp"
+
+using namespace results_fixture;
+
+namespace {
+
+std::string message_of_open(const std::string& path) {
+  const auto reader = ResultsReader::open(path);
+  REQUIRE_FALSE(reader);
+  return reader.error().message();
+}
+
+}  // namespace
+
+TEST_CASE("results_reader: a file that is not ours gives a clear error", "[io][results]") {
+  const Folder folder;
+  CHECK(message_of_open(folder / "none.h5").find("No such file") != std::string::npos);
+  std::ofstream(folder / "text.h5") << "not HDF5";
+  CHECK(message_of_open(folder / "text.h5").find("cannot be opened as an HDF5 file") != std::string::npos);
+  h5::File::create(folder / "other.h5").close();
+  CHECK(message_of_open(folder / "other.h5").find("is not a results file") != std::string::npos);
+}
+
+TEST_CASE("results_reader: a later format is refused", "[io][results]") {
+  const Folder folder;
+  h5::File file = h5::File::create(folder / "later.h5");
+  h5::write_attribute(file, "/", "format", kFormatName);
+  h5::write_attribute(file, "/", "format_version", kFormatVersion + 1);
+  file.close();
+  CHECK(message_of_open(folder / "later.h5").find("later format version") != std::string::npos);
+}
+
+TEST_CASE("results_reader: a file that was cut short is an error", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, make_run({{3, 4}, {20, 31}}), never());
+  for (std::uintmax_t size = std::filesystem::file_size(path) - 1; size > 0; size /= 2) {
+    std::filesystem::resize_file(path, size);
+    CHECK_FALSE(ResultsReader::open(path));
+  }
+}
+
+TEST_CASE("results_reader: damage in the compressed data is an error", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, make_run({{3, 4}, {20, 31}}), never());
+  haddr_t chunk = 0;
+  {
+    const h5::File file = h5::File::open(path);
+    const h5::Id dataset(H5Dopen2(file.id(), "/series/force", H5P_DEFAULT), H5Dclose);
+    const std::array<hsize_t, 2> first = {0, 0};
+    REQUIRE(H5Dget_chunk_info_by_coord(dataset, first.data(), nullptr, &chunk, nullptr) >= 0);
+  }
+  std::fstream stream(path, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(static_cast<std::streamoff>(chunk + 300));
+  stream << "damaged";
+  stream.close();
+  ResultsReader reader = require_value(ResultsReader::open(path));
+  const auto rows = require_value(reader.worlds(0, 4));
+  const auto series = reader.series(rows[0]);
+  REQUIRE_FALSE(series);
+  CHECK(series.error().message().find("cannot be read (/series/force): inflate() failed") != std::string::npos);
+  CHECK(reader.path_of(rows[0]));
+}
+
+TEST_CASE("results_reader: entries beyond the end are an error", "[io][results]") {
+  const Folder folder;
+  write_run_to(folder / "results.h5", make_run({{3, 4}}), never());
+  ResultsReader reader = require_value(ResultsReader::open(folder / "results.h5"));
+  CHECK_FALSE(reader.worlds(1, 2));
+  CHECK_FALSE(reader.boxes(7, 1));
+  CHECK(reader.worlds(2, 0));
+}

@@ -1,0 +1,60 @@
+#include "io/results/results_schema.hpp"
+
+#include <hdf5.h>
+
+#include <set>
+
+#include "io/results/hdf5_file.hpp"
+#include "io/results/results_fixture.hpp"
+
+using namespace results_fixture;
+
+TEST_CASE("results_schema: every dataset of the table is in the file, as the table says", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, make_run(mixed_shapes(), GENERATE(true, false)), never());
+  const h5::File file = h5::File::open(path);
+  std::array<std::set<std::uint64_t>, kAxisCount> lengths;
+  for (const DatasetSpec& spec : kSchema) {
+    const std::string name(spec.path);
+    CAPTURE(name);
+    lengths[static_cast<std::size_t>(spec.axis)].insert(h5::Dataset::open(file, spec).length());
+    CHECK(h5::read_text_attribute(file, name, "units") == spec.units);
+    CHECK(h5::read_text_attribute(file, name, "description") == spec.description);
+    CHECK_FALSE(spec.description.empty());
+    CHECK_FALSE(spec.units.empty());
+  }
+  for (const auto& of_axis : lengths) CHECK(of_axis.size() == 1);
+}
+
+TEST_CASE("results_schema: the file has no dataset that the table lacks", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, make_run({{2, 3}}), never());
+  const h5::File file = h5::File::open(path);
+  std::set<std::string> found;
+  const auto collect = [](hid_t, const char* name, const H5O_info_t* info, void* to) -> herr_t {
+    if (info->type == H5O_TYPE_DATASET) static_cast<std::set<std::string>*>(to)->insert("/" + std::string(name));
+    return 0;
+  };
+  REQUIRE(H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, collect, &found, H5O_INFO_BASIC) >= 0);
+  std::set<std::string> expected = {"/inputs/config"};
+  for (const DatasetSpec& spec : kSchema) expected.insert(std::string(spec.path));
+  CHECK(found == expected);
+}
+
+TEST_CASE("results_schema: long datasets are those of boxes and samples, and hold numbers", "[io][results]") {
+  const auto& places = long_datasets();
+  CHECK(std::is_sorted(places.begin(), places.end()));
+  for (std::size_t i = 0; i < kSchema.size(); ++i) {
+    const std::string_view path = kSchema[i].path;
+    CAPTURE(path);
+    const bool of_layout_boxes =
+        path.ends_with("/corner_min") || path.ends_with("/corner_max") || path == "/inputs/layouts/material";
+    const bool expected = path.starts_with("/series/") || path.starts_with("/boxes/") ||
+                          path.starts_with("/summary/boxes/") || of_layout_boxes;
+    CHECK(is_long(kSchema[i]) == expected);
+    CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
+    CHECK_FALSE((expected && kSchema[i].type == ElementType::text));
+  }
+}

@@ -1,0 +1,16 @@
+#include "validate/laboratory/engine_settings.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "validate/laboratory/scene.hpp"
+
+using namespace holdfast;
+
+TEST_CASE("engine settings: every one says its step, for a scene's step factor to multiply", "[validate]") {
+  for (const EngineSetting& setting : engine_settings()) {
+    INFO(setting.engine << " " << setting.name);
+    Settings settings = Scene{}.settings;
+    setting.choose(settings);
+    CHECK(settings.steps_per_second.has_value());
+  }
+}
