@@ -37,19 +37,19 @@ inline Layout stack(std::size_t count, const Vec3& corner, const Vec3& size) {
 }
 
 /// Segments that follow each other: pairs of a duration, s, and an acceleration, m/s².
-inline Motion motion_of(const std::vector<std::pair<double, Vec3>>& segments) {
-  Motion motion{"motion.txt", "", {}};
+inline Acceleration acceleration_of(const std::vector<std::pair<double, Vec3>>& segments) {
+  Acceleration acceleration{"motion.txt", "", {}};
   double time = 0.0;
-  for (const auto& [duration, acceleration] : segments) {
-    motion.segments.push_back({time, duration, acceleration, 0});
+  for (const auto& [duration, value] : segments) {
+    acceleration.segments.push_back({time, duration, value, 0});
     time += duration;
   }
-  return motion;
+  return acceleration;
 }
 
 /// The same acceleration along x all the time, m/s².
-inline Motion constant(double acceleration, double duration) {
-  return motion_of({{duration, Vec3(acceleration, 0, 0)}});
+inline Acceleration constant(double acceleration, double duration) {
+  return acceleration_of({{duration, Vec3(acceleration, 0, 0)}});
 }
 
 /// Settings with a friction coefficient between box and container, and between boxes, of `friction`; the container
@@ -72,12 +72,12 @@ struct Run {
   Vec3 displacement(std::size_t i = 0) const { return state.position[i] - start[i]; }
 };
 
-/// Runs all worlds of `layouts` and `motions`; results in the batch's order.
+/// Runs all worlds of `layouts` and `accelerations`; results in the batch's order.
 /// @param prepare changes the state that the worlds start from
 inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> layouts,
-                                std::span<const Motion* const> motions, const Settings& settings,
+                                std::span<const Acceleration* const> accelerations, const Settings& settings,
                                 const std::function<void(StateColumns&)>& prepare = {}) {
-  WorldBatch batch = make_batch(layouts, motions, settings);
+  WorldBatch batch = make_batch(layouts, accelerations, settings);
   if (prepare) prepare(batch.state);
   const std::vector<Vec3> start = batch.state.position;
   std::vector<std::unique_ptr<SeriesRecorder>> recorders;
@@ -106,10 +106,10 @@ inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> la
 }
 
 /// Runs one world.
-inline Run run(const Engine& engine, const Layout& layout, const Motion& motion, const Settings& settings,
+inline Run run(const Engine& engine, const Layout& layout, const Acceleration& acceleration, const Settings& settings,
                const std::function<void(StateColumns&)>& prepare = {}) {
-  const Motion* const motions[] = {&motion};
-  return std::move(run_all(engine, std::span(&layout, 1), motions, settings, prepare).front());
+  const Acceleration* const accelerations[] = {&acceleration};
+  return std::move(run_all(engine, std::span(&layout, 1), accelerations, settings, prepare).front());
 }
 
 /// An engine of the catalogue; a failure of the test where it cannot be made.
@@ -119,8 +119,9 @@ inline std::unique_ptr<Engine> engine_of(const std::string& name, const Settings
   return std::move(*engine);
 }
 
-inline Run run(const std::string& engine, const Layout& layout, const Motion& motion, const Settings& settings) {
-  return run(*engine_of(engine, settings), layout, motion, settings);
+inline Run run(const std::string& engine, const Layout& layout, const Acceleration& acceleration,
+               const Settings& settings) {
+  return run(*engine_of(engine, settings), layout, acceleration, settings);
 }
 
 }  // namespace holdfast::scenes

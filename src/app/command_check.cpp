@@ -46,8 +46,8 @@ Finding check_file(const InputFile& input, const Settings& settings) {
                    [](const Layout& layout) { return fmt::format("layout, {} boxes", layout.boxes.size()); });
       break;
     case InputKind::acceleration:
-      take<Motion>(finding, parse_acceleration(*file, finding.warnings), [](const Motion& motion) {
-        return fmt::format("acceleration, {} segments, {:g} s", motion.segments.size(), motion.end_time());
+      take<Acceleration>(finding, parse_acceleration(*file, finding.warnings), [](const Acceleration& acceleration) {
+        return fmt::format("acceleration, {} segments, {:g} s", acceleration.segments.size(), acceleration.end_time());
       });
       break;
     case InputKind::config:

@@ -49,30 +49,31 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
   if (warning) warn(std::span(&*warning, 1));
 }
 
-std::vector<RunMotion> read_motions(const ScreeningJob& job) {
-  std::vector<RunMotion> motions;
+std::vector<RunAcceleration> read_accelerations(const ScreeningJob& job) {
+  std::vector<RunAcceleration> accelerations;
   for (const std::string& path : job.acceleration_paths) {
-    RunMotion& entry = motions.emplace_back();
-    entry.motion.name = input_name(path);
+    RunAcceleration& entry = accelerations.emplace_back();
+    entry.acceleration.name = input_name(path);
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
-    Result<Motion> motion = file ? parse_acceleration(*file, warnings) : Result<Motion>(file.errors());
-    if (file) entry.motion.sha256 = file->sha256;
-    if (motion) {
-      const auto error = job.record_series ? check_samples(path, *motion, job.settings) : std::nullopt;
-      if (error) motion = *error;
+    Result<Acceleration> acceleration =
+        file ? parse_acceleration(*file, warnings) : Result<Acceleration>(file.errors());
+    if (file) entry.acceleration.sha256 = file->sha256;
+    if (acceleration) {
+      const auto error = job.record_series ? check_samples(path, *acceleration, job.settings) : std::nullopt;
+      if (error) acceleration = *error;
     }
-    if (motion) {
-      entry.motion = std::move(*motion);
+    if (acceleration) {
+      entry.acceleration = std::move(*acceleration);
     } else {
-      entry.error = motion.error().message();
-      for (const Error& error : motion.errors()) print_to(stderr, "{}\n", error.message());
+      entry.error = acceleration.error().message();
+      for (const Error& error : acceleration.errors()) print_to(stderr, "{}\n", error.message());
     }
   }
-  return motions;
+  return accelerations;
 }
 
-RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions,
+RunDescription describe_run(const ScreeningJob& job, const std::vector<RunAcceleration>& accelerations,
                             std::vector<std::string> layout_hashes) {
   RunDescription run;
   run.software = fmt::format("holdfast {}", kVersion);
@@ -85,7 +86,7 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion
   run.settings = effective_settings(job.settings);
   for (const std::string& path : job.layout_paths) run.layout_names.push_back(input_name(path));
   run.layout_hashes = std::move(layout_hashes);
-  for (const RunMotion& motion : motions) run.accelerations.push_back(motion.motion);
+  for (const RunAcceleration& acceleration : accelerations) run.accelerations.push_back(acceleration.acceleration);
   run.record_series = job.record_series;
   run.thresholds = recording_plan(job.settings, true).thresholds;
   return run;

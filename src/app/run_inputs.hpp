@@ -16,10 +16,10 @@ std::string input_name(const std::string& path);
 void warn_of_same_names(const std::vector<std::string>& paths);
 
 /// Reads the accelerations of a run. What is wrong with one is told, and becomes the message of its worlds.
-std::vector<RunMotion> read_motions(const ScreeningJob& job);
+std::vector<RunAcceleration> read_accelerations(const ScreeningJob& job);
 
 /// What the results file is to say about the run.
-RunDescription describe_run(const ScreeningJob& job, const std::vector<RunMotion>& motions,
+RunDescription describe_run(const ScreeningJob& job, const std::vector<RunAcceleration>& accelerations,
                             std::vector<std::string> layout_hashes);
 
 }  // namespace holdfast

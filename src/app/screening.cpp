@@ -47,11 +47,11 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningJo
                                      const std::vector<std::string>& layout_hashes, const EngineTraits& traits) {
   if (finished.part_count == 0 && !finished.complete) return std::nullopt;
   const std::vector<std::string>& layout_paths = job.layout_paths;
-  const std::size_t motions = job.acceleration_paths.size();
-  const std::size_t total = layout_paths.size() * motions;
+  const std::size_t accelerations = job.acceleration_paths.size();
+  const std::size_t total = layout_paths.size() * accelerations;
   const std::size_t world = finished.world_count;
-  const WorkUnits units(layout_paths.size(), motions, traits);
-  if (world > total || finished.layout_count != (world + motions - 1) / motions ||
+  const WorkUnits units(layout_paths.size(), accelerations, traits);
+  if (world > total || finished.layout_count != (world + accelerations - 1) / accelerations ||
       finished.layout_hashes.size() != layout_paths.size() ||
       (world < total && units.first_world(units.beginning_with(world)) != world)) {
     return Error{
@@ -97,7 +97,7 @@ std::optional<Error> check_side_files(const ScreeningJob& job, const RunDescript
   }
   if (!job.text_folder) return std::nullopt;
   std::vector<std::string> accelerations;
-  for (const Motion& motion : description.accelerations) accelerations.push_back(motion.name);
+  for (const Acceleration& acceleration : description.accelerations) accelerations.push_back(acceleration.name);
   return prepare_text_export(*job.text_folder, description.layout_names, accelerations, job.batch_name);
 }
 
@@ -178,9 +178,9 @@ ExitCode run_screening(const ScreeningJob& job) {
     return fail(ExitCode::bad_usage,
                 {.what = "text files need the series", .accepted = "leave out --no-series or --text"});
 
-  const std::vector<RunMotion> motions = read_motions(job);
+  const std::vector<RunAcceleration> accelerations = read_accelerations(job);
   StageCosts costs;
-  const RunDescription description = describe_run(job, motions, [&] {
+  const RunDescription description = describe_run(job, accelerations, [&] {
     const StageTimer timer(costs, Stage::read);
     return hash_layouts(job.layout_paths);
   }());
@@ -222,11 +222,12 @@ ExitCode run_screening(const ScreeningJob& job) {
     warn_of_same_names(job.acceleration_paths);
     const auto threads = static_cast<std::size_t>(thread_count(job.settings.screening.threads));
     print_to(stderr, "{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(job.layout_paths.size(), "layout"),
-             counted(motions.size(), "acceleration"), counted(job.layout_paths.size() * motions.size(), "world"),
-             engine_text(job.settings), job.settings.screening.scheduler, counted(threads, "thread"),
+             counted(accelerations.size(), "acceleration"),
+             counted(job.layout_paths.size() * accelerations.size(), "world"), engine_text(job.settings),
+             job.settings.screening.scheduler, counted(threads, "thread"),
              finished.world_count > 0 ? fmt::format(", {} finished before", finished.world_count) : "");
   }
-  WorldRun run(job, **engine, description.layout_hashes, motions, **writer, finished, costs);
+  WorldRun run(job, **engine, description.layout_hashes, accelerations, **writer, finished, costs);
   const bool all_there = run.go();
   if (run.write_failed()) {
     tell_what_is_safe(job, description, run.total());

@@ -16,12 +16,13 @@ std::string at_most(double number) {
 
 }  // namespace
 
-double most_samples(const Motion& motion, const Settings& settings) {
-  return std::floor(latest_end(motion, settings) / settings.results_interval) + 2.0;
+double most_samples(const Acceleration& acceleration, const Settings& settings) {
+  return std::floor(latest_end(acceleration, settings) / settings.results_interval) + 2.0;
 }
 
-std::optional<Error> check_samples(const std::string& path, const Motion& motion, const Settings& settings) {
-  const double samples = latest_end(motion, settings) / settings.results_interval;
+std::optional<Error> check_samples(const std::string& path, const Acceleration& acceleration,
+                                   const Settings& settings) {
+  const double samples = latest_end(acceleration, settings) / settings.results_interval;
   if (samples <= kMostSamples) return std::nullopt;
   return Error{.file = path,
                .what = "would give a world too many samples",
@@ -29,14 +30,14 @@ std::optional<Error> check_samples(const std::string& path, const Motion& motion
                .accepted = at_most(kMostSamples)};
 }
 
-std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, const Motion& motion,
+std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, const Acceleration& acceleration,
                                 const Settings& settings) {
-  const double samples = most_samples(motion, settings);
+  const double samples = most_samples(acceleration, settings);
   const double rows = samples * static_cast<double>(boxes);
   if (rows <= kMostRows) return std::nullopt;
   return Error{.file = layout,
-               .what = fmt::format("its series under {} would be too large, {:.0f} samples of {} boxes", motion.name,
-                                   samples, boxes),
+               .what = fmt::format("its series under {} would be too large, {:.0f} samples of {} boxes",
+                                   acceleration.name, samples, boxes),
                .value = fmt::format("{:.0f}", rows),
                .accepted = at_most(kMostRows)};
 }

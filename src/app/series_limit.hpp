@@ -17,15 +17,15 @@ inline constexpr double kMostSamples = 200'000;
 /// world's end.
 inline constexpr double kMostRows = 20'000'000;
 
-/// Samples of a world under a motion, at most: one at the begin and one at the end besides those in between.
-double most_samples(const Motion& motion, const Settings& settings);
+/// Samples of a world under an acceleration, at most: one at the begin and one at the end besides those in between.
+double most_samples(const Acceleration& acceleration, const Settings& settings);
 
-/// What a motion's series would be too long for, if they are.
-std::optional<Error> check_samples(const std::string& path, const Motion& motion, const Settings& settings);
+/// What the series of an acceleration would be too long for, if they are.
+std::optional<Error> check_samples(const std::string& path, const Acceleration& acceleration, const Settings& settings);
 
 /// What the series of a world of so many boxes would be too large for, if they are.
 /// @param layout path or name of the world's layout
-std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, const Motion& motion,
+std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, const Acceleration& acceleration,
                                 const Settings& settings);
 
 }  // namespace holdfast

@@ -26,38 +26,38 @@ WorldPlace first_world(const UnitRecord& record) {
 }  // namespace
 
 WorldRun::WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<std::string>& layout_hashes,
-                   const std::vector<RunMotion>& motions, ResultsWriter& writer, const Progress& finished,
+                   const std::vector<RunAcceleration>& accelerations, ResultsWriter& writer, const Progress& finished,
                    StageCosts& costs)
     : job_(job),
       engine_(engine),
       layout_hashes_(layout_hashes),
-      motions_(motions),
+      accelerations_(accelerations),
       writer_(writer),
       costs_(costs),
       world_(finished.world_count),
       thresholds_(recording_plan(job.settings, true).thresholds) {
-  counts_.total = job.layout_paths.size() * motions.size();
+  counts_.total = job.layout_paths.size() * accelerations.size();
   counts_.resumed = finished.world_count;
   counts_.done = finished.world_count;
 }
 
 template <class Work>
 auto WorldRun::with_memory(WorldPlace world, const char* done, Work&& work) -> decltype(work()) {
-  const WorkInHand in_hand(job_.layout_paths[world.layout], motions_[world.acceleration].motion.name);
+  const WorkInHand in_hand(job_.layout_paths[world.layout], accelerations_[world.acceleration].acceleration.name);
   try {
     return work();
   } catch (const std::bad_alloc&) {
     keep(out_of_memory(job_.layout_paths[world.layout],
                        printable(fmt::format("memory ran out when its world under {} was {}",
-                                             motions_[world.acceleration].motion.name, done))));
+                                             accelerations_[world.acceleration].acceleration.name, done))));
     return std::nullopt;
   }
 }
 
 bool WorldRun::go() {
-  const WorkUnits units(job_.layout_paths.size(), motions_.size(), engine_.traits());
-  UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, layout_hashes_, motions_, stop_.drop,
-                    costs_);
+  const WorkUnits units(job_.layout_paths.size(), accelerations_.size(), engine_.traits());
+  UnitRunner runner(engine_, job_.settings, job_.record_series, job_.layout_paths, layout_hashes_, accelerations_,
+                    stop_.drop, costs_);
   const std::size_t first = units.beginning_with(world_);
   {
     ProgressLine line(counts_, stderr, job_.quiet);
@@ -75,7 +75,7 @@ bool WorldRun::go() {
     const auto work = [&](std::size_t i) -> std::optional<UnitRecord> {
       if (stop_.no_more || failed_) return std::nullopt;
       const WorkUnit unit = units[first + i];
-      return with_memory({unit.layout_begin, unit.motion_begin}, "simulated",
+      return with_memory({unit.layout_begin, unit.acceleration_begin}, "simulated",
                          [&] { return runner.run(unit, units.sharing_layouts(first + i, first)); });
     };
     const auto place = [&](UnitRecord&& record) -> Placed {
@@ -114,7 +114,7 @@ void WorldRun::announce(const UnitRecord& record) {
     if (!job_.quiet && ++warning_count_ <= kWarningsShown) notes_.push_back("warning: " + warning.message());
   for (const WorldRecord& world : record.worlds) {
     const std::string layout = input_name(job_.layout_paths[world.layout]);
-    const std::string& acceleration = motions_[world.acceleration].motion.name;
+    const std::string& acceleration = accelerations_[world.acceleration].acceleration.name;
     if (job_.json) lines_ += world_json(world, layout, acceleration, world_, thresholds_) + "\n";
     if (has(world.outcome.status, Status::bad_layout) && world.acceleration == 0) notes_.push_back(world.status_text);
     if (has(world.outcome.status, Status::too_large)) notes_.push_back(world.status_text);

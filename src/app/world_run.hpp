@@ -29,7 +29,8 @@ struct WorldPlace {
 class WorldRun {
  public:
   WorldRun(const ScreeningJob& job, const Engine& engine, const std::vector<std::string>& layout_hashes,
-           const std::vector<RunMotion>& motions, ResultsWriter& writer, const Progress& finished, StageCosts& costs);
+           const std::vector<RunAcceleration>& accelerations, ResultsWriter& writer, const Progress& finished,
+           StageCosts& costs);
 
   /// False when it was stopped or writing failed: then the results are not all there.
   bool go();
@@ -61,7 +62,7 @@ class WorldRun {
   const ScreeningJob& job_;
   const Engine& engine_;
   const std::vector<std::string>& layout_hashes_;
-  const std::vector<RunMotion>& motions_;
+  const std::vector<RunAcceleration>& accelerations_;
   ResultsWriter& writer_;
   StageCosts& costs_;
   const StopRequest& stop_ = watch_stop_signals();

@@ -18,8 +18,8 @@ const Vec3 kTall(0.5, 0.5, 1.0);     ///< a box that tips and does not slide on 
 Layout one_box(const Vec3& size) { return layout_of({box({10, 10, 0}, size)}); }
 
 /// A quarter of a second of rest, then that acceleration.
-Motion after_rest(const Vec3& acceleration, double duration) {
-  return motion_of({{0.25, Vec3(0, 0, 0)}, {duration, acceleration}});
+Acceleration after_rest(const Vec3& acceleration, double duration) {
+  return acceleration_of({{0.25, Vec3(0, 0, 0)}, {duration, acceleration}});
 }
 
 std::string any_engine() { return GENERATE(as<std::string>{}, "bullet", "bullet-f64", "bullet-stock"); }
@@ -125,7 +125,7 @@ TEST_CASE("bullet_engine: a stack holds with the preset, and not as Bullet is sh
 
 TEST_CASE("bullet_engine: a pulse whose edges no step meets gives its exact velocity", "[bullet][bullet_engine]") {
   const std::string engine = any_engine();
-  const Motion pulse = motion_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
+  const Acceleration pulse = acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
   const Run one = run(engine, one_box(kFlat), pulse, open_floor(0.0));
   CAPTURE(engine);
   CHECK(one.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-5));
@@ -183,7 +183,7 @@ TEST_CASE("bullet_engine: without gravity boxes float, and there is no residual"
   const Run one = run("bullet", layout_of({box({10, 10, 5}, kFlat)}), constant(2, 1), settings);
   CHECK(one.displacement().x() == Approx(-1 - kStep).epsilon(1e-5));
   CHECK(one.displacement().z() == 0.0);
-  const Run pushed = run("bullet", one_box(kFlat), motion_of({{1, Vec3(0, 0, 5)}}), settings);
+  const Run pushed = run("bullet", one_box(kFlat), acceleration_of({{1, Vec3(0, 0, 5)}}), settings);
   CHECK(pushed.displacement().norm() < 1e-4);
   CHECK(pushed.record.outcome.counters.max_residual == 0.0);
 }

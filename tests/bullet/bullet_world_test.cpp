@@ -21,7 +21,9 @@ Layout pile() {
   return layout;
 }
 
-Motion swerve() { return motion_of({{0.2, Vec3(0, 0, 0)}, {0.6, Vec3(7, 3, 0)}, {0.4003, Vec3(-5, -4, 0)}}); }
+Acceleration swerve() {
+  return acceleration_of({{0.2, Vec3(0, 0, 0)}, {0.6, Vec3(7, 3, 0)}, {0.4003, Vec3(-5, -4, 0)}});
+}
 
 std::uint64_t hash_alone(const std::string& engine, const Layout& layout) {
   return run(engine, layout, swerve(), {}).record.state_hash;
@@ -36,10 +38,10 @@ TEST_CASE("bullet_world: the same bits alone, again and in any batch", "[bullet]
   CHECK(hash_alone(engine, pile()) == expected);
 
   const std::vector<Layout> layouts = {stack(6, {1, 1, 0}, {0.5, 0.5, 0.3}), pile(), layout_of({}), pile()};
-  const Motion other = constant(3, 0.5);
-  const Motion same = swerve();
-  const Motion* const motions[] = {&other, &same};
-  const std::vector<Run> runs = run_all(*engine_of(engine, {}), layouts, motions, {});
+  const Acceleration other = constant(3, 0.5);
+  const Acceleration same = swerve();
+  const Acceleration* const accelerations[] = {&other, &same};
+  const std::vector<Run> runs = run_all(*engine_of(engine, {}), layouts, accelerations, {});
   CHECK(runs[3].record.state_hash == expected);
   CHECK(runs[7].record.state_hash == expected);
 }
@@ -55,9 +57,9 @@ TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][
   for (std::uint64_t& hash : hashes) {
     threads.emplace_back([&] {
       const Layout layout = pile();
-      const Motion motion = swerve();
-      const Motion* const motions[] = {&motion};
-      WorldBatch batch = make_batch(std::span(&layout, 1), motions, {});
+      const Acceleration acceleration = swerve();
+      const Acceleration* const accelerations[] = {&acceleration};
+      WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, {});
       SeriesRecorder recorder(recording_plan({}, true));
       Recorder* const recorders[] = {&recorder};
       simulate(*shared, batch, {}, recorders, false);
@@ -88,13 +90,13 @@ TEST_CASE("bullet_world: a change of the motion wakes sleeping boxes", "[bullet]
   CAPTURE(engine);
   const Layout layout = layout_of({box({10, 10, 0}, {1.1, 1.1, 0.25})});
   const double limit = 0.5 * kGravity;
-  const Motion motion = motion_of({{3, Vec3(0, 0, 0)}, {1, Vec3(1.5 * limit, 0, 0)}});
+  const Acceleration acceleration = acceleration_of({{3, Vec3(0, 0, 0)}, {1, Vec3(1.5 * limit, 0, 0)}});
   Settings settings = open_floor(0.5);
   settings.bullet.sleeping = BulletSleeping::wake_on_change;
-  const Run one = run(engine, layout, motion, settings);
+  const Run one = run(engine, layout, acceleration, settings);
   CHECK(one.displacement().x() == Approx(-0.25 * limit * (1 + 1.0 / 240)).epsilon(1e-3));
   // It did sleep: Bullet puts bodies to sleep after 2 s.
-  const Counters awake = run(engine, layout, motion, open_floor(0.5)).record.outcome.counters;
+  const Counters awake = run(engine, layout, acceleration, open_floor(0.5)).record.outcome.counters;
   const Counters& asleep = one.record.outcome.counters;
   CHECK(asleep.steps == awake.steps);
   CAPTURE(asleep.solve_iterations, awake.solve_iterations);

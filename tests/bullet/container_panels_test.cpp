@@ -37,7 +37,7 @@ TEST_CASE("container_panels: every side holds the boxes", "[bullet][container_pa
   const std::string engine = any_engine();
   for (const Side& side : kSides) {
     CAPTURE(engine, side.name);
-    const Run one = run(engine, box_inside(), motion_of({{3, side.push}}), frictionless_container({}));
+    const Run one = run(engine, box_inside(), acceleration_of({{3, side.push}}), frictionless_container({}));
     CHECK((one.displacement() - side.reached).norm() < 0.02);
   }
 }
@@ -46,11 +46,11 @@ TEST_CASE("container_panels: boxes leave through an open side, and through no ot
   const std::string engine = any_engine();
   for (const Side& side : kSides) {
     CAPTURE(engine, side.name);
-    const Run out = run(engine, box_inside(), motion_of({{3, side.push}}), frictionless_container({side.name}));
+    const Run out = run(engine, box_inside(), acceleration_of({{3, side.push}}), frictionless_container({side.name}));
     CHECK(out.displacement().dot(side.reached.normalized()) > side.reached.norm() + 2);
     for (const Side& other : kSides) {
       if (other.name == side.name) continue;
-      const Run in = run(engine, box_inside(), motion_of({{3, other.push}}), frictionless_container({side.name}));
+      const Run in = run(engine, box_inside(), acceleration_of({{3, other.push}}), frictionless_container({side.name}));
       CHECK((in.displacement() - other.reached).norm() < 0.02);
     }
   }

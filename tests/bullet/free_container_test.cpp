@@ -71,7 +71,7 @@ TEST_CASE("free_container: beyond that the ground takes its share", "[bullet][fr
 
 TEST_CASE("free_container: sideways as well", "[bullet][free_container]") {
   const std::string engine = any_engine();
-  const Run one = run(engine, cargo(), motion_of({{0.5, Vec3(0, -2, 0)}}), free_container(0.0, 0.0));
+  const Run one = run(engine, cargo(), acceleration_of({{0.5, Vec3(0, -2, 0)}}), free_container(0.0, 0.0));
   const double expected = 0.5 * kDrive * 2 * 0.5 * (0.5 + kStep);
   CAPTURE(engine, one.displacement().y(), expected);
   CHECK(one.displacement().y() == Approx(expected).epsilon(1e-3));

@@ -17,7 +17,7 @@ std::string any_engine() { return GENERATE(as<std::string>{}, "bullet", "bullet-
 /// The deceleration by friction, m/s², of box `i` that feels −`acceleration`; from its displacement along x.
 double friction_seen(const std::string& engine, const Layout& layout, const Vec3& acceleration,
                      const Settings& settings, std::size_t i = 0) {
-  const Run slide = run(engine, layout, motion_of({{kTime, acceleration}}), settings);
+  const Run slide = run(engine, layout, acceleration_of({{kTime, acceleration}}), settings);
   return acceleration.x() + slide.displacement(i).x() / (0.5 * kTime * (kTime + kStep));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("surface: friction by the kind of pair", "[bullet][surface]") {
     // a wall they stand askew until v is much larger, and the limits of both add up: measured 2.75 of 2 m/s² in the
     // first step, 2.04 after half a second with two directions; 1.04 and 2.00 with one, as shipped.
     const Layout at_wall = layout_of({box({10, 0, 0}, {2, 0.5, 0.25})});
-    const Run slide = run(engine, at_wall, motion_of({{kTime, Vec3(6, 5, 0)}}), pairs(0.9, 0.0, 0.4));
+    const Run slide = run(engine, at_wall, acceleration_of({{kTime, Vec3(6, 5, 0)}}), pairs(0.9, 0.0, 0.4));
     const double seen = 6 + static_cast<double>(slide.record.series.linear_acceleration.back().x);
     CHECK(seen == Approx(0.4 * 5).epsilon(0.04));
   }

@@ -76,20 +76,20 @@ void read_layout(std::string_view text) {
 void read_acceleration(std::string_view text) {
   classify(text);
   std::vector<Error> warnings;
-  const Result<Motion> motion = parse_acceleration(file_of(text), warnings);
-  check_errors(motion, warnings);
-  if (!motion) return;
-  require(!motion->segments.empty(), "no segments");
+  const Result<Acceleration> acceleration = parse_acceleration(file_of(text), warnings);
+  check_errors(acceleration, warnings);
+  if (!acceleration) return;
+  require(!acceleration->segments.empty(), "no segments");
   double end = 0.0;
-  for (const Segment& segment : motion->segments) {
+  for (const Segment& segment : acceleration->segments) {
     require(segment.start >= end && segment.duration > 0.0, "segments overlap");
     require(segment.acceleration.allFinite(), "an acceleration is not finite");
     end = segment.start + segment.duration;
   }
-  require(std::isfinite(end) && motion->end_time() == end, "the end is not finite");
+  require(std::isfinite(end) && acceleration->end_time() == end, "the end is not finite");
   // Phases are what a motion is used for.
   double reached = 0.0;
-  for (const Phase& phase : phases_of(*motion, end)) {
+  for (const Phase& phase : phases_of(*acceleration, end)) {
     require(phase.begin == reached && phase.end > phase.begin, "phases leave gaps");
     reached = phase.end;
   }

@@ -94,15 +94,15 @@ inline Overlap overlap_of(const WorldBatch& batch, const ContainerSettings& cont
 }
 
 /// Takes one world through its motion, with a look at every step's end.
-inline void watch(const Engine& engine, const Layout& layout, const Motion& motion, const Settings& settings,
-                  const std::function<void(WorldBatch&)>& prepare,
+inline void watch(const Engine& engine, const Layout& layout, const Acceleration& acceleration,
+                  const Settings& settings, const std::function<void(WorldBatch&)>& prepare,
                   const std::function<void(const WorldBatch&, const Phase&)>& look,
                   const std::function<void(const WorldBatch&, const Phase&)>& begin = {}) {
-  const Motion* const motions[] = {&motion};
-  WorldBatch batch = make_batch(std::span(&layout, 1), motions, settings);
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, settings);
   if (prepare) prepare(batch);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
-  for (const Phase& phase : phases_of(motion, motion.end_time())) {
+  for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     if (begin) begin(batch, phase);
     for (double time = phase.begin; time < phase.end;) {
       time = simulation->advance(0, phase, phase.end);
@@ -169,13 +169,13 @@ inline Layout random_layout(Random& random, std::uint32_t least = 6, std::uint32
 }
 
 /// Three phases of random accelerations.
-inline Motion random_motion(Random& random, double phase) {
+inline Acceleration random_acceleration(Random& random, double phase) {
   std::vector<std::pair<double, Vec3>> segments;
   for (int i = 0; i < 3; ++i) {
     const Vec3 direction = random.vector(-1, 1);
     segments.emplace_back(phase, Vec3(8 * direction.x(), 6 * direction.y(), direction.z()));
   }
-  return scenes::motion_of(segments);
+  return scenes::acceleration_of(segments);
 }
 
 }  // namespace holdfast::physics

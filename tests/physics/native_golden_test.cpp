@@ -20,8 +20,8 @@ Run brake() {
   Settings settings;
   settings.native.accuracy = Accuracy::screening;
   const Layout layout = bundled_layout("BR5_020_layer_h60", settings);
-  const Motion motion = motion_of({{0.4, Vec3(1.2 * kGravity, 0, 0)}, {0.1, Vec3::Zero()}});
-  return run(NativeEngine(settings), layout, motion, settings);
+  const Acceleration acceleration = acceleration_of({{0.4, Vec3(1.2 * kGravity, 0, 0)}, {0.1, Vec3::Zero()}});
+  return run(NativeEngine(settings), layout, acceleration, settings);
 }
 
 /// Slides, leans, and comes back; one of the boxes has an offset centre of mass.
@@ -30,7 +30,7 @@ Run lean() {
   settings.materials[2].centre_of_mass = {0.05, 0.1, 0.03};
   Layout layout = stack(6, {2, 1, 0}, {0.6, 0.5, 0.3});
   layout.boxes[3].material = 2;
-  return run(NativeEngine(settings), layout, motion_of({{0.3, Vec3(4, 6, 0)}, {0.3, Vec3(-3, 0, 1)}}), settings);
+  return run(NativeEngine(settings), layout, acceleration_of({{0.3, Vec3(4, 6, 0)}, {0.3, Vec3(-3, 0, 1)}}), settings);
 }
 
 /// Boxes that spin, fall onto each other and rebound.
@@ -39,8 +39,8 @@ Run tumble() {
   Settings settings = small_container(Accuracy::standard);
   settings.contact.restitution = 0.3;
   const Layout layout = random_layout(random);
-  const Motion motion = random_motion(random, 0.2);
-  return run(NativeEngine(settings), layout, motion, settings, [&](StateColumns& state) {
+  const Acceleration acceleration = random_acceleration(random, 0.2);
+  return run(NativeEngine(settings), layout, acceleration, settings, [&](StateColumns& state) {
     for (Vec3& spin : state.angular_velocity) spin = random.vector(-2, 2);
   });
 }
@@ -51,7 +51,7 @@ Run drop() {
   Settings settings = small_container(Accuracy::reference);
   settings.steps_per_second = 240;
   const Layout layout = random_layout(random);
-  return run(NativeEngine(settings), layout, random_motion(random, 0.1), settings);
+  return run(NativeEngine(settings), layout, random_acceleration(random, 0.1), settings);
 }
 
 /// A scene and the hash of its final state; to be recorded anew whenever the engine's numbers change.

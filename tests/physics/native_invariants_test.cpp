@@ -23,14 +23,14 @@ struct Worst {
   Overlap overlap;             ///< m
 };
 
-Worst worst_of(const Layout& layout, const Motion& motion, const Settings& settings,
+Worst worst_of(const Layout& layout, const Acceleration& acceleration, const Settings& settings,
                const std::function<void(WorldBatch&)>& prepare = {}) {
   Worst worst;
   double last = 0.0, lowest = 0.0, unit = 0.0;
   bool started = false;
   const auto pull_of = [&](const Phase& phase) { return Vec3(Vec3(0, 0, -settings.gravity) - phase.acceleration); };
   watch(
-      NativeEngine(settings), layout, motion, settings, prepare,
+      NativeEngine(settings), layout, acceleration, settings, prepare,
       [&](const WorldBatch& batch, const Phase& phase) {
         const double now = energy_of(batch, pull_of(phase)) / unit;
         worst.rise = std::max(worst.rise, now - lowest);
@@ -77,10 +77,11 @@ void check_worst(const Worst& worst, const Bounds& bounds) {
 void check_real_loads(const Bounds& bounds) {
   Settings settings;
   settings.native.accuracy = Accuracy::screening;
-  const Motion motion = motion_of({{0.45, Vec3(0.8 * kGravity, 0, 0)}, {0.35, Vec3(0, 0.5 * kGravity, 0)}});
+  const Acceleration acceleration =
+      acceleration_of({{0.45, Vec3(0.8 * kGravity, 0, 0)}, {0.35, Vec3(0, 0.5 * kGravity, 0)}});
   double lost = 0.0;
   for (const char* name : kLayouts) {
-    const Worst worst = worst_of(bundled_layout(name, settings), motion, settings);
+    const Worst worst = worst_of(bundled_layout(name, settings), acceleration, settings);
     CAPTURE(name);
     check_worst(worst, bounds);
     lost = std::max(lost, worst.lost);
@@ -93,8 +94,8 @@ void check_random_scenes(Accuracy accuracy, const Bounds& bounds) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const Layout layout = random_layout(random);
-    const Motion motion = random_motion(random, 0.25);
-    const Worst worst = worst_of(layout, motion, small_container(accuracy));
+    const Acceleration acceleration = random_acceleration(random, 0.25);
+    const Worst worst = worst_of(layout, acceleration, small_container(accuracy));
     CAPTURE(seed, layout.boxes.size());
     check_worst(worst, bounds);
     CHECK(worst.lost > 1e-2);
@@ -110,11 +111,11 @@ void check_tumbling(const Bounds& bounds) {
       const double x = random.between(0.6, 1.2);
       layout.boxes.push_back(box({x, 0.6, 0.7 * i + 0.5}, random.vector(0.2, 0.4)));
     }
-    const Motion motion = random_motion(random, 0.4);
+    const Acceleration acceleration = random_acceleration(random, 0.4);
     const auto turn = [&](WorldBatch& batch) {
       for (Rotation& rotation : batch.state.orientation) rotation = random.rotation();
     };
-    const Worst worst = worst_of(layout, motion, small_container(Accuracy::standard), turn);
+    const Worst worst = worst_of(layout, acceleration, small_container(Accuracy::standard), turn);
     CAPTURE(seed);
     check_worst(worst, bounds);
     CHECK(worst.lost > 0.3);
@@ -143,12 +144,13 @@ TEST_CASE("native_invariants: the deepest penetration that is told is the one th
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
     const Layout layout = random_layout(random);
-    const Motion motion = random_motion(random, 0.25);
+    const Acceleration acceleration = random_acceleration(random, 0.25);
     for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard}) {
       const Settings settings = small_container(accuracy);
-      const Worst worst = worst_of(layout, motion, settings);
+      const Worst worst = worst_of(layout, acceleration, settings);
       const double seen = std::max(worst.overlap.of_boxes, worst.overlap.with_side);
-      const double told = run(NativeEngine(settings), layout, motion, settings).record.outcome.counters.max_penetration;
+      const double told =
+          run(NativeEngine(settings), layout, acceleration, settings).record.outcome.counters.max_penetration;
       CAPTURE(seed, static_cast<int>(accuracy), text(seen), text(told));
       // Of two ways out of each other a contact keeps the one it had while they are near ties.
       CHECK(told > 0.95 * seen - 1e-9);
@@ -345,13 +347,14 @@ TEST_CASE("native_invariants: gaps and overlaps of a micrometre settle once, the
       Settings settings = open_floor(0.5);
       settings.contact.box_box = 0.8;
       settings.native.accuracy = accuracy;
-      const Motion motion = motion_of({{2, Vec3(0.45 * kGravity, 0, 0)}, {58, Vec3(0.45 * kGravity, 0, 0)}});
+      const Acceleration acceleration =
+          acceleration_of({{2, Vec3(0.45 * kGravity, 0, 0)}, {58, Vec3(0.45 * kGravity, 0, 0)}});
       StateColumns settled;
       bool still = true;
       double moved = 0.0;
       std::vector<Vec3> start;
       watch(
-          NativeEngine(settings), layout, motion, settings, [&](WorldBatch& b) { start = b.state.position; },
+          NativeEngine(settings), layout, acceleration, settings, [&](WorldBatch& b) { start = b.state.position; },
           [&](const WorldBatch& batch, const Phase& phase) {
             for (std::size_t i = 0; i < start.size(); ++i)
               moved = std::max(moved, (batch.state.position[i] - start[i]).norm());

@@ -18,11 +18,11 @@ struct Difference {
   double moved = 0.0;
 };
 
-Difference difference_of(const Layout& layout, const Motion& motion, double steps_per_second) {
+Difference difference_of(const Layout& layout, const Acceleration& acceleration, double steps_per_second) {
   Settings settings = small_container(Accuracy::reference);
   settings.steps_per_second = steps_per_second;
-  const Run native = run(NativeEngine(settings), layout, motion, settings);
-  const Run plain = run(PlainEngine(settings), layout, motion, settings);
+  const Run native = run(NativeEngine(settings), layout, acceleration, settings);
+  const Run plain = run(PlainEngine(settings), layout, acceleration, settings);
   Difference difference;
   for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
     difference.of_twins = std::max(difference.of_twins, (native.state.position[i] - plain.state.position[i]).norm());
@@ -38,9 +38,9 @@ TEST_CASE("native_plain_twin: in random scenes both engines bring the boxes to t
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     Random random(100 + seed);
     const Layout layout = random_layout(random, 4, 6);
-    const Motion motion = random_motion(random, 0.1);
+    const Acceleration acceleration = random_acceleration(random, 0.1);
     // Coarser steps may part where an impact could go either way.
-    const Difference difference = difference_of(layout, motion, 960);
+    const Difference difference = difference_of(layout, acceleration, 960);
     CAPTURE(seed, layout.boxes.size(), text(difference.of_twins), text(difference.moved));
     CHECK(difference.of_twins < 1e-2);
     CHECK(difference.moved > 1e-2);

@@ -13,10 +13,10 @@ using namespace holdfast::physics;
 namespace {
 
 /// Accelerations that leave most loads at rest for a while, so that there is something to spare.
-std::vector<Motion> motions() {
-  return {motion_of({{0.2, Vec3::Zero()}, {0.2, Vec3(0.3 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
-          motion_of({{0.3, Vec3(0.8 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
-          motion_of({{0.2, Vec3(0, 0.5 * kGravity, 0)}, {0.2, Vec3(0, -0.5 * kGravity, 0)}})};
+std::vector<Acceleration> accelerations() {
+  return {acceleration_of({{0.2, Vec3::Zero()}, {0.2, Vec3(0.3 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
+          acceleration_of({{0.3, Vec3(0.8 * kGravity, 0, 0)}, {0.2, Vec3::Zero()}}),
+          acceleration_of({{0.2, Vec3(0, 0.5 * kGravity, 0)}, {0.2, Vec3(0, -0.5 * kGravity, 0)}})};
 }
 
 Settings screening_settings(bool jump, bool freeze) {
@@ -30,19 +30,19 @@ Settings screening_settings(bool jump, bool freeze) {
 }  // namespace
 
 TEST_CASE("native_shortcuts: Jump and Freeze never change a bit", "[physics][native_shortcuts]") {
-  const std::vector<Motion> all = motions();
+  const std::vector<Acceleration> all = accelerations();
   std::uint64_t skipped = 0;
   // Loads and motions differ in which boxes rest, and when.
   for (std::size_t i = 0; i < std::size(kLayouts); ++i) {
-    const Motion& motion = all[i % all.size()];
+    const Acceleration& acceleration = all[i % all.size()];
     std::vector<Run> runs;
     // Both, then each taken away; without Freeze the proof of rest is repeated, and Jump still counts.
     for (const auto& [jump, freeze] : {std::pair(true, true), std::pair(false, true), std::pair(true, false)}) {
       const Settings settings = screening_settings(jump, freeze);
-      runs.push_back(run(NativeEngine(settings), bundled_layout(kLayouts[i], settings), motion, settings));
+      runs.push_back(run(NativeEngine(settings), bundled_layout(kLayouts[i], settings), acceleration, settings));
     }
     for (std::size_t k = 1; k < runs.size(); ++k) {
-      CAPTURE(kLayouts[i], &motion - all.data(), k);
+      CAPTURE(kLayouts[i], &acceleration - all.data(), k);
       CHECK(same_bits(runs[k].state, runs[0].state));
       CHECK(runs[k].record.outcome.counters.steps == runs[0].record.outcome.counters.steps);
     }
@@ -57,14 +57,14 @@ TEST_CASE("native_shortcuts: Freeze never changes a bit where boxes keep hitting
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     Random random(seed);
     const Layout layout = random_layout(random);
-    const Motion motion = random_motion(random, 0.25);
+    const Acceleration acceleration = random_acceleration(random, 0.25);
     std::vector<Run> runs;
     for (const bool jump : {true, false}) {
       for (const bool freeze : {true, false}) {
         Settings settings = small_container(Accuracy::standard);
         settings.native.jump = jump;
         settings.native.freeze = freeze;
-        runs.push_back(run(NativeEngine(settings), layout, motion, settings));
+        runs.push_back(run(NativeEngine(settings), layout, acceleration, settings));
       }
     }
     for (std::size_t k = 1; k < runs.size(); ++k) {
@@ -79,14 +79,14 @@ TEST_CASE("native_shortcuts: a world is the same alone and among others, in any 
   std::vector<Layout> layouts;
   for (const char* name : {"seed_example", "BR5_020_layer_h60", "BR1_001_ep"})
     layouts.push_back(bundled_layout(name, settings));
-  const std::vector<Motion> all = motions();
-  std::vector<const Motion*> pointers;
-  for (const Motion& motion : all) pointers.push_back(&motion);
+  const std::vector<Acceleration> all = accelerations();
+  std::vector<const Acceleration*> pointers;
+  for (const Acceleration& acceleration : all) pointers.push_back(&acceleration);
   const NativeEngine engine(settings);
   const std::vector<Run> together = run_all(engine, layouts, pointers, settings);
 
   std::vector<Layout> backwards(layouts.rbegin(), layouts.rend());
-  std::vector<const Motion*> pointers_backwards(pointers.rbegin(), pointers.rend());
+  std::vector<const Acceleration*> pointers_backwards(pointers.rbegin(), pointers.rend());
   std::vector<Run> turned = run_all(engine, backwards, pointers_backwards, settings);
   std::reverse(turned.begin(), turned.end());
 
@@ -103,12 +103,12 @@ TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each 
   const Settings settings = screening_settings(true, true);
   const std::vector<Layout> layouts = {bundled_layout("seed_example", settings),
                                        bundled_layout("BR5_020_layer_h60", settings)};
-  const Motion motion = constant(0.8 * kGravity, 0.3);
-  const Motion* const pointers[] = {&motion};
+  const Acceleration acceleration = constant(0.8 * kGravity, 0.3);
+  const Acceleration* const pointers[] = {&acceleration};
   const NativeEngine engine(settings);
   WorldBatch batch = make_batch(layouts, pointers, settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
-  const Phase phase = phases_of(motion, 0.3).front();
+  const Phase phase = phases_of(acceleration, 0.3).front();
   double time[] = {0.0, 0.0};
   while (time[0] < phase.end || time[1] < phase.end) {
     for (std::size_t world = 0; world < 2; ++world) {
@@ -118,7 +118,7 @@ TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each 
   }
   for (std::size_t world = 0; world < 2; ++world) {
     simulation->read_back(world, batch.state);
-    const Run alone = run(engine, layouts[world], motion, settings);
+    const Run alone = run(engine, layouts[world], acceleration, settings);
     const StateView end = {alone.state.position, alone.state.orientation, alone.state.velocity,
                            alone.state.angular_velocity};
     CAPTURE(world);

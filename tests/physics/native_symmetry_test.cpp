@@ -50,9 +50,9 @@ Layout mirrored(Layout layout, int axis) {
   return layout;
 }
 
-Motion mirrored(Motion motion, int axis) {
-  for (Segment& segment : motion.segments) segment.acceleration[axis] = -segment.acceleration[axis];
-  return motion;
+Acceleration mirrored(Acceleration acceleration, int axis) {
+  for (Segment& segment : acceleration.segments) segment.acceleration[axis] = -segment.acceleration[axis];
+  return acceleration;
 }
 
 /// A mirror turns rotations about its own axis the same way, and all others the opposite way.
@@ -88,7 +88,7 @@ double largest_turn(const StateColumns& state) {
   return largest;
 }
 
-const Motion kSwerve = motion_of({{0.3, Vec3(5, 3, 0)}, {0.3, Vec3(-2, 6, 0)}});
+const Acceleration kSwerve = acceleration_of({{0.3, Vec3(5, 3, 0)}, {0.3, Vec3(-2, 6, 0)}});
 
 constexpr std::initializer_list<Accuracy> kAll = {Accuracy::screening, Accuracy::standard, Accuracy::reference};
 
@@ -167,11 +167,11 @@ TEST_CASE("native_symmetry: masses scaled by a power of 2 move with the same bit
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
       Random random(seed);
       const Layout layout = random_layout(random);
-      const Motion motion = random_motion(random, 0.2);
+      const Acceleration acceleration = random_acceleration(random, 0.2);
       const auto run_with = [&](double scale) {
         Settings settings = small_container(accuracy);
         settings.density_value *= scale;
-        return run(NativeEngine(settings), layout, motion, settings);
+        return run(NativeEngine(settings), layout, acceleration, settings);
       };
       const Run run_here = run_with(1.0);
       for (const double scale : {0.125, 2.0, 1024.0}) {
@@ -198,12 +198,12 @@ TEST_CASE("native_symmetry: a scene of other lengths moves alike, in the root of
           box.corner_min *= length;
           box.corner_max *= length;
         }
-        Motion motion = kSwerve;
-        for (Segment& segment : motion.segments) {
+        Acceleration acceleration = kSwerve;
+        for (Segment& segment : acceleration.segments) {
           segment.start *= time;
           segment.duration *= time;
         }
-        return run(NativeEngine(settings), scaled, motion, settings);
+        return run(NativeEngine(settings), scaled, acceleration, settings);
       };
       const Run run_here = run_with(1.0, 1.0);
       for (const auto& [length, time] : {std::pair(4.0, 2.0), std::pair(0.25, 0.5)}) {

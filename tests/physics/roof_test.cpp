@@ -31,10 +31,10 @@ Layout column(std::size_t count, double length, double width = 1.5) {
 }
 
 /// Half a second of nothing, then the accelerations along x, a second each.
-Motion after_rest(std::initializer_list<double> accelerations) {
+Acceleration after_rest(std::initializer_list<double> accelerations) {
   std::vector<std::pair<double, Vec3>> segments = {{0.5, Vec3::Zero()}};
   for (const double acceleration : accelerations) segments.emplace_back(1.0, Vec3(acceleration, 0, 0));
-  return motion_of(segments);
+  return acceleration_of(segments);
 }
 
 /// Path of the lowest box against the acceleration, m.
@@ -125,7 +125,8 @@ TEST_CASE("roof: a box on a lift presses the roof, and friction holds it there",
     for (const double share : {0.9, 1.2}) {
       const Settings settings = with(accuracy, under_roof(0.0, kFriction));
       const double along = share * kFriction * kGravity;
-      const Run run = native_run(column(1, 1.2), motion_of({{0.5, fall}, {1.0, fall + Vec3(along, 0, 0)}}), settings);
+      const Run run =
+          native_run(column(1, 1.2), acceleration_of({{0.5, fall}, {1.0, fall + Vec3(along, 0, 0)}}), settings);
       CAPTURE(static_cast<int>(accuracy), share, text(path_of(run)));
       if (share < 1.0) CHECK(path_of(run) < 1e-6);
       if (share > 1.0) CHECK(path_of(run) == Approx(0.5 * 0.2 * kFriction * kGravity).epsilon(1e-3));

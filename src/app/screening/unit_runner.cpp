@@ -28,12 +28,12 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   std::vector<std::shared_ptr<const ReadLayout>> layouts;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
     const ReadLayout& read = *layouts.emplace_back(layouts_.take(i, sharing));
-    if (unit.motion_begin > 0) continue;
+    if (unit.acceleration_begin > 0) continue;
     record.layouts.push_back({i, read.layout});
     record.warnings.insert(record.warnings.end(), read.warnings.begin(), read.warnings.end());
   }
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)
-    for (std::size_t j = unit.motion_begin; j < unit.motion_end; ++j)
+    for (std::size_t j = unit.acceleration_begin; j < unit.acceleration_end; ++j)
       record.worlds.push_back(refused(*layouts[i - unit.layout_begin], i, j));
   const std::size_t simulated = simulate_good(unit, layouts, record.worlds);
   if (abort_) return std::nullopt;
@@ -44,20 +44,20 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   return record;
 }
 
-WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t motion) const {
+WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t acceleration) const {
   WorldRecord world;
   world.layout = layout_index;
-  world.acceleration = motion;
+  world.acceleration = acceleration;
   if (!layout.error.empty()) {
     world.outcome.status = Status::bad_layout;
     world.status_text = layout.error;
-  } else if (!motions_[motion].error.empty()) {
+  } else if (!accelerations_[acceleration].error.empty()) {
     world.outcome.status = Status::bad_acceleration;
-    world.status_text = motions_[motion].error;
+    world.status_text = accelerations_[acceleration].error;
   } else if (!plan_.series) {
     return world;
-  } else if (const auto error =
-                 check_rows(layout.layout.name, layout.layout.boxes.size(), motions_[motion].motion, settings_)) {
+  } else if (const auto error = check_rows(layout.layout.name, layout.layout.boxes.size(),
+                                           accelerations_[acceleration].acceleration, settings_)) {
     world.outcome.status = Status::too_large;
     world.status_text = error->message();
   }
@@ -67,29 +67,30 @@ WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_ind
 std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
                                       const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                                       std::vector<WorldRecord>& worlds) const {
-  const std::size_t motion_count = unit.motion_end - unit.motion_begin;
+  const std::size_t acceleration_count = unit.acceleration_end - unit.acceleration_begin;
   const auto is_good = [](const WorldRecord& world) { return world.outcome.status == Status::ok; };
-  // A batch is every layout under the same motions: layouts that go under different ones go in different batches.
+  // A batch is every layout under the same accelerations: layouts that go under different ones go in different batches.
   std::map<std::vector<std::size_t>, std::vector<std::size_t>> batches;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
-    std::vector<std::size_t> motions;
-    for (std::size_t j = 0; j < motion_count; ++j)
-      if (is_good(worlds[i * motion_count + j])) motions.push_back(j);
-    if (!motions.empty()) batches[motions].push_back(i);
+    std::vector<std::size_t> accelerations;
+    for (std::size_t j = 0; j < acceleration_count; ++j)
+      if (is_good(worlds[i * acceleration_count + j])) accelerations.push_back(j);
+    if (!accelerations.empty()) batches[accelerations].push_back(i);
   }
   std::size_t simulated = 0;
-  for (const auto& [motions, of_layouts] : batches) {
+  for (const auto& [accelerations, of_layouts] : batches) {
     std::vector<Layout> batch_layouts;
-    std::vector<const Motion*> batch_motions;
+    std::vector<const Acceleration*> batch_accelerations;
     for (const std::size_t i : of_layouts) batch_layouts.push_back(layouts[i]->layout);
-    for (const std::size_t j : motions) batch_motions.push_back(&motions_[unit.motion_begin + j].motion);
-    std::vector<WorldRecord> records = simulate_batch(batch_layouts, batch_motions);
+    for (const std::size_t j : accelerations)
+      batch_accelerations.push_back(&accelerations_[unit.acceleration_begin + j].acceleration);
+    std::vector<WorldRecord> records = simulate_batch(batch_layouts, batch_accelerations);
     simulated += records.size();
     auto next = records.begin();
     for (const std::size_t i : of_layouts) {
-      for (const std::size_t j : motions) {
+      for (const std::size_t j : accelerations) {
         if (next == records.end()) return simulated;
-        WorldRecord& world = worlds[i * motion_count + j];
+        WorldRecord& world = worlds[i * acceleration_count + j];
         next->layout = world.layout;
         next->acceleration = world.acceleration;
         next->status_text = describe(next->outcome.status);
@@ -101,13 +102,13 @@ std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
 }
 
 std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<Layout>& layouts,
-                                                    const std::vector<const Motion*>& motions) const {
-  WorldBatch batch = make_batch(layouts, motions, settings_);
+                                                    const std::vector<const Acceleration*>& accelerations) const {
+  WorldBatch batch = make_batch(layouts, accelerations, settings_);
   std::vector<std::unique_ptr<SeriesRecorder>> owners;
   std::vector<Recorder*> recorders;
   for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
     RecordingPlan plan = plan_;
-    plan.samples = static_cast<std::size_t>(most_samples(*batch.worlds[i].motion, settings_));
+    plan.samples = static_cast<std::size_t>(most_samples(*batch.worlds[i].acceleration, settings_));
     owners.push_back(std::make_unique<SeriesRecorder>(plan));
     recorders.push_back(owners.back().get());
   }

@@ -18,8 +18,8 @@
 namespace holdfast {
 
 /// An acceleration of the run; one that could not be read has a message, and no segments.
-struct RunMotion {
-  Motion motion;
+struct RunAcceleration {
+  Acceleration acceleration;
   std::string error;
 };
 
@@ -30,12 +30,12 @@ class UnitRunner {
  public:
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series,
              const std::vector<std::string>& layout_paths, const std::vector<std::string>& layout_hashes,
-             const std::vector<RunMotion>& motions, const std::atomic<bool>& abort, StageCosts& costs)
+             const std::vector<RunAcceleration>& accelerations, const std::atomic<bool>& abort, StageCosts& costs)
       : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
         layouts_(layout_paths, layout_hashes, settings, costs),
-        motions_(motions),
+        accelerations_(accelerations),
         abort_(abort),
         costs_(costs) {}
 
@@ -45,21 +45,21 @@ class UnitRunner {
 
  private:
   /// A world with the reason why it is not simulated, if there is one.
-  WorldRecord refused(const ReadLayout& layout, std::size_t layout_index, std::size_t motion) const;
+  WorldRecord refused(const ReadLayout& layout, std::size_t layout_index, std::size_t acceleration) const;
 
   /// Simulates those of a unit's worlds that have no such reason. Returns how many there were; less when aborted.
   std::size_t simulate_good(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                             std::vector<WorldRecord>& worlds) const;
 
-  /// Every layout under every motion; nothing when aborted.
+  /// Every layout under every acceleration; nothing when aborted.
   std::vector<WorldRecord> simulate_batch(const std::vector<Layout>& layouts,
-                                          const std::vector<const Motion*>& motions) const;
+                                          const std::vector<const Acceleration*>& accelerations) const;
 
   TimedEngine engine_;
   const Settings& settings_;
   RecordingPlan plan_;
   LayoutShelf layouts_;
-  const std::vector<RunMotion>& motions_;
+  const std::vector<RunAcceleration>& accelerations_;
   const std::atomic<bool>& abort_;
   StageCosts& costs_;
 };

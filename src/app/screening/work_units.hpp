@@ -9,16 +9,16 @@ namespace holdfast {
 /// A block of the table of worlds, layouts × accelerations: what is handed out as one piece of work.
 struct WorkUnit {
   std::size_t layout_begin = 0, layout_end = 0;
-  std::size_t motion_begin = 0, motion_end = 0;
+  std::size_t acceleration_begin = 0, acceleration_end = 0;
 };
 
 /// Cuts the table of worlds into units as the engine wants them. World order: layout by layout, acceleration
 /// fastest; a unit's worlds are consecutive in it.
 class WorkUnits {
  public:
-  WorkUnits(std::size_t layout_count, std::size_t motion_count, const EngineTraits& traits);
+  WorkUnits(std::size_t layout_count, std::size_t acceleration_count, const EngineTraits& traits);
 
-  std::size_t count() const { return layout_blocks_ * motion_blocks_; }
+  std::size_t count() const { return layout_blocks_ * acceleration_blocks_; }
   WorkUnit operator[](std::size_t i) const;
 
   /// Index in the run of a unit's first world.
@@ -31,9 +31,9 @@ class WorkUnits {
   std::size_t beginning_with(std::size_t world) const;
 
  private:
-  std::size_t layout_count_, motion_count_;
-  std::size_t layouts_per_unit_, motions_per_unit_;
-  std::size_t layout_blocks_, motion_blocks_;
+  std::size_t layout_count_, acceleration_count_;
+  std::size_t layouts_per_unit_, accelerations_per_unit_;
+  std::size_t layout_blocks_, acceleration_blocks_;
 };
 
 }  // namespace holdfast

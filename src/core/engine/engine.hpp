@@ -35,7 +35,7 @@ struct EngineTraits {
   /// Most layouts to hand out as one unit of work: 1 for an engine that shares nothing between worlds, which then gets
   /// one world at a time; many for a device, which gets them with all their accelerations.
   std::size_t layouts_per_unit = 1;
-  /// True when all worlds of a batch advance together, whatever their motions: by `Simulation::advance_all`.
+  /// True when all worlds of a batch advance together, whatever their accelerations: by `Simulation::advance_all`.
   bool all_together = false;
 };
 

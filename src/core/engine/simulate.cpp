@@ -43,8 +43,9 @@ class Group {
   bool run() {
     if (!settle()) return false;
     std::erase_if(running_, [&](std::size_t world) {
-      const Motion& motion = *world_of(world).motion;
-      clocks_[world] = {phases_of(motion, latest_end(motion, settings_)), 0, 0.0, last_change(motion)};
+      const Acceleration& acceleration = *world_of(world).acceleration;
+      clocks_[world] = {phases_of(acceleration, latest_end(acceleration, settings_)), 0, 0.0,
+                        last_change(acceleration)};
       if (!clocks_[world].phases.empty()) return false;
       finish(world, {.stop_reason = StopReason::timeout});
       return true;
@@ -59,7 +60,7 @@ class Group {
   }
 
  private:
-  /// Where a world is in its motion.
+  /// Where a world is in its acceleration.
   struct Clock {
     std::vector<Phase> phases;
     std::size_t phase = 0;     ///< index of the phase that contains `time`
@@ -184,10 +185,10 @@ std::vector<std::vector<std::size_t>> groups_of(const WorldBatch& batch, const E
 
 }  // namespace
 
-double latest_end(const Motion& motion, const Settings& settings) {
+double latest_end(const Acceleration& acceleration, const Settings& settings) {
   if (settings.timeout) return *settings.timeout;
   const bool sleeping = settings.stopping_condition == StoppingCondition::sleeping;
-  return motion.end_time() + (sleeping ? kSleepingPatience : 0.0);
+  return acceleration.end_time() + (sleeping ? kSleepingPatience : 0.0);
 }
 
 bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,

@@ -17,13 +17,13 @@ inline constexpr double kSleepingTime = 0.5;
 /// given, s.
 inline constexpr double kSleepingPatience = 60.0;
 
-/// The time at which a world ends at the latest, s: the timeout, or the end of the motion.
-double latest_end(const Motion& motion, const Settings& settings);
+/// The time at which a world ends at the latest, s: the timeout, or the end of the acceleration.
+double latest_end(const Acceleration& acceleration, const Settings& settings);
 
 /// Runs every world of the batch from settling to its end and tells its recorder.
 ///
 /// For each world: gravity alone for the settling time; the recorder's start at t = 0; every step, none of which
-/// straddles a breakpoint of the motion; the end. A world whose state is no longer finite ends at the last
+/// straddles a breakpoint of the acceleration; the end. A world whose state is no longer finite ends at the last
 /// finite state, with `Status::non_finite`.
 /// @param batch     columns of the worlds, in the layout's pose; holds the final states afterwards
 /// @param recorders one a world, in the batch's order

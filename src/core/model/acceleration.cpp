@@ -4,18 +4,20 @@
 
 namespace holdfast {
 
-double Motion::end_time() const { return segments.empty() ? 0.0 : segments.back().start + segments.back().duration; }
+double Acceleration::end_time() const {
+  return segments.empty() ? 0.0 : segments.back().start + segments.back().duration;
+}
 
-std::vector<Phase> phases_of(const Motion& motion, double end) {
+std::vector<Phase> phases_of(const Acceleration& acceleration, double end) {
   std::vector<Phase> phases;
   double time = 0.0;
-  const auto add_until = [&](double until, const Vec3& acceleration) {
+  const auto add_until = [&](double until, const Vec3& value) {
     until = std::min(until, end);
     if (until - time <= kSameInstant) return;
-    phases.push_back({time, until, acceleration});
+    phases.push_back({time, until, value});
     time = until;
   };
-  for (const Segment& segment : motion.segments) {
+  for (const Segment& segment : acceleration.segments) {
     add_until(segment.start, Vec3::Zero());
     add_until(segment.start + segment.duration, segment.acceleration);
   }
@@ -23,9 +25,9 @@ std::vector<Phase> phases_of(const Motion& motion, double end) {
   return phases;
 }
 
-double last_change(const Motion& motion) {
+double last_change(const Acceleration& acceleration) {
   // The phase after the end of the file counts: it is at rest, the last segment may not be.
-  const std::vector<Phase> phases = phases_of(motion, motion.end_time() + 1.0);
+  const std::vector<Phase> phases = phases_of(acceleration, acceleration.end_time() + 1.0);
   std::size_t last = phases.size() - 1;
   while (last > 0 && phases[last - 1].acceleration == phases[last].acceleration) --last;
   return phases[last].begin;

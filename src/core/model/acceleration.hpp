@@ -17,7 +17,7 @@ struct Segment {
 
 /// What the container does: segments sorted by time, without overlap; zero acceleration in gaps and after
 /// the last one. Constant once read.
-struct Motion {
+struct Acceleration {
   std::string name;    ///< file name without the folder; labels the results
   std::string sha256;  ///< of the file's bytes, 64 hexadecimal digits
   std::vector<Segment> segments;
@@ -38,12 +38,12 @@ struct Phase {
 /// nothing a container does is faster than this.
 inline constexpr double kSameInstant = 1e-9;
 
-/// The motion cut into phases that cover [0, end) without gap; gaps and what follows the last segment have
+/// The acceleration cut into phases that cover [0, end) without gap; gaps and what follows the last segment have
 /// zero acceleration. Neighbours of equal acceleration stay apart, as the file has them.
 /// @param end end of the simulated time, s; phases are cut or a resting phase is added to reach it
-std::vector<Phase> phases_of(const Motion& motion, double end);
+std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 
 /// Time of the last change of the acceleration, s: after it a(t) is constant for ever. 0 when it never changes.
-double last_change(const Motion& motion);
+double last_change(const Acceleration& acceleration);
 
 }  // namespace holdfast

@@ -45,12 +45,12 @@ void for_each_number(const StateView& state, Visit visit) {
 
 }  // namespace
 
-WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Motion* const> motions,
+WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings) {
   WorldBatch batch;
   for (const Layout& layout : layouts) {
-    for (const Motion* motion : motions) {
-      batch.worlds.push_back({&layout, motion, batch.state.position.size(), layout.boxes.size()});
+    for (const Acceleration* acceleration : accelerations) {
+      batch.worlds.push_back({&layout, acceleration, batch.state.position.size(), layout.boxes.size()});
       for (const Box& box : layout.boxes) append_box(batch, box, settings);
     }
   }

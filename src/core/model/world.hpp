@@ -51,10 +51,11 @@ void for_each_state_column(Visit&& visit, Columns&&... c) {
   visit("angular_velocity", c.angular_velocity...);
 }
 
-/// A layout under a motion: a range of the columns of its batch. The layout and the motion belong to the caller.
+/// A layout under an acceleration: a range of the columns of its batch. The layout and the acceleration belong to the
+/// caller.
 struct World {
   const Layout* layout = nullptr;
-  const Motion* motion = nullptr;
+  const Acceleration* acceleration = nullptr;
   std::size_t box_begin = 0;
   std::size_t box_count = 0;
 };
@@ -66,10 +67,10 @@ struct WorldBatch {
   std::vector<World> worlds;
 };
 
-/// The worlds of every pair of `layouts` and `motions`, motion fastest, at rest in the layout's pose.
+/// The worlds of every pair of `layouts` and `accelerations`, acceleration fastest, at rest in the layout's pose.
 /// Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
 /// I = m/12 (b² + c²), about the centre of mass.
-WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Motion* const> motions,
+WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings);
 
 /// Changing state of one world, a view of a batch's columns.

@@ -86,7 +86,8 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   reports_.resize(count);
 
   double strongest = 0.0;
-  for (const Segment& segment : world.motion->segments) strongest = std::max(strongest, segment.acceleration.norm());
+  for (const Segment& segment : world.acceleration->segments)
+    strongest = std::max(strongest, segment.acceleration.norm());
   terms_.longest_step = 1.0 / options_.steps_per_second;
   terms_.reach = terms_.longest_step * terms_.longest_step * (settings.gravity + strongest);
   find_contacts(std::vector<std::uint8_t>(count, 1));

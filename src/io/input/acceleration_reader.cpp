@@ -79,10 +79,10 @@ void append(std::vector<Segment>& segments, Segment segment, long column, ErrorL
 
 }  // namespace
 
-Result<Motion> parse_acceleration(const TextFile& file, std::vector<Error>& /*warnings*/) {
-  Motion motion;
-  motion.name = file.name;
-  motion.sha256 = file.sha256;
+Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& /*warnings*/) {
+  Acceleration acceleration;
+  acceleration.name = file.name;
+  acceleration.sha256 = file.sha256;
   ErrorList errors(file.path);
   LineReader lines(file.text);
   std::vector<Field> fields;
@@ -90,13 +90,13 @@ Result<Motion> parse_acceleration(const TextFile& file, std::vector<Error>& /*wa
     split_fields(lines.line(), fields);
     if (fields.empty()) continue;
     const std::optional<Segment> segment = parse_segment(lines.number(), fields, errors);
-    if (segment) append(motion.segments, *segment, fields[0].column, errors);
+    if (segment) append(acceleration.segments, *segment, fields[0].column, errors);
   }
-  if (errors.empty() && motion.segments.empty())
+  if (errors.empty() && acceleration.segments.empty())
     errors.add({.what = trimmed(file.text).empty() ? "is empty" : "has no segments",
                 .accepted = std::string("an acceleration is a line a segment: ") + kLineFormat});
   if (!errors.empty()) return errors.take();
-  return motion;
+  return acceleration;
 }
 
 }  // namespace holdfast

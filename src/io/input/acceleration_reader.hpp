@@ -19,6 +19,6 @@ inline constexpr double kLargestAcceleration = 1e4;
 /// kSameInstant of the end of the one before starts exactly there.
 ///
 /// All errors of the file are reported, up to the limit of ErrorList.
-Result<Motion> parse_acceleration(const TextFile& file, std::vector<Error>& warnings);
+Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& warnings);
 
 }  // namespace holdfast

@@ -68,15 +68,15 @@ Thresholds read_thresholds(const h5::File& file) {
   return {number("drop_threshold"), number("move_threshold"), number("tilt_threshold")};
 }
 
-void append_accelerations(ColumnSet& columns, const std::vector<Motion>& accelerations) {
+void append_accelerations(ColumnSet& columns, const std::vector<Acceleration>& accelerations) {
   std::uint64_t begin = 0;
-  for (const Motion& motion : accelerations) {
-    columns["/inputs/accelerations/name"].append(motion.name);
-    columns["/inputs/accelerations/sha256"].append(motion.sha256);
+  for (const Acceleration& acceleration : accelerations) {
+    columns["/inputs/accelerations/name"].append(acceleration.name);
+    columns["/inputs/accelerations/sha256"].append(acceleration.sha256);
     columns["/inputs/accelerations/segment_begin"].append(begin);
-    columns["/inputs/accelerations/segment_count"].append(static_cast<std::uint32_t>(motion.segments.size()));
-    begin += motion.segments.size();
-    for (const Segment& segment : motion.segments) {
+    columns["/inputs/accelerations/segment_count"].append(static_cast<std::uint32_t>(acceleration.segments.size()));
+    begin += acceleration.segments.size();
+    for (const Segment& segment : acceleration.segments) {
       columns["/inputs/accelerations/start"].append(segment.start);
       columns["/inputs/accelerations/duration"].append(segment.duration);
       columns["/inputs/accelerations/value"].append(segment.acceleration);

@@ -22,7 +22,7 @@ void write_thresholds(const h5::File& file, const Thresholds& thresholds);
 Thresholds read_thresholds(const h5::File& file);
 
 /// Adds all accelerations to /inputs/accelerations.
-void append_accelerations(ColumnSet& columns, const std::vector<Motion>& accelerations);
+void append_accelerations(ColumnSet& columns, const std::vector<Acceleration>& accelerations);
 
 /// Adds a layout to /inputs/layouts.
 /// @param box_begin index of its first box in the run

@@ -34,9 +34,9 @@ std::string fingerprint(const RunDescription& run) {
   std::string layouts;
   for (const std::string& name : run.layout_names) append(layouts, name);
   std::string accelerations;
-  for (const Motion& motion : run.accelerations) {
-    append(accelerations, motion.name);
-    append(accelerations, motion.sha256);
+  for (const Acceleration& acceleration : run.accelerations) {
+    append(accelerations, acceleration.name);
+    append(accelerations, acceleration.sha256);
   }
   std::string software;
   append(software, run.software);

@@ -23,9 +23,9 @@ struct RunDescription {
   std::vector<std::string> layout_names;  ///< of all layouts of the run, in its order
   /// SHA-256 of each layout's file as it was when the run began; empty where it could not be read.
   std::vector<std::string> layout_hashes;
-  std::vector<Motion> accelerations;  ///< all of the run, in its order; a bad one has no segments
-  bool record_series = true;          ///< false: end states and peaks only
-  Thresholds thresholds;              ///< by which the summary is judged
+  std::vector<Acceleration> accelerations;  ///< all of the run, in its order; a bad one has no segments
+  bool record_series = true;                ///< false: end states and peaks only
+  Thresholds thresholds;                    ///< by which the summary is judged
 };
 
 /// What must be the same for a run to be taken up again, as text: `software=… settings=… engine=… layouts=…

@@ -30,9 +30,9 @@ void slide(SlidingBlock& block, double acceleration, double duration, double fri
 
 }  // namespace
 
-SlidingBlock slide_along_x(const Motion& motion, double friction_deceleration) {
+SlidingBlock slide_along_x(const Acceleration& acceleration, double friction_deceleration) {
   SlidingBlock block;
-  for (const Phase& phase : phases_of(motion, motion.end_time()))
+  for (const Phase& phase : phases_of(acceleration, acceleration.end_time()))
     slide(block, phase.acceleration.x(), phase.end - phase.begin, friction_deceleration);
   return block;
 }

@@ -12,9 +12,9 @@ struct SlidingBlock {
   double distance = 0.0;      ///< length of the path, m
 };
 
-/// Where the block is at the end of the motion. Exact but for rounding: in each piece it sticks, or slides with
+/// Where the block is at the end of the acceleration. Exact but for rounding: in each piece it sticks, or slides with
 /// v' = −a − μg sign(v) (with −a + μg sign(a) when it starts from rest) until it stops.
 /// @param friction_deceleration μg, m/s²
-SlidingBlock slide_along_x(const Motion& motion, double friction_deceleration);
+SlidingBlock slide_along_x(const Acceleration& acceleration, double friction_deceleration);
 
 }  // namespace holdfast

@@ -46,10 +46,10 @@ StackedAccelerations accelerations_of(const StackedBlocks& blocks, double field,
 
 }  // namespace
 
-SlidePath slide_along(int axis, const Motion& motion, double friction, double gravity, double velocity) {
+SlidePath slide_along(int axis, const Acceleration& acceleration, double friction, double gravity, double velocity) {
   SlidePath path;
   double x = 0.0;
-  for (const Phase& phase : phases_of(motion, motion.end_time())) {
+  for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     const double field = -phase.acceleration[axis];
     const double limit = friction * (gravity + phase.acceleration.z());
     double time = phase.begin;
@@ -71,12 +71,12 @@ SlidePath slide_along(int axis, const Motion& motion, double friction, double gr
   return path;
 }
 
-SlidePath slide_over(const Motion& motion, double friction, double gravity, const Vec3& start_velocity) {
+SlidePath slide_over(const Acceleration& acceleration, double friction, double gravity, const Vec3& start_velocity) {
   constexpr double kStep = 1e-5;
   const double limit = friction * gravity;
   SlidePath path;
   path.velocity = start_velocity;
-  for (const Phase& phase : phases_of(motion, motion.end_time())) {
+  for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     const Vec3 field(-phase.acceleration.x(), -phase.acceleration.y(), 0.0);
     const auto rate = [&](const Vec3& velocity) { return Vec3(field - limit * velocity.normalized()); };
     const double count = std::ceil((phase.end - phase.begin) / kStep);
@@ -109,10 +109,10 @@ SlidePath slide_over(const Motion& motion, double friction, double gravity, cons
   return path;
 }
 
-StackedPaths slide_stacked(const Motion& motion, const StackedBlocks& blocks) {
+StackedPaths slide_stacked(const Acceleration& acceleration, const StackedBlocks& blocks) {
   StackedPaths at;
   double slip = 0.0;  // velocity of the upper block past the lower one
-  for (const Phase& phase : phases_of(motion, motion.end_time())) {
+  for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     double left = phase.end - phase.begin;
     while (left > 0.0) {
       const auto [lower, upper] = accelerations_of(blocks, -phase.acceleration.x(), at.lower_velocity, slip);

@@ -12,16 +12,18 @@ struct SlidePath {
   double stop_time = 0.0;            ///< of the last stop, s; 0 when it never moved
 };
 
-/// A block on a floor under a motion of the container along one line, x or y (and any along z that does not lift it):
-/// exact, by the closed formulas between its starts and stops.
+/// A block on a floor under an acceleration of the container along one line, x or y (and any along z that does not lift
+/// it): exact, by the closed formulas between its starts and stops.
 ///   at rest: starts when |a| > μ (g + a_z), with |a| − μ (g + a_z) against a
 ///   sliding: −a − μ (g + a_z) sign(v), until it stops
 /// @param velocity at the start, along the axis, m/s
-SlidePath slide_along(int axis, const Motion& motion, double friction, double gravity, double velocity = 0.0);
+SlidePath slide_along(int axis, const Acceleration& acceleration, double friction, double gravity,
+                      double velocity = 0.0);
 
 /// A block on a floor under a horizontal motion that changes direction: v' = −a − μ g v/|v| by the classic Runge-Kutta
 /// method in steps of 10 µs that end at the motion's breakpoints. Errors below 1e-8 m.
-SlidePath slide_over(const Motion& motion, double friction, double gravity, const Vec3& velocity = Vec3::Zero());
+SlidePath slide_over(const Acceleration& acceleration, double friction, double gravity,
+                     const Vec3& velocity = Vec3::Zero());
 
 /// A block that lies on a block that lies on the floor, all moving along x.
 struct StackedBlocks {
@@ -39,6 +41,6 @@ struct StackedPaths {
 };
 
 /// Both blocks from rest to the end of a motion along x: exact, by the closed formulas between changes of who slides.
-StackedPaths slide_stacked(const Motion& motion, const StackedBlocks& blocks);
+StackedPaths slide_stacked(const Acceleration& acceleration, const StackedBlocks& blocks);
 
 }  // namespace holdfast

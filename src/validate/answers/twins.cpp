@@ -50,7 +50,7 @@ Scene scaled_twin(const Scene& scene, double factor) {
     box.velocity *= slower;
     box.angular_velocity /= slower;
   }
-  for (Segment& segment : twin.motion.segments) {
+  for (Segment& segment : twin.acceleration.segments) {
     segment.start *= slower;
     segment.duration *= slower;
   }
@@ -67,7 +67,7 @@ Scene heavier_twin(const Scene& scene, double factor) {
 Scene mirrored_twin(const Scene& scene, int axis) {
   Scene twin = scene;
   for (SceneBox& box : twin.boxes) box.position[axis] = scene.settings.container.size[axis] - box.position[axis];
-  for (Segment& segment : twin.motion.segments) segment.acceleration[axis] = -segment.acceleration[axis];
+  for (Segment& segment : twin.acceleration.segments) segment.acceleration[axis] = -segment.acceleration[axis];
   return twin;
 }
 
@@ -79,7 +79,7 @@ Scene swapped_twin(const Scene& scene) {
     swap(box.size);
     swap(box.position);
   }
-  for (Segment& segment : twin.motion.segments) swap(segment.acceleration);
+  for (Segment& segment : twin.acceleration.segments) swap(segment.acceleration);
   return twin;
 }
 

@@ -45,7 +45,7 @@ std::vector<Measurement> wedged_column(Laboratory& laboratory, double play, doub
   constexpr double kLength = 1.0;
   Scene scene = column(2, kLength, play, kFriction, 0.0);
   const double limit = kFriction * kFriction * scene.settings.gravity * kHeight / kLength;
-  scene.motion.segments.back().acceleration.x() = share * limit;
+  scene.acceleration.segments.back().acceleration.x() = share * limit;
   const double path = path_of(laboratory, scene);
   constexpr double kMoved = 0.01;
   if (share < 1.0) return {verdict("moves 1 cm", std::abs(path) > kMoved, false)};

@@ -66,7 +66,7 @@ std::vector<Measurement> reversed_alike(Laboratory& laboratory) {
 std::vector<Measurement> in_company(Laboratory& laboratory) {
   const Scene scene = assorted_scene();
   Scene harder = scene;
-  harder.motion.segments[0].acceleration *= 1.5;
+  harder.acceleration.segments[0].acceleration *= 1.5;
   const std::vector<Scene> batch = {reversed_twin(scene), scene, harder, heavier_twin(scene, 3.0)};
   const Snapshot alone = final_state(laboratory, scene);
   const Snapshot again = final_state(laboratory, scene);

@@ -23,48 +23,48 @@ constexpr double kAftermath = 5.0;
 
 /// What a container does in traffic. The front is at x = 0: braking accelerates it along +x. Edges are at times that
 /// are on the grid of no usual step.
-Motion motion_of(const std::vector<std::pair<double, Vec3>>& pieces) {
+Acceleration acceleration_of(const std::vector<std::pair<double, Vec3>>& pieces) {
   Scene scene;
   for (const auto& [duration, acceleration] : pieces) scene.then(duration, acceleration);
-  return scene.motion;
+  return scene.acceleration;
 }
 
 /// Rises steadily within `rise`, holds, and falls again, in constant pieces of equal length.
-Motion trapezoid(const Vec3& acceleration, double rise, double hold) {
+Acceleration trapezoid(const Vec3& acceleration, double rise, double hold) {
   constexpr int kPieces = 40;
   std::vector<std::pair<double, Vec3>> pieces = {{0.1037, Vec3::Zero()}};
   for (int i = 0; i < kPieces; ++i) pieces.push_back({rise / kPieces, acceleration * ((i + 0.5) / kPieces)});
   pieces.push_back({hold, acceleration});
   for (int i = kPieces - 1; i >= 0; --i) pieces.push_back({rise / kPieces, acceleration * ((i + 0.5) / kPieces)});
   pieces.push_back({kAftermath, Vec3::Zero()});
-  return motion_of(pieces);
+  return acceleration_of(pieces);
 }
 
 /// One pulse between rest before and after.
-Motion pulse(double duration, const Vec3& acceleration) {
-  return motion_of({{0.1037, Vec3::Zero()}, {duration, acceleration}, {kAftermath, Vec3::Zero()}});
+Acceleration pulse(double duration, const Vec3& acceleration) {
+  return acceleration_of({{0.1037, Vec3::Zero()}, {duration, acceleration}, {kAftermath, Vec3::Zero()}});
 }
 
 /// Design accelerations of EN 12195-1 for roads: 0.8 g forward, 0.5 g to the rear and to the sides.
-Motion full_braking() { return pulse(1.2371, {0.8 * kGravity, 0, 0}); }
-Motion rearward() { return pulse(1.2371, {-0.5 * kGravity, 0, 0}); }
-Motion cornering(double side) { return pulse(1.7113, {0, side * 0.5 * kGravity, 0}); }
+Acceleration full_braking() { return pulse(1.2371, {0.8 * kGravity, 0, 0}); }
+Acceleration rearward() { return pulse(1.2371, {-0.5 * kGravity, 0, 0}); }
+Acceleration cornering(double side) { return pulse(1.7113, {0, side * 0.5 * kGravity, 0}); }
 
 /// A tractor-trailer changes lane within 5.5 s, to one side and back: 2 m/s² when it is fast (Schulze 2006).
-Motion lane_change(double side, double acceleration = 2.0) {
-  return motion_of({{0.1037, Vec3::Zero()},
-                    {2.75, {0, side * acceleration, 0}},
-                    {2.75, {0, -side * acceleration, 0}},
-                    {kAftermath, Vec3::Zero()}});
+Acceleration lane_change(double side, double acceleration = 2.0) {
+  return acceleration_of({{0.1037, Vec3::Zero()},
+                          {2.75, {0, side * acceleration, 0}},
+                          {2.75, {0, -side * acceleration, 0}},
+                          {kAftermath, Vec3::Zero()}});
 }
 
 /// A shunting impact of a rail wagon, 1 g, while the floor falls at 0.3 g.
-Motion shunting() { return pulse(0.1513, {1.0 * kGravity, 0, -0.3 * kGravity}); }
+Acceleration shunting() { return pulse(0.1513, {1.0 * kGravity, 0, -0.3 * kGravity}); }
 
-Scene scene_of(const Motion& motion, double friction) {
+Scene scene_of(const Acceleration& acceleration, double friction) {
   Scene scene = empty_scene(kContainer, friction);
   scene.boxes.push_back(standing_box(kFlatBox, {31.5, 31.5, 0}));
-  scene.motion = motion;
+  scene.acceleration = acceleration;
   return scene;
 }
 
@@ -72,10 +72,10 @@ Vec3 moved(const Scene& scene, const Snapshot& state, std::size_t i = 0) {
   return state.position[i] - scene.boxes[i].position;
 }
 
-/// A flat box under a motion along an axis, against the exact stick-slip path.
-std::vector<Measurement> along(Laboratory& laboratory, int axis, const Motion& motion, double friction) {
-  const Scene scene = scene_of(motion, friction);
-  const SlidePath path = slide_along(axis, motion, friction, kGravity);
+/// A flat box under an acceleration along an axis, against the exact stick-slip path.
+std::vector<Measurement> along(Laboratory& laboratory, int axis, const Acceleration& acceleration, double friction) {
+  const Scene scene = scene_of(acceleration, friction);
+  const SlidePath path = slide_along(axis, acceleration, friction, kGravity);
   if (path.stop_time == 0.0)
     return {scaled("displacement (m)", largest_displacement(laboratory, scene), 0.0, 1.0, exact)};
   const Track track = track_of(laboratory, scene);
@@ -89,9 +89,9 @@ std::vector<Measurement> along(Laboratory& laboratory, int axis, const Motion& m
 }
 
 /// A flat box under a horizontal motion whose direction changes while it slides, against a path integrated to 1e-8 m.
-std::vector<Measurement> across(Laboratory& laboratory, const Motion& motion, double friction) {
-  const Scene scene = scene_of(motion, friction);
-  const SlidePath path = slide_over(motion, friction, kGravity);
+std::vector<Measurement> across(Laboratory& laboratory, const Acceleration& acceleration, double friction) {
+  const Scene scene = scene_of(acceleration, friction);
+  const SlidePath path = slide_over(acceleration, friction, kGravity);
   const Track track = track_of(laboratory, scene);
   const Snapshot& end = track.back();
   const Vec3 error = moved(scene, end) - path.displacement;
@@ -103,7 +103,8 @@ std::vector<Measurement> across(Laboratory& laboratory, const Motion& motion, do
 }
 
 /// The same to the left and to the right: the boxes end as far from where they began.
-std::vector<Measurement> mirrored(Laboratory& laboratory, const Motion& left, const Motion& right, double friction) {
+std::vector<Measurement> mirrored(Laboratory& laboratory, const Acceleration& left, const Acceleration& right,
+                                  double friction) {
   const Scene scene = scene_of(left, friction);
   const Vec3 to_left = moved(scene, final_state(laboratory, scene));
   const Vec3 to_right = moved(scene, final_state(laboratory, scene_of(right, friction)));
@@ -121,8 +122,8 @@ std::vector<Measurement> closing_up(Laboratory& laboratory, double friction, dou
   Scene scene = scene_of_pairs({16, 8, 4}, friction, 0.0, 0.0);
   scene.boxes = {standing_box(kFlatBox, {to_wall, 3.5, 0}),
                  standing_box(kFlatBox, {to_wall + kFlatBox.x() + between, 3.5, 0})};
-  scene.motion = pulse(duration, {0.8 * kGravity, 0, 0});
-  const double free_way = -slide_along(0, scene.motion, friction, kGravity).displacement.x();
+  scene.acceleration = pulse(duration, {0.8 * kGravity, 0, 0});
+  const double free_way = -slide_along(0, scene.acceleration, friction, kGravity).displacement.x();
   const Track track = track_of(laboratory, scene);
   const Snapshot& end = track.back();
   double deepest = 0.0;
@@ -149,7 +150,7 @@ std::vector<Measurement> pushing(Laboratory& laboratory) {
   scene.boxes[0].friction = 0.0;
   scene.then(0.1037, Vec3::Zero()).then(duration, {braking, 0, 0}).then(kAftermath, Vec3::Zero());
   const double meeting = std::sqrt(2.0 * gap / braking);
-  const Motion rest_of = motion_of({{duration - meeting, {braking, 0, 0}}, {kAftermath, Vec3::Zero()}});
+  const Acceleration rest_of = acceleration_of({{duration - meeting, {braking, 0, 0}}, {kAftermath, Vec3::Zero()}});
   const SlidePath together = slide_along(0, rest_of, 0.25, kGravity, -0.5 * braking * meeting);
   const Snapshot end = final_state(laboratory, scene);
   return {relative("displacement of the first (m)", -moved(scene, end, 0).x(), gap - together.displacement.x(), fine),
@@ -161,7 +162,7 @@ std::vector<Measurement> pushing(Laboratory& laboratory) {
 std::vector<Measurement> row_at_wall(Laboratory& laboratory, int count, double friction) {
   Scene scene = empty_scene({16, 8, 4}, friction);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.5}, {1.0 * i, 3.5, 0}));
-  scene.motion = pulse(1.2371, {0.8 * kGravity, 0, 0});
+  scene.acceleration = pulse(1.2371, {0.8 * kGravity, 0, 0});
   return {scaled("largest displacement (m)", largest_displacement(laboratory, scene), 0.0, 1.0, exact)};
 }
 
@@ -169,8 +170,8 @@ std::vector<Measurement> row_at_wall(Laboratory& laboratory, int count, double f
 std::vector<Measurement> row_to_rear(Laboratory& laboratory, int count, double friction) {
   Scene scene = empty_scene({32, 8, 4}, friction);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.5}, {1.0 * i, 3.5, 0}));
-  scene.motion = rearward();
-  const double expected = slide_along(0, scene.motion, friction, kGravity).displacement.x();
+  scene.acceleration = rearward();
+  const double expected = slide_along(0, scene.acceleration, friction, kGravity).displacement.x();
   const Snapshot end = final_state(laboratory, scene);
   double worst = expected;
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
@@ -186,8 +187,9 @@ std::vector<Measurement> box_on_box(Laboratory& laboratory, double floor_frictio
   scene.boxes = {standing_box({6.0, 2.0, 0.2}, {29.0, 31.0, 0}), standing_box({0.5, 0.5, 0.1}, {31.75, 31.75, 0.2})};
   scene.boxes[0].mass = 400.0;
   scene.boxes[1].mass = 100.0;
-  scene.motion = pulse(0.5371, {0.8 * kGravity, 0, 0});
-  const StackedPaths paths = slide_stacked(scene.motion, {400.0, 100.0, floor_friction, upper_friction, kGravity});
+  scene.acceleration = pulse(0.5371, {0.8 * kGravity, 0, 0});
+  const StackedPaths paths =
+      slide_stacked(scene.acceleration, {400.0, 100.0, floor_friction, upper_friction, kGravity});
   const Snapshot end = final_state(laboratory, scene);
   const double way = std::abs(paths.upper);
   return {scaled("displacement of the lower one (m)", moved(scene, end, 0).x(), paths.lower, way, fine),
@@ -239,21 +241,21 @@ std::vector<Case> manoeuvre_cases() {
     add(fmt::format("braking_then_cornering_mu_{}", mu),
         fmt::format("cornering at 0.5 g begins while braking at 0.8 g has the box sliding, friction {}", mu),
         "friction not along the velocity: pyramids, frozen directions", mu == 0.45, [=](Laboratory& l) {
-          const Motion motion = motion_of({{0.1037, Vec3::Zero()},
-                                           {0.6371, {0.8 * kGravity, 0, 0}},
-                                           {0.5113, {0, 0.5 * kGravity, 0}},
-                                           {kAftermath, Vec3::Zero()}});
-          return across(l, motion, mu);
+          const Acceleration acceleration = acceleration_of({{0.1037, Vec3::Zero()},
+                                                             {0.6371, {0.8 * kGravity, 0, 0}},
+                                                             {0.5113, {0, 0.5 * kGravity, 0}},
+                                                             {kAftermath, Vec3::Zero()}});
+          return across(l, acceleration, mu);
         });
     add(fmt::format("braking_in_a_corner_mu_{}", mu),
         fmt::format("braking at 0.7 g within a corner of 0.5 g, friction {}", mu),
         "friction not along the velocity: pyramids, frozen directions", mu == 0.45, [=](Laboratory& l) {
-          const Motion motion = motion_of({{0.1037, Vec3::Zero()},
-                                           {0.4371, {0, 0.5 * kGravity, 0}},
-                                           {0.6113, {0.7 * kGravity, 0.5 * kGravity, 0}},
-                                           {0.3371, {0, 0.5 * kGravity, 0}},
-                                           {kAftermath, Vec3::Zero()}});
-          return across(l, motion, mu);
+          const Acceleration acceleration = acceleration_of({{0.1037, Vec3::Zero()},
+                                                             {0.4371, {0, 0.5 * kGravity, 0}},
+                                                             {0.6113, {0.7 * kGravity, 0.5 * kGravity, 0}},
+                                                             {0.3371, {0, 0.5 * kGravity, 0}},
+                                                             {kAftermath, Vec3::Zero()}});
+          return across(l, acceleration, mu);
         });
     add(fmt::format("diagonal_braking_mu_{}", mu),
         fmt::format("0.6 g forward and 0.35 g aside at once, friction {}", mu), "pyramids: each axis has its own limit",

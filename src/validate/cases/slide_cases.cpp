@@ -177,7 +177,7 @@ std::vector<Measurement> slide_vibration(Laboratory& laboratory) {
   Scene scene = flat_box();
   const double amplitude = 0.99 * 0.5 * scene.settings.gravity;
   for (int quarter = 0; quarter < 240000; ++quarter)
-    scene.motion.segments.push_back(
+    scene.acceleration.segments.push_back(
         {quarter / 4000.0, 1.0 / 4000.0, Vec3(quarter % 4 < 2 ? amplitude : -amplitude, 0, 0)});
   return {scaled("largest drift in 60 s (m)", largest_drift(laboratory, scene, 1.0), 0.0, 1.0, ToleranceClass::exact)};
 }
@@ -191,11 +191,11 @@ std::vector<Measurement> newmark_block(Laboratory& laboratory, double bias_share
   constexpr int kPieces = 48;
   for (int piece = 0; piece < 10 * kPieces; ++piece) {
     const double phase = 2.0 * std::numbers::pi * (piece % kPieces + 0.5) / kPieces;
-    scene.motion.segments.push_back({static_cast<double>(piece) / kPieces, 1.0 / kPieces,
-                                     Vec3(limit * (1.5 * std::sin(phase) + bias_share), 0, 0)});
+    scene.acceleration.segments.push_back({static_cast<double>(piece) / kPieces, 1.0 / kPieces,
+                                           Vec3(limit * (1.5 * std::sin(phase) + bias_share), 0, 0)});
   }
   scene.then(1.0, Vec3::Zero());
-  const SlidingBlock block = slide_along_x(scene.motion, limit);
+  const SlidingBlock block = slide_along_x(scene.acceleration, limit);
   const double moved = final_state(laboratory, scene).position[0].x() - scene.boxes[0].position.x();
   return {scaled("displacement over the path's length (m)", moved, block.displacement, block.distance,
                  ToleranceClass::good)};

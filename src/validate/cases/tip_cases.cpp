@@ -29,7 +29,7 @@ Scene scene_of(const Vec3& size, double friction = kHighFriction) {
   return scene;
 }
 
-/// True when any box is turned by 10 degrees, or has gone further than `reach`, m, before the end of the motion.
+/// True when any box is turned by 10 degrees, or has gone further than `reach`, m, before the end of the acceleration.
 bool tips(Laboratory& laboratory, const Scene& scene, double reach) {
   bool tipped = false;
   const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {

@@ -27,7 +27,7 @@ double departure(Laboratory& laboratory, const Scene& scene, double from, double
 
 double smallest_load_that_moves(Laboratory& laboratory, const Scene& scene, double distance, double duration,
                                 double low, double high, double precision) {
-  const double from = scene.motion.end_time();
+  const double from = scene.acceleration.end_time();
   return smallest_amplitude(low, high, precision, [&](double load) {
     Scene loaded = scene;
     loaded.then(duration, {load, 0, 0});

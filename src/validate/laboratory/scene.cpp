@@ -11,8 +11,8 @@ SceneBox standing_box(const Vec3& size, const Vec3& corner_min) {
   return box;
 }
 
-Scene& Scene::then(double duration, const Vec3& acceleration) {
-  motion.segments.push_back({motion.end_time(), duration, acceleration});
+Scene& Scene::then(double duration, const Vec3& value) {
+  acceleration.segments.push_back({acceleration.end_time(), duration, value});
   return *this;
 }
 
@@ -43,7 +43,7 @@ void Scene::append_to(WorldBatch& batch) const {
     batch.state.velocity.push_back(box.velocity);
     batch.state.angular_velocity.push_back(box.angular_velocity);
   }
-  batch.worlds.push_back({&kNoLayout, &motion, begin, boxes.size()});
+  batch.worlds.push_back({&kNoLayout, &acceleration, begin, boxes.size()});
 }
 
 Scene empty_scene(const Vec3& container_size, double friction, double restitution) {

@@ -34,13 +34,13 @@ SceneBox standing_box(const Vec3& size, const Vec3& corner_min);
 struct Scene {
   Settings settings;  ///< container, contact laws, gravity; the solver's part is filled in by whoever runs it
   std::vector<SceneBox> boxes;
-  Motion motion;
+  Acceleration acceleration;
   /// Multiplies the step that the engine setting names: for twins whose time runs at another rate, and to see how an
   /// answer depends on the step.
   double step_factor = 1.0;
 
-  /// Appends a stretch of constant acceleration of the container, m/s², at the motion's end.
-  Scene& then(double duration, const Vec3& acceleration);
+  /// Appends a stretch of constant acceleration of the container, m/s², at the end of the acceleration.
+  Scene& then(double duration, const Vec3& value);
 
   /// The boxes in their order as columns that an engine takes, one world. The scene must outlive the batch.
   WorldBatch batch() const;

@@ -27,8 +27,8 @@ Peak parabola_peak(const std::array<double, 3>& time, const std::array<double, 3
   return {time[1] - 0.5 * slope / bend, value[1] - 0.25 * slope * slope / bend};
 }
 
-Vec3 acceleration_at(const Motion& motion, double time) {
-  for (const Segment& segment : motion.segments)
+Vec3 acceleration_at(const Acceleration& acceleration, double time) {
+  for (const Segment& segment : acceleration.segments)
     if (time >= segment.start && time < segment.start + segment.duration) return segment.acceleration;
   return Vec3::Zero();
 }
@@ -100,7 +100,7 @@ double energy_gain(const Scene& scene, const Track& track) {
     const Snapshot& after = track[i];
     // No step straddles a change of the acceleration: that of the middle holds for all of it.
     const Vec3 field =
-        Vec3(0, 0, -scene.settings.gravity) - acceleration_at(scene.motion, 0.5 * (before.time + after.time));
+        Vec3(0, 0, -scene.settings.gravity) - acceleration_at(scene.acceleration, 0.5 * (before.time + after.time));
     for (std::size_t k = 0; k < boxes.mass.size(); ++k)
       if (std::isfinite(boxes.mass[k])) work += boxes.mass[k] * field.dot(after.position[k] - before.position[k]);
     gain = std::max(gain, kinetic_energy(scene, after) - start - work);

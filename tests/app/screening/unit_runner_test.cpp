@@ -17,7 +17,7 @@ TEST_CASE(
   const Folder folder;
   const std::vector<std::string> paths = {folder / "a.txt"};
   std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
-  const std::vector<RunMotion> motions = {
+  const std::vector<RunAcceleration> accelerations = {
       {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
   const Settings settings;
   const std::vector<std::string> hashes = hash_layouts(paths);
@@ -25,10 +25,10 @@ TEST_CASE(
   StageCosts costs;
   const auto worlds_of = [&](const Script& script) {
     const ScriptedEngine engine(script);
-    UnitRunner runner(engine, settings, true, paths, hashes, motions, abort, costs);
-    const std::optional<UnitRecord> unit = runner.run({0, 1, 0, motions.size()}, 1);
+    UnitRunner runner(engine, settings, true, paths, hashes, accelerations, abort, costs);
+    const std::optional<UnitRecord> unit = runner.run({0, 1, 0, accelerations.size()}, 1);
     REQUIRE(unit);
-    REQUIRE(unit->worlds.size() == motions.size());
+    REQUIRE(unit->worlds.size() == accelerations.size());
     return unit->worlds;
   };
   const std::vector<WorldRecord> calm = worlds_of({});
@@ -61,12 +61,12 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   large.close();
   Settings settings;
   settings.results_interval = 1e-5;
-  const std::vector<RunMotion> motions = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
+  const std::vector<RunAcceleration> accelerations = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
   const std::vector<std::string> hashes = hash_layouts(paths);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const ScriptedEngine engine({});
-  UnitRunner runner(engine, settings, true, paths, hashes, motions, abort, costs);
+  UnitRunner runner(engine, settings, true, paths, hashes, accelerations, abort, costs);
   const std::optional<UnitRecord> unit = runner.run({0, 2, 0, 2}, 1);
   REQUIRE(unit);
   REQUIRE(unit->worlds.size() == 4);
@@ -79,6 +79,6 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   }
   CHECK(unit->worlds[3].outcome.stop_reason == StopReason::not_run);
   CHECK(unit->worlds[3].status_text.find("samples of 201 boxes: 2010") != std::string::npos);
-  UnitRunner without(engine, settings, false, paths, hashes, motions, abort, costs);
+  UnitRunner without(engine, settings, false, paths, hashes, accelerations, abort, costs);
   CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].outcome.status == Status::ok);
 }

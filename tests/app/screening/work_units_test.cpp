@@ -6,25 +6,25 @@ using namespace holdfast;
 
 namespace {
 
-WorkUnits units_of(std::size_t layouts, std::size_t motions, std::size_t layouts_per_unit) {
+WorkUnits units_of(std::size_t layouts, std::size_t accelerations, std::size_t layouts_per_unit) {
   EngineTraits traits;
   traits.layouts_per_unit = layouts_per_unit;
-  return {layouts, motions, traits};
+  return {layouts, accelerations, traits};
 }
 
-/// Checks that the units hold every world once, consecutive and in world order: layout by layout, motion fastest.
-void check_covers(const WorkUnits& units, std::size_t layouts, std::size_t motions) {
+/// Checks that the units hold every world once, consecutive and in world order: layout by layout, acceleration fastest.
+void check_covers(const WorkUnits& units, std::size_t layouts, std::size_t accelerations) {
   std::size_t world = 0;
   for (std::size_t i = 0; i < units.count(); ++i) {
     const WorkUnit unit = units[i];
     CHECK(unit.layout_begin < unit.layout_end);
-    CHECK(unit.motion_begin < unit.motion_end);
+    CHECK(unit.acceleration_begin < unit.acceleration_end);
     CHECK(units.beginning_with(world) == i);
     for (std::size_t layout = unit.layout_begin; layout < unit.layout_end; ++layout)
-      for (std::size_t motion = unit.motion_begin; motion < unit.motion_end; ++motion)
-        CHECK(layout * motions + motion == world++);
+      for (std::size_t acceleration = unit.acceleration_begin; acceleration < unit.acceleration_end; ++acceleration)
+        CHECK(layout * accelerations + acceleration == world++);
   }
-  CHECK(world == layouts * motions);
+  CHECK(world == layouts * accelerations);
 }
 
 }  // namespace
@@ -37,10 +37,10 @@ TEST_CASE("work_units: an engine that shares nothing gets one world at a time", 
 
 TEST_CASE("work_units: every world is in one unit, in order, for all sizes", "[app][work_units]") {
   for (std::size_t layouts = 1; layouts <= 5; ++layouts) {
-    for (std::size_t motions = 1; motions <= 5; ++motions) {
+    for (std::size_t accelerations = 1; accelerations <= 5; ++accelerations) {
       for (const std::size_t per_layout : {1U, 2U, 3U, 100U}) {
-        CAPTURE(layouts, motions, per_layout);
-        check_covers(units_of(layouts, motions, per_layout), layouts, motions);
+        CAPTURE(layouts, accelerations, per_layout);
+        check_covers(units_of(layouts, accelerations, per_layout), layouts, accelerations);
       }
     }
   }
@@ -55,8 +55,8 @@ TEST_CASE("work_units: the last unit is smaller", "[app][work_units]") {
 
 TEST_CASE("work_units: several layouts take all their motions along", "[app][work_units]") {
   const WorkUnit unit = units_of(4, 7, 2)[0];
-  CHECK(unit.motion_begin == 0);
-  CHECK(unit.motion_end == 7);
+  CHECK(unit.acceleration_begin == 0);
+  CHECK(unit.acceleration_end == 7);
 }
 
 TEST_CASE("work_units: nothing to do", "[app][work_units]") {

@@ -20,8 +20,8 @@ class HandDriven {
  public:
   explicit HandDriven(const RecordingPlan& plan, const Settings& settings = {})
       : layout_(layout_of({box({0, 0, 0}, {1, 2, 3})})), recorder(plan) {
-    const Motion* const motions[] = {&motion_};
-    batch_ = make_batch(std::span(&layout_, 1), motions, settings);
+    const Acceleration* const accelerations[] = {&acceleration_};
+    batch_ = make_batch(std::span(&layout_, 1), accelerations, settings);
     now = before_ = batch_.state;
   }
 
@@ -42,7 +42,7 @@ class HandDriven {
 
  private:
   Layout layout_;
-  Motion motion_;
+  Acceleration acceleration_;
   WorldBatch batch_;
   StateColumns before_;
   double time_ = 0.0;

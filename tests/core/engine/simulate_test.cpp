@@ -15,7 +15,9 @@ namespace {
 const Layout kOneBox = layout_of({box({1, 1, 0}, {1, 1, 1})});
 
 /// A motion with breakpoints that no step of 1/240 s meets.
-Motion pulse() { return motion_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(2, -1, 0)}, {0.5, Vec3(0, 0, 0)}}); }
+Acceleration pulse() {
+  return acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(2, -1, 0)}, {0.5, Vec3(0, 0, 0)}});
+}
 
 /// What the drive loop says.
 struct Heard {
@@ -48,9 +50,9 @@ class Listener final : public Recorder {
 };
 
 /// Runs one box with a listener.
-Heard listen(const Script& script, const Motion& motion, const Settings& settings) {
-  const Motion* const motions[] = {&motion};
-  WorldBatch batch = make_batch(std::span(&kOneBox, 1), motions, settings);
+Heard listen(const Script& script, const Acceleration& acceleration, const Settings& settings) {
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = make_batch(std::span(&kOneBox, 1), accelerations, settings);
   Listener listener;
   Recorder* const recorders[] = {&listener};
   const std::atomic<bool> abort = false;
@@ -69,8 +71,8 @@ Settings sleeping() {
 }  // namespace
 
 TEST_CASE("simulate: steps follow each other without gap and straddle no breakpoint", "[core][simulate]") {
-  const Motion motion = pulse();
-  const Heard heard = listen({}, motion, {});
+  const Acceleration acceleration = pulse();
+  const Heard heard = listen({}, acceleration, {});
   double time = 0.0;
   for (const Heard::Stretch& step : heard.steps) {
     CHECK(step.begin == time);
@@ -81,8 +83,8 @@ TEST_CASE("simulate: steps follow each other without gap and straddle no breakpo
     CHECK(step.acceleration == (pushed ? Vec3(2, -1, 0) : Vec3(0, 0, 0)));
     time = step.end;
   }
-  CHECK(time == motion.end_time());
-  CHECK(heard.outcome.end_time == motion.end_time());
+  CHECK(time == acceleration.end_time());
+  CHECK(heard.outcome.end_time == acceleration.end_time());
   CHECK(heard.outcome.status == Status::ok);
   CHECK(heard.outcome.stop_reason == StopReason::timeout);
   CHECK(heard.outcome.counters.steps == heard.steps.size());
@@ -111,9 +113,9 @@ TEST_CASE("simulate: the sampling interval never changes the motion", "[core][si
 TEST_CASE("simulate: an engine that takes many steps at once loses no sample", "[core][simulate]") {
   Settings settings;
   settings.results_interval = 0.01;
-  const Motion motion = constant(2.0, 1.0);
-  const Run run_slowly = run(ScriptedEngine({}), kOneBox, motion, settings);
-  const Run run_fast = run(ScriptedEngine({.steps_a_call = 100}), kOneBox, motion, settings);
+  const Acceleration acceleration = constant(2.0, 1.0);
+  const Run run_slowly = run(ScriptedEngine({}), kOneBox, acceleration, settings);
+  const Run run_fast = run(ScriptedEngine({.steps_a_call = 100}), kOneBox, acceleration, settings);
   CHECK(run_fast.record.state_hash == run_slowly.record.state_hash);
   CHECK(run_fast.record.series.time == run_slowly.record.series.time);
   REQUIRE(run_fast.record.series.time.size() == 101);
@@ -124,22 +126,22 @@ TEST_CASE("simulate: an engine that takes many steps at once loses no sample", "
 }
 
 TEST_CASE("simulate: an end after the motion is at rest, one before cuts it", "[core][simulate]") {
-  const Motion motion = constant(2.0, 1.0);
-  CHECK(latest_end(motion, {}) == 1.0);
+  const Acceleration acceleration = constant(2.0, 1.0);
+  CHECK(latest_end(acceleration, {}) == 1.0);
   Settings settings;
   settings.timeout = 0.5;
-  const Run cut = run(ScriptedEngine({}), kOneBox, motion, settings);
+  const Run cut = run(ScriptedEngine({}), kOneBox, acceleration, settings);
   CHECK(cut.record.outcome.end_time == 0.5);
   CHECK(cut.state.velocity[0].x() == Approx(-1.0));
   settings.timeout = 2.5;
-  const Run longer = run(ScriptedEngine({}), kOneBox, motion, settings);
+  const Run longer = run(ScriptedEngine({}), kOneBox, acceleration, settings);
   CHECK(longer.record.outcome.end_time == 2.5);
   CHECK(longer.state.velocity[0].x() == Approx(-2.0));
   CHECK(longer.displacement().x() == Approx(-4.0));
 }
 
 TEST_CASE("simulate: a motion without time ends at once, at 0", "[core][simulate]") {
-  const Run none = run(ScriptedEngine({}), kOneBox, Motion{}, {});
+  const Run none = run(ScriptedEngine({}), kOneBox, Acceleration{}, {});
   CHECK(none.record.outcome.end_time == 0.0);
   CHECK_FALSE(std::signbit(none.record.outcome.end_time));
   CHECK(none.record.outcome.counters.steps == 0);
@@ -163,8 +165,8 @@ TEST_CASE("simulate: settling is not recorded and starts the world where it ends
 }
 
 TEST_CASE("simulate: a state that is not finite ends the world at its last finite state", "[core][simulate]") {
-  const Motion motion = constant(2.0, 1.0);
-  const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, motion, {});
+  const Acceleration acceleration = constant(2.0, 1.0);
+  const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, acceleration, {});
   const Outcome& outcome = one.record.outcome;
   CHECK(outcome.status == Status::non_finite);
   CHECK(outcome.stop_reason == StopReason::failed);
@@ -192,8 +194,8 @@ TEST_CASE("simulate: a state that is not finite while settling", "[core][simulat
 }
 
 TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simulate]") {
-  const Motion motion = constant(2.0, 1.0);
-  const Motion* const motions[] = {&motion};
+  const Acceleration acceleration = constant(2.0, 1.0);
+  const Acceleration* const accelerations[] = {&acceleration};
   const std::vector<Layout> layouts = {kOneBox, kOneBox, kOneBox};
   for (const bool all_together : {false, true}) {
     for (const double settle : {0.0, 0.6}) {
@@ -201,7 +203,7 @@ TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simula
       settings.screening.settle_seconds = settle;
       const double breaks_at = settle > 0 ? -0.3 : 0.5;
       const ScriptedEngine engine({.all_together = all_together, .breaks_at = breaks_at, .breaking_world = 1});
-      const std::vector<Run> runs = run_all(engine, layouts, motions, settings);
+      const std::vector<Run> runs = run_all(engine, layouts, accelerations, settings);
       CHECK(runs[1].record.outcome.status == Status::non_finite);
       for (const std::size_t i : {0U, 2U}) {
         CHECK(runs[i].record.outcome.status == Status::ok);
@@ -222,38 +224,38 @@ TEST_CASE("simulate: what the engine finds wrong is in the status", "[core][simu
 }
 
 TEST_CASE("simulate: sleeping waits for the last change of the motion", "[core][simulate]") {
-  const Motion motion = motion_of({{1, Vec3(0, 0, 0)}, {1, Vec3(1, 0, 0)}});
-  const Run one = run(ScriptedEngine({.still_from = 0.0}), kOneBox, motion, sleeping());
+  const Acceleration acceleration = acceleration_of({{1, Vec3(0, 0, 0)}, {1, Vec3(1, 0, 0)}});
+  const Run one = run(ScriptedEngine({.still_from = 0.0}), kOneBox, acceleration, sleeping());
   CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
   CHECK(one.record.outcome.end_time == Approx(2.5));
 }
 
 TEST_CASE("simulate: sleeping takes half a second of quiet", "[core][simulate]") {
-  const Motion motion = constant(0.5, 1.0);
-  const Run one = run(ScriptedEngine({.still_from = 3.0}), kOneBox, motion, sleeping());
+  const Acceleration acceleration = constant(0.5, 1.0);
+  const Run one = run(ScriptedEngine({.still_from = 3.0}), kOneBox, acceleration, sleeping());
   CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
   CHECK(one.record.outcome.end_time == Approx(3.5).margin(1.0 / 240));
   CHECK(one.record.series.time.back() == one.record.outcome.end_time);
 }
 
 TEST_CASE("simulate: what never sleeps ends at the timeout, or after a minute", "[core][simulate]") {
-  const Motion motion = constant(0.5, 1.0);
-  CHECK(latest_end(motion, sleeping()) == 61.0);
-  const Run one = run(ScriptedEngine({}), kOneBox, motion, sleeping());
+  const Acceleration acceleration = constant(0.5, 1.0);
+  CHECK(latest_end(acceleration, sleeping()) == 61.0);
+  const Run one = run(ScriptedEngine({}), kOneBox, acceleration, sleeping());
   CHECK(one.record.outcome.stop_reason == StopReason::timeout);
   CHECK(one.record.outcome.end_time == 61.0);
   Settings settings = sleeping();
   settings.timeout = 2.0;
-  CHECK(run(ScriptedEngine({}), kOneBox, motion, settings).record.outcome.end_time == 2.0);
+  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.outcome.end_time == 2.0);
   settings.timeout = 1.2;
-  const Run early = run(ScriptedEngine({.still_from = 0.0}), kOneBox, motion, settings);
+  const Run early = run(ScriptedEngine({.still_from = 0.0}), kOneBox, acceleration, settings);
   CHECK(early.record.outcome.stop_reason == StopReason::timeout);
 }
 
 TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
-  const Motion motion = constant(1.0, 1.0);
-  const Motion* const motions[] = {&motion};
-  WorldBatch batch = make_batch(std::span(&kOneBox, 1), motions, {});
+  const Acceleration acceleration = constant(1.0, 1.0);
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = make_batch(std::span(&kOneBox, 1), accelerations, {});
   std::atomic<bool> abort = false;
 
   /// Aborts at its third step.
@@ -283,14 +285,14 @@ TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
 
 TEST_CASE("simulate: a world is the same alone, in a batch and together with others", "[core][simulate]") {
   const std::vector<Layout> layouts = {kOneBox, stack(3, {2, 0, 0}, {1, 2, 0.5}), layout_of({})};
-  const Motion one = pulse();
-  const Motion other = constant(-1.0, 1.3);
-  const Motion* const motions[] = {&one, &other};
-  const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, motions, {});
-  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, {});
+  const Acceleration one = pulse();
+  const Acceleration other = constant(-1.0, 1.3);
+  const Acceleration* const accelerations[] = {&one, &other};
+  const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, accelerations, {});
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, {});
   REQUIRE(batch.size() == 6);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const Run alone = run(ScriptedEngine({}), layouts[i / 2], *motions[i % 2], {});
+    const Run alone = run(ScriptedEngine({}), layouts[i / 2], *accelerations[i % 2], {});
     for (const Run* same : {&batch[i], &together[i]}) {
       CHECK(same->record.state_hash == alone.record.state_hash);
       CHECK(same->record.series.time == alone.record.series.time);
@@ -302,13 +304,13 @@ TEST_CASE("simulate: a world is the same alone, in a batch and together with oth
 
 TEST_CASE("simulate: worlds that advance all together keep their own motions", "[core][simulate]") {
   const Layout layouts[] = {kOneBox, kOneBox};
-  const Motion first = pulse();
-  const Motion second = motion_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
-  const Motion* const motions[] = {&first, &second};
+  const Acceleration first = pulse();
+  const Acceleration second = acceleration_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
+  const Acceleration* const accelerations[] = {&first, &second};
   Settings settings;
   settings.screening.settle_seconds = 0.1;
-  const std::vector<Run> alone = run_all(ScriptedEngine({}), layouts, motions, settings);
-  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, motions, settings);
+  const std::vector<Run> alone = run_all(ScriptedEngine({}), layouts, accelerations, settings);
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);
   REQUIRE(together.size() == 4);
   for (std::size_t i = 0; i < together.size(); ++i) {
     CHECK(together[i].record.state_hash == alone[i].record.state_hash);
@@ -320,12 +322,12 @@ TEST_CASE("simulate: worlds that advance all together keep their own motions", "
 
 TEST_CASE("simulate: a world ends alone where all advance together", "[core][simulate]") {
   const Layout layouts[] = {kOneBox, kOneBox};
-  const Motion motion = pulse();
-  const Motion* const motions[] = {&motion};
+  const Acceleration acceleration = pulse();
+  const Acceleration* const accelerations[] = {&acceleration};
   const Script script{.all_together = true, .breaks_at = 0.2, .breaking_world = 1};
-  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, motions, {});
+  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, accelerations, {});
   CHECK(runs[0].record.outcome.stop_reason == StopReason::timeout);
-  CHECK(runs[0].record.outcome.end_time == motion.end_time());
+  CHECK(runs[0].record.outcome.end_time == acceleration.end_time());
   CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
   CHECK(runs[1].record.outcome.end_time == Approx(0.2).margin(1.0 / 240));
 }

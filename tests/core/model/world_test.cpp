@@ -13,24 +13,24 @@ using namespace holdfast::scenes;
 namespace {
 
 WorldBatch batch_of(const std::vector<Layout>& layouts, const Settings& settings) {
-  static const Motion kRest;
-  const Motion* const motions[] = {&kRest};
-  return make_batch(layouts, motions, settings);
+  static const Acceleration kRest;
+  const Acceleration* const accelerations[] = {&kRest};
+  return make_batch(layouts, accelerations, settings);
 }
 
 }  // namespace
 
 TEST_CASE("world: worlds of every pair, motion fastest, one range of the columns each", "[core][world]") {
   const std::vector<Layout> layouts = {stack(2, {0, 0, 0}, {1, 1, 1}), stack(3, {0, 0, 0}, {1, 1, 1})};
-  const Motion one, two;
-  const Motion* const motions[] = {&one, &two};
-  const WorldBatch batch = make_batch(layouts, motions, Settings{});
+  const Acceleration one, two;
+  const Acceleration* const accelerations[] = {&one, &two};
+  const WorldBatch batch = make_batch(layouts, accelerations, Settings{});
   REQUIRE(batch.worlds.size() == 4);
   std::size_t row = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const World& world = batch.worlds[i];
     CHECK(world.layout == &layouts[i / 2]);
-    CHECK(world.motion == motions[i % 2]);
+    CHECK(world.acceleration == accelerations[i % 2]);
     CHECK(world.box_begin == row);
     CHECK(world.box_count == world.layout->boxes.size());
     row += world.box_count;

@@ -43,7 +43,7 @@ TEST_CASE("native_engine: a box slides at a - mu g, in every direction", "[core]
   for (const auto& [accuracy, bound] : {std::pair(Accuracy::standard, 1e-6), std::pair(Accuracy::reference, 1e-9)}) {
     for (const Vec3& heading : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0)}) {
       const Run slide =
-          native_run(one_box(kFlat), motion_of({{1, 1.5 * limit * heading}}), with(accuracy, open_floor(0.5)));
+          native_run(one_box(kFlat), acceleration_of({{1, 1.5 * limit * heading}}), with(accuracy, open_floor(0.5)));
       const double error = (slide.displacement() + 0.25 * limit * heading).norm() / (0.25 * limit);
       CAPTURE(static_cast<int>(accuracy), heading.transpose(), text(error));
       CHECK(error < bound);
@@ -169,7 +169,7 @@ TEST_CASE("native_engine: a frictionless wall stops what is across it, and lets 
           "[core][native_engine]") {
   const Layout layout = layout_of({box({0.2, 10, 0}, kFlat)});
   for (const auto& [accuracy, bound] : {std::pair(Accuracy::standard, 1e-5), std::pair(Accuracy::reference, 1e-6)}) {
-    const Run run = native_run(layout, motion_of({{1, Vec3(2, -1, 0)}}), with(accuracy, open_floor(0.0)));
+    const Run run = native_run(layout, acceleration_of({{1, Vec3(2, -1, 0)}}), with(accuracy, open_floor(0.0)));
     CAPTURE(static_cast<int>(accuracy), run.displacement().transpose());
     CHECK(run.displacement().x() == Approx(-0.2).margin(1e-5));
     CHECK(run.displacement().y() == Approx(0.5).margin(bound));
@@ -178,7 +178,7 @@ TEST_CASE("native_engine: a frictionless wall stops what is across it, and lets 
     // floor takes no part.
     Settings rough = with(accuracy, open_floor(0.0));
     rough.contact.box_wall = 0.3;
-    const Run along = native_run(layout_of({box({0, 10, 0}, kFlat)}), motion_of({{1, Vec3(8, -4, 0)}}), rough);
+    const Run along = native_run(layout_of({box({0, 10, 0}, kFlat)}), acceleration_of({{1, Vec3(8, -4, 0)}}), rough);
     CAPTURE(along.displacement().transpose());
     CHECK(along.displacement().y() == Approx(0.5 * (4 - 0.3 * 8)).epsilon(10 * bound));
   }
@@ -237,7 +237,7 @@ TEST_CASE("native_engine: a box that spins freely keeps its angular momentum and
 
 TEST_CASE("native_engine: steps follow the settings, and never straddle a change of the acceleration",
           "[core][native_engine]") {
-  const Motion pulse = motion_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
+  const Acceleration pulse = acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
   const Run run = native_run(one_box(kFlat), pulse, open_floor(0.0));
   CHECK(run.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-6));
   CHECK(run.displacement().x() == Approx(-3 * 0.4004 * (0.2002 + 0.3)).epsilon(1e-6));

@@ -76,7 +76,7 @@ TEST_CASE("native_impacts: a thin plate stops another that comes fast, right aft
     const Settings settings = with(accuracy, open_floor(0.5));
     double lowest = 1.0;
     watch(
-        NativeEngine(settings), layout, motion_of({{first, Vec3::Zero()}, {0.1, Vec3::Zero()}}), settings,
+        NativeEngine(settings), layout, acceleration_of({{first, Vec3::Zero()}, {0.1, Vec3::Zero()}}), settings,
         [&](WorldBatch& batch) {
           fix(batch, 1);
           batch.state.position[0].z() += 2e-3 + speed * first;

@@ -15,9 +15,9 @@ inline Settings with(Accuracy accuracy, Settings settings) {
   return settings;
 }
 
-inline scenes::Run native_run(const Layout& layout, const Motion& motion, const Settings& settings,
+inline scenes::Run native_run(const Layout& layout, const Acceleration& acceleration, const Settings& settings,
                               const std::function<void(StateColumns&)>& prepare = {}) {
-  return scenes::run(NativeEngine(settings), layout, motion, settings, prepare);
+  return scenes::run(NativeEngine(settings), layout, acceleration, settings, prepare);
 }
 
 inline Layout one_box(const Vec3& size, double height = 0.0) {

@@ -18,9 +18,9 @@ constexpr double kStep = 1.0 / 240;  ///< s
 const Vec3 kFlat(1.1, 1.1, 0.25);    ///< a box that slides and does not tip, m
 const Vec3 kTall(0.5, 0.5, 1.0);     ///< a box that tips and does not slide on high friction, m
 
-Run plain_run(const Layout& layout, const Motion& motion, const Settings& settings,
+Run plain_run(const Layout& layout, const Acceleration& acceleration, const Settings& settings,
               const std::function<void(StateColumns&)>& prepare = {}) {
-  return run(PlainEngine(settings), layout, motion, settings, prepare);
+  return run(PlainEngine(settings), layout, acceleration, settings, prepare);
 }
 
 Layout one_box(const Vec3& size, double height = 0.0) { return layout_of({box({10, 10, height}, size)}); }
@@ -50,9 +50,9 @@ double energy_of(const WorldBatch& batch, const Vec3& field) {
 /// Takes a world of one phase forward, step by step, with a look at each.
 void watch(const Layout& layout, const Settings& settings, const Phase& phase,
            const std::function<void(WorldBatch&)>& prepare, const std::function<void(const WorldBatch&)>& look) {
-  const Motion motion = motion_of({{phase.end, phase.acceleration}});
-  const Motion* const motions[] = {&motion};
-  WorldBatch batch = make_batch(std::span(&layout, 1), motions, settings);
+  const Acceleration acceleration = acceleration_of({{phase.end, phase.acceleration}});
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, settings);
   prepare(batch);
   const PlainEngine engine(settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
@@ -83,7 +83,7 @@ TEST_CASE("plain_engine: free fall is exact", "[core][plain_engine]") {
 TEST_CASE("plain_engine: a box slides at a - mu g, in every direction", "[core][plain_engine]") {
   const double limit = 0.5 * kGravity;
   for (const Vec3& heading : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0)}) {
-    const Run slide = plain_run(one_box(kFlat), motion_of({{1, 1.5 * limit * heading}}), open_floor(0.5));
+    const Run slide = plain_run(one_box(kFlat), acceleration_of({{1, 1.5 * limit * heading}}), open_floor(0.5));
     const double error = (slide.displacement() + 0.25 * limit * heading).norm() / (0.25 * limit);
     CAPTURE(heading.transpose(), error);
     CHECK(error < 1e-9);
@@ -191,7 +191,7 @@ TEST_CASE("plain_engine: two boxes that collide keep their momentum", "[core][pl
 TEST_CASE("plain_engine: a frictionless wall stops what is across it, and lets it slide along",
           "[core][plain_engine]") {
   const Layout layout = layout_of({box({0.2, 10, 0}, kFlat)});
-  const Run run = plain_run(layout, motion_of({{1, Vec3(2, -1, 0)}}), open_floor(0.0));
+  const Run run = plain_run(layout, acceleration_of({{1, Vec3(2, -1, 0)}}), open_floor(0.0));
   CHECK(run.displacement().x() == Approx(-0.2).margin(1e-8));
   // In the step of an impact a body has its new velocity all along, in every direction: off by a h² / 2 at most.
   CHECK(run.displacement().y() == Approx(0.5).margin(1.1 * kStep * kStep));
@@ -200,7 +200,7 @@ TEST_CASE("plain_engine: a frictionless wall stops what is across it, and lets i
   // floor takes no part.
   Settings rough = open_floor(0.0);
   rough.contact.box_wall = 0.3;
-  const Run along = plain_run(layout_of({box({0, 10, 0}, kFlat)}), motion_of({{1, Vec3(8, -4, 0)}}), rough);
+  const Run along = plain_run(layout_of({box({0, 10, 0}, kFlat)}), acceleration_of({{1, Vec3(8, -4, 0)}}), rough);
   CAPTURE(along.displacement().transpose());
   // Until it has gone through the play that it has at the wall, nothing holds.
   CHECK(along.displacement().y() == Approx(0.5 * (4 - 0.3 * 8)).epsilon(1e-4));
@@ -294,7 +294,7 @@ TEST_CASE("plain_engine: overlaps of a layout come apart without speed", "[core]
 
 TEST_CASE("plain_engine: steps follow the settings, and never straddle a change of the acceleration",
           "[core][plain_engine]") {
-  const Motion pulse = motion_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
+  const Acceleration pulse = acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
   Settings settings = open_floor(0.0);
   const Run run = plain_run(one_box(kFlat), pulse, settings);
   CHECK(run.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-9));

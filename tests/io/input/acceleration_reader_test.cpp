@@ -9,7 +9,7 @@ using namespace holdfast::test;
 
 namespace {
 
-Result<Motion> parse(const std::string& text) {
+Result<Acceleration> parse(const std::string& text) {
   std::vector<Error> warnings;
   return parse_acceleration(memory_file(text), warnings);
 }
@@ -19,34 +19,35 @@ Messages errors_of(const std::string& text) { return messages_of(parse(text)); }
 }  // namespace
 
 TEST_CASE("acceleration_reader: the published example", "[io][acceleration_reader]") {
-  const Result<Motion> motion = parse(
+  const Result<Acceleration> acceleration = parse(
       "#Initial-Time / Duration / X / Y / Z\n"
       "0     1     0  0  0\n"
       "1     0.3   1  0  0\n"
       "1.3   12    2  0  0\n"
       "13.3  0.35  2  0  -1e-1\n");
-  REQUIRE(motion);
-  CHECK(motion->name == "a.txt");
-  CHECK(motion->sha256.size() == 64);
-  REQUIRE(motion->segments.size() == 4);
-  CHECK(motion->segments[3].acceleration == Vec3(2, 0, -0.1));
-  CHECK(motion->segments[3].line == 5);
-  CHECK(motion->end_time() == Approx(13.65));
+  REQUIRE(acceleration);
+  CHECK(acceleration->name == "a.txt");
+  CHECK(acceleration->sha256.size() == 64);
+  REQUIRE(acceleration->segments.size() == 4);
+  CHECK(acceleration->segments[3].acceleration == Vec3(2, 0, -0.1));
+  CHECK(acceleration->segments[3].line == 5);
+  CHECK(acceleration->end_time() == Approx(13.65));
 }
 
 TEST_CASE("acceleration_reader: white space and comments are free, gaps are fine", "[io][acceleration_reader]") {
-  const Result<Motion> motion = parse("\xEF\xBB\xBF\t0.5\t1 +1 0 0 # brake\r\n\r\n#\r\n  3 1 0 0 0");
-  REQUIRE(motion);
-  REQUIRE(motion->segments.size() == 2);
-  CHECK(motion->segments[0].start == 0.5);
-  CHECK(motion->segments[1].line == 4);
+  const Result<Acceleration> acceleration = parse("\xEF\xBB\xBF\t0.5\t1 +1 0 0 # brake\r\n\r\n#\r\n  3 1 0 0 0");
+  REQUIRE(acceleration);
+  REQUIRE(acceleration->segments.size() == 2);
+  CHECK(acceleration->segments[0].start == 0.5);
+  CHECK(acceleration->segments[1].line == 4);
 }
 
 TEST_CASE("acceleration_reader: differences below an instant are closed", "[io][acceleration_reader]") {
-  const Result<Motion> motion = parse("0 0.1 1 0 0\n0.1 0.2 2 0 0\n0.3 0.1 3 0 0\n0.4000000005 1 4 0 0\n");
-  REQUIRE(motion);
+  const Result<Acceleration> acceleration = parse("0 0.1 1 0 0\n0.1 0.2 2 0 0\n0.3 0.1 3 0 0\n0.4000000005 1 4 0 0\n");
+  REQUIRE(acceleration);
   for (std::size_t i = 1; i < 4; ++i)
-    CHECK(motion->segments[i].start == motion->segments[i - 1].start + motion->segments[i - 1].duration);
+    CHECK(acceleration->segments[i].start ==
+          acceleration->segments[i - 1].start + acceleration->segments[i - 1].duration);
 }
 
 TEST_CASE("acceleration_reader: overlap and order", "[io][acceleration_reader]") {

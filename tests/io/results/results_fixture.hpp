@@ -113,10 +113,10 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
            .config_text = "[Physics Engine]\nDensityValue = 250\n",
            .settings = {{"Physics Engine/DensityValue", "250"}, {"Export Settings/SavePath", ""}},
            .record_series = series};
-  Motion braking{.name = "braking.txt", .sha256 = std::string(64, 'b')};
+  Acceleration braking{.name = "braking.txt", .sha256 = std::string(64, 'b')};
   braking.segments = {{.start = 0, .duration = 1, .acceleration = {1, 0, 0}},
                       {.start = 1.5, .duration = 0.25, .acceleration = {8, 0, 0.5}}};
-  about.accelerations = {braking, Motion{.name = "missing.txt"}};
+  about.accelerations = {braking, Acceleration{.name = "missing.txt"}};
   for (std::uint64_t layout = 0; layout < shapes.size(); ++layout) {
     const Shape shape = shapes[layout];
     const std::string name = "loading, \"" + std::to_string(layout) + "\".txt";

@@ -31,8 +31,8 @@ TEST_CASE("opencl_engine: a box slides by Coulomb's law, whatever its friction",
     const auto engine = opencl_engine(settings);
     if (!engine) return;
     const Layout layout = layout_of({box({15, 10, 0}, {0.5, 0.5, 0.5})});
-    const Motion motion = constant(friction * kGravity + 2.0, 1.0);
-    const double moved = -run(*engine, layout, motion, settings).displacement().x();
+    const Acceleration acceleration = constant(friction * kGravity + 2.0, 1.0);
+    const double moved = -run(*engine, layout, acceleration, settings).displacement().x();
     const double expected = slide(friction * kGravity + 2.0, friction, 1.0, 1.0 / 240);
     CAPTURE(friction, moved, expected);
     CHECK(std::abs(moved - expected) < 0.5e-3);
@@ -46,15 +46,16 @@ TEST_CASE("opencl_engine: worlds of one batch feel their own accelerations", "[p
   CHECK(engine->traits().all_together);
   const Layout layout = layout_of({box({15, 10, 0}, {0.5, 0.5, 0.5})});
   // Phases that end at different times, none at a multiple of the step.
-  std::vector<Motion> motions;
-  for (int i = 0; i < 12; ++i) motions.push_back(motion_of({{0.8 + 0.0137 * i, Vec3(2.0 + 0.4 * i, 0, 0)}}));
-  std::vector<const Motion*> pointers;
-  for (const Motion& motion : motions) pointers.push_back(&motion);
+  std::vector<Acceleration> accelerations;
+  for (int i = 0; i < 12; ++i)
+    accelerations.push_back(acceleration_of({{0.8 + 0.0137 * i, Vec3(2.0 + 0.4 * i, 0, 0)}}));
+  std::vector<const Acceleration*> pointers;
+  for (const Acceleration& acceleration : accelerations) pointers.push_back(&acceleration);
   const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), pointers, settings);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const double time = motions[i].end_time();
+    const double time = accelerations[i].end_time();
     const double step = time / std::ceil(time * 240);
-    const double expected = slide(motions[i].segments[0].acceleration.x(), 0.3, time, step);
+    const double expected = slide(accelerations[i].segments[0].acceleration.x(), 0.3, time, step);
     const double moved = -runs[i].displacement().x();
     CAPTURE(i, moved, expected);
     CHECK(std::abs(moved - expected) < 0.5e-3);
@@ -68,9 +69,9 @@ TEST_CASE("opencl_engine: a world's result is the same alone and in company", "[
   const auto engine = opencl_engine(settings);
   if (!engine) return;
   const Layout layouts[] = {stack(3, {10, 10, 0}, {0.6, 0.5, 0.4}), stack(2, {5, 5, 0}, {0.3, 0.5, 0.4})};
-  const Motion push = constant(3.0, 0.5);
-  const Motion pull = constant(-5.0, 0.3);
-  const Motion* const both[] = {&push, &pull};
+  const Acceleration push = constant(3.0, 0.5);
+  const Acceleration pull = constant(-5.0, 0.3);
+  const Acceleration* const both[] = {&push, &pull};
   const std::vector<Run> together = run_all(*engine, layouts, both, settings);
   REQUIRE(together.size() == 4);
   CHECK(run(*engine, layouts[0], push, settings).record.state_hash == together[0].record.state_hash);
@@ -135,17 +136,17 @@ TEST_CASE("opencl_engine: a world's result is the same in a batch of more worlds
   const auto engine = opencl_engine(settings);
   if (!engine) return;
   // Bullet's solver has 256 cells, each for a world: these take turns in two parts, from sample to sample.
-  std::vector<Motion> motions;
-  for (int i = 0; i < 300; ++i) motions.push_back(constant(3.0 + 0.02 * i, 0.25));
-  std::vector<const Motion*> pointers;
-  for (const Motion& motion : motions) pointers.push_back(&motion);
+  std::vector<Acceleration> accelerations;
+  for (int i = 0; i < 300; ++i) accelerations.push_back(constant(3.0 + 0.02 * i, 0.25));
+  std::vector<const Acceleration*> pointers;
+  for (const Acceleration& acceleration : accelerations) pointers.push_back(&acceleration);
   const Layout layout = stack(2, {10, 10, 0}, {0.6, 0.5, 0.4});
   const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), pointers, settings);
   REQUIRE(runs.size() == 300);
   for (const Run& each : runs) CHECK(each.record.outcome.status == Status::ok);
   for (const std::size_t world : {0U, 44U, 255U, 256U, 299U}) {
     CAPTURE(world);
-    CHECK(run(*engine, layout, motions[world], settings).record.state_hash == runs[world].record.state_hash);
+    CHECK(run(*engine, layout, accelerations[world], settings).record.state_hash == runs[world].record.state_hash);
   }
 }
 
@@ -162,17 +163,17 @@ TEST_CASE("opencl_engine: worlds that overflow the room for pairs together are s
   const auto across = [](StateColumns& state) {
     for (Rotation& rotation : state.orientation) rotation = Eigen::AngleAxisd(std::atan(1.0), Vec3::UnitZ());
   };
-  std::vector<Motion> motions;
-  for (int i = 0; i < 40; ++i) motions.push_back(constant(6.0 + 0.05 * i, 0.05));
-  std::vector<const Motion*> pointers;
-  for (const Motion& motion : motions) pointers.push_back(&motion);
+  std::vector<Acceleration> accelerations;
+  for (int i = 0; i < 40; ++i) accelerations.push_back(constant(6.0 + 0.05 * i, 0.05));
+  std::vector<const Acceleration*> pointers;
+  for (const Acceleration& acceleration : accelerations) pointers.push_back(&acceleration);
   const std::vector<Run> runs = run_all(*engine, std::span(&rods, 1), pointers, settings, across);
   for (const std::size_t world : {0U, 19U, 20U, 39U}) {
     CAPTURE(world, runs[world].displacement().x());
     CHECK(runs[world].record.outcome.status == Status::ok);
-    const double expected = slide(motions[world].segments[0].acceleration.x(), 0.4, 0.05, 1.0 / 240);
+    const double expected = slide(accelerations[world].segments[0].acceleration.x(), 0.4, 0.05, 1.0 / 240);
     CHECK(-runs[world].displacement().x() == Approx(expected).margin(1e-4));
-    const Run alone = run(*engine, rods, motions[world], settings, across);
+    const Run alone = run(*engine, rods, accelerations[world], settings, across);
     CHECK(alone.record.state_hash == runs[world].record.state_hash);
   }
 }
@@ -185,13 +186,13 @@ TEST_CASE("opencl_engine: a world beyond the room for pairs fails alone, and the
   // All in one place: 80,000 pairs, where 4,096 bodies have room for 65,536.
   const Layout layouts[] = {stack(1, {10, 10, 0}, {0.5, 0.5, 0.5}),
                             layout_of(std::vector<Box>(400, box({10, 10, 1}, {0.5, 0.5, 0.5})))};
-  const Motion motion = constant(6.0, 0.05);
-  const Motion* const motions[] = {&motion};
-  const std::vector<Run> runs = run_all(*engine, layouts, motions, settings);
+  const Acceleration acceleration = constant(6.0, 0.05);
+  const Acceleration* const accelerations[] = {&acceleration};
+  const std::vector<Run> runs = run_all(*engine, layouts, accelerations, settings);
   CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
   CHECK(has(runs[1].record.outcome.status, Status::capacity));
   CHECK(runs[0].record.outcome.status == Status::ok);
-  const Run next = run(*engine, layouts[0], motion, settings);
+  const Run next = run(*engine, layouts[0], acceleration, settings);
   CHECK(next.record.outcome.status == Status::ok);
   CHECK(next.record.state_hash == runs[0].record.state_hash);
 }
@@ -201,13 +202,13 @@ TEST_CASE("opencl_engine: a state that is not finite ends its world and no other
   const auto engine = opencl_engine(settings);
   if (!engine) return;
   const Layout layout = stack(3, {10, 10, 0}, {0.6, 0.5, 0.4});
-  const Motion motion = constant(6.0, 0.05);
-  const Motion* const motions[] = {&motion, &motion, &motion};
+  const Acceleration acceleration = constant(6.0, 0.05);
+  const Acceleration* const accelerations[] = {&acceleration, &acceleration, &acceleration};
   const auto hurl = [&](StateColumns& state) { state.velocity[layout.boxes.size() + 1] = Vec3(3e38, -3e38, 3e38); };
-  const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), motions, settings, hurl);
+  const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), accelerations, settings, hurl);
   CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
   CHECK(has(runs[1].record.outcome.status, Status::non_finite));
-  const Run alone = run(*engine, layout, motion, settings);
+  const Run alone = run(*engine, layout, acceleration, settings);
   for (const std::size_t world : {0U, 2U}) {
     CHECK(runs[world].record.outcome.status == Status::ok);
     CHECK(runs[world].record.state_hash == alone.record.state_hash);

@@ -9,38 +9,38 @@ namespace {
 
 constexpr double kFriction = 0.5 * 9.81;
 
-Motion motion_of(std::initializer_list<std::pair<double, double>> pieces) {
-  Motion motion;
-  for (const auto& [duration, acceleration] : pieces)
-    motion.segments.push_back({motion.end_time(), duration, Vec3(acceleration, 0, 0)});
-  return motion;
+Acceleration acceleration_of(std::initializer_list<std::pair<double, double>> pieces) {
+  Acceleration acceleration;
+  for (const auto& [duration, value] : pieces)
+    acceleration.segments.push_back({acceleration.end_time(), duration, Vec3(value, 0, 0)});
+  return acceleration;
 }
 
 }  // namespace
 
 TEST_CASE("sliding_block: a brake pulse throws it as far as the formula says", "[validate][sliding_block]") {
   const double acceleration = 0.8 * 9.81;
-  const SlidingBlock end = slide_along_x(motion_of({{0.5, acceleration}, {2.0, 0.0}}), kFriction);
+  const SlidingBlock end = slide_along_x(acceleration_of({{0.5, acceleration}, {2.0, 0.0}}), kFriction);
   CHECK(end.displacement == Approx(-0.5 * (acceleration - kFriction) * 0.25 * acceleration / kFriction).epsilon(1e-14));
   CHECK(end.velocity == 0.0);
   CHECK(end.distance == Approx(-end.displacement));
 }
 
 TEST_CASE("sliding_block: at its limit and below it sticks", "[validate][sliding_block]") {
-  const SlidingBlock end = slide_along_x(motion_of({{1.0, kFriction}, {1.0, -kFriction}, {1.0, 0.3}}), kFriction);
+  const SlidingBlock end = slide_along_x(acceleration_of({{1.0, kFriction}, {1.0, -kFriction}, {1.0, 0.3}}), kFriction);
   CHECK(end.displacement == 0.0);
   CHECK(end.velocity == 0.0);
 }
 
 TEST_CASE("sliding_block: opposite pulses cancel", "[validate][sliding_block]") {
-  const SlidingBlock end = slide_along_x(motion_of({{0.2, 8.0}, {1.0, 0.0}, {0.2, -8.0}, {1.0, 0.0}}), kFriction);
+  const SlidingBlock end = slide_along_x(acceleration_of({{0.2, 8.0}, {1.0, 0.0}, {0.2, -8.0}, {1.0, 0.0}}), kFriction);
   CHECK(std::abs(end.displacement) < 1e-15);
   CHECK(end.distance == Approx(2 * 0.5 * (8.0 - kFriction) * 0.04 * 8.0 / kFriction).epsilon(1e-12));
 }
 
 TEST_CASE("sliding_block: a load against its way stops it, then drives it back", "[validate][sliding_block]") {
   // 0.2 s forth to v = −3.095 · 0.2; then 8 m/s² the other way: stops after |v| / (8 + μg), then −3.095 the other way.
-  const SlidingBlock end = slide_along_x(motion_of({{0.2, 8.0}, {0.5, -8.0}}), kFriction);
+  const SlidingBlock end = slide_along_x(acceleration_of({{0.2, 8.0}, {0.5, -8.0}}), kFriction);
   const double excess = 8.0 - kFriction;
   const double speed = excess * 0.2;
   const double stop = speed / (8.0 + kFriction);

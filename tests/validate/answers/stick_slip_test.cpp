@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-Motion pulse(double duration, double acceleration, double after) {
-  return Scene().then(duration, {acceleration, 0, 0}).then(after, Vec3::Zero()).motion;
+Acceleration pulse(double duration, double acceleration, double after) {
+  return Scene().then(duration, {acceleration, 0, 0}).then(after, Vec3::Zero()).acceleration;
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ TEST_CASE("stick_slip: a pulse moves a block by ½ (a − μg) T² a/(μg) and i
 
 TEST_CASE("stick_slip: nothing moves at the limit, and less weight lowers the limit", "[validate]") {
   CHECK(slide_along(0, pulse(1.0, 0.5 * kGravity, 1.0), 0.5, kGravity).displacement.isZero(0.0));
-  const Motion heave = Scene().then(1.0, {0.4 * kGravity, 0, -0.5 * kGravity}).motion;
+  const Acceleration heave = Scene().then(1.0, {0.4 * kGravity, 0, -0.5 * kGravity}).acceleration;
   // The weight is halved: a = 0.4 g − 0.5 · 0.5 g.
   CHECK(slide_along(0, heave, 0.5, kGravity).displacement.x() == Approx(-0.5 * 0.15 * kGravity).epsilon(1e-12));
 }
@@ -40,22 +40,23 @@ TEST_CASE("stick_slip: two pulses of opposite sign leave what the closed formula
   const double friction = 0.2;
   const double limit = friction * kGravity;
   const double a = 3.0;
-  const Motion motion = Scene().then(1.0, {a, 0, 0}).then(1.0, {-a, 0, 0}).then(9.0, Vec3::Zero()).motion;
+  const Acceleration acceleration =
+      Scene().then(1.0, {a, 0, 0}).then(1.0, {-a, 0, 0}).then(9.0, Vec3::Zero()).acceleration;
   // First half: −(a − μg) for 1 s; then +(a + μg) until it stops at t₁, +(a − μg) for the rest, −μg to the stop.
   const double speed = a - limit;
   const double t1 = speed / (a + limit);
   const double back = (a - limit) * (1.0 - t1);
   const double expected = -0.5 * speed - 0.5 * speed * t1 + 0.5 * back * (1.0 - t1) + 0.5 * back * back / limit;
-  const SlidePath path = slide_along(0, motion, friction, kGravity);
+  const SlidePath path = slide_along(0, acceleration, friction, kGravity);
   CHECK(path.displacement.x() == Approx(expected).epsilon(1e-12));
   CHECK(path.stop_time == Approx(2.0 + back / limit).epsilon(1e-12));
 }
 
 TEST_CASE("stick_slip: the path over a plane along a line is the exact one", "[validate]") {
   const Vec3 direction = Vec3(0.8, 0.6, 0.0);
-  const Motion motion = Scene().then(0.7, 0.8 * kGravity * direction).then(5.0, Vec3::Zero()).motion;
+  const Acceleration acceleration = Scene().then(0.7, 0.8 * kGravity * direction).then(5.0, Vec3::Zero()).acceleration;
   const SlidePath line = slide_along(0, pulse(0.7, 0.8 * kGravity, 5.0), 0.3, kGravity);
-  const SlidePath plane = slide_over(motion, 0.3, kGravity);
+  const SlidePath plane = slide_over(acceleration, 0.3, kGravity);
   CHECK((plane.displacement - line.displacement.x() * direction).norm() < 1e-9);
   CHECK(plane.stop_time == Approx(line.stop_time).epsilon(1e-9));
 }
@@ -67,28 +68,28 @@ TEST_CASE("stick_slip: a push from the side bends the path as the closed formula
   const double push = 0.3 * kGravity;
   const double speed = 2.0;
   const double p = friction * kGravity / push;
-  const Motion motion = Scene().then(5.0, {-push, 0, 0}).motion;
-  const SlidePath path = slide_over(motion, friction, kGravity, {0, speed, 0});
+  const Acceleration acceleration = Scene().then(5.0, {-push, 0, 0}).acceleration;
+  const SlidePath path = slide_over(acceleration, friction, kGravity, {0, speed, 0});
   CHECK(path.stop_time == Approx(speed * p / (push * (p * p - 1.0))).epsilon(1e-7));
   CHECK(path.displacement.x() == Approx(speed * speed / (4.0 * push * (p * p - 1.0))).epsilon(1e-8));
   CHECK(path.displacement.y() == Approx(2.0 * speed * speed * p / (push * (4.0 * p * p - 1.0))).epsilon(1e-8));
 }
 
 TEST_CASE("stick_slip: stacked blocks slide together, or the upper one alone", "[validate]") {
-  const Motion motion = pulse(0.5, 0.8 * kGravity, 5.0);
-  const StackedPaths together = slide_stacked(motion, {3.0, 1.0, 0.2, 0.4, kGravity});
-  const double alone = slide_along(0, motion, 0.2, kGravity).displacement.x();
+  const Acceleration acceleration = pulse(0.5, 0.8 * kGravity, 5.0);
+  const StackedPaths together = slide_stacked(acceleration, {3.0, 1.0, 0.2, 0.4, kGravity});
+  const double alone = slide_along(0, acceleration, 0.2, kGravity).displacement.x();
   CHECK(together.lower == Approx(alone).epsilon(1e-12));
   CHECK(together.upper == Approx(alone).epsilon(1e-12));
-  const StackedPaths upper = slide_stacked(motion, {3.0, 1.0, 0.9, 0.3, kGravity});
+  const StackedPaths upper = slide_stacked(acceleration, {3.0, 1.0, 0.9, 0.3, kGravity});
   CHECK(upper.lower == 0.0);
-  CHECK(upper.upper == Approx(slide_along(0, motion, 0.3, kGravity).displacement.x()).epsilon(1e-12));
+  CHECK(upper.upper == Approx(slide_along(0, acceleration, 0.3, kGravity).displacement.x()).epsilon(1e-12));
 }
 
 TEST_CASE("stick_slip: stacked blocks that both slide follow Newton's laws", "[validate]") {
   const StackedBlocks blocks{3.0, 1.0, 0.3, 0.2, kGravity};
   const double push = 0.8 * kGravity;
-  const StackedPaths at = slide_stacked(Scene().then(0.5, {-push, 0, 0}).motion, blocks);
+  const StackedPaths at = slide_stacked(Scene().then(0.5, {-push, 0, 0}).acceleration, blocks);
   const double upper = push - 0.2 * kGravity;
   const double lower = push + (0.2 * 1.0 - 0.3 * 4.0) * kGravity / 3.0;
   CHECK(at.upper == Approx(0.125 * upper).epsilon(1e-12));

@@ -27,7 +27,7 @@ TEST_CASE("twins: mirroring, swapping and reversing twice gives the same bits", 
     const Scene mirrored = mirrored_twin(scene, axis);
     CHECK_FALSE(same_bits(start, start_of(mirrored)));
     CHECK(same_bits(start, start_of(mirrored_twin(mirrored, axis))));
-    CHECK(mirrored.motion.segments[0].acceleration[axis] == -scene.motion.segments[0].acceleration[axis]);
+    CHECK(mirrored.acceleration.segments[0].acceleration[axis] == -scene.acceleration.segments[0].acceleration[axis]);
   }
   CHECK(same_bits(start, start_of(swapped_twin(swapped_twin(scene)))));
   CHECK(same_bits(start, start_of(reversed_twin(reversed_twin(scene)))));
@@ -36,11 +36,11 @@ TEST_CASE("twins: mirroring, swapping and reversing twice gives the same bits", 
 TEST_CASE("twins: a world four times as large takes twice the time and twice the step", "[validate][twins]") {
   const Scene scene = assorted_scene();
   const Scene twin = scaled_twin(scene, 4.0);
-  CHECK(twin.motion.end_time() == 2.0 * scene.motion.end_time());
+  CHECK(twin.acceleration.end_time() == 2.0 * scene.acceleration.end_time());
   CHECK(twin.step_factor == 2.0);
   CHECK(twin.boxes[0].size == 4.0 * scene.boxes[0].size);
   CHECK(twin.boxes[0].mass == scene.boxes[0].mass);
-  CHECK(twin.motion.segments[0].acceleration == scene.motion.segments[0].acceleration);
+  CHECK(twin.acceleration.segments[0].acceleration == scene.acceleration.segments[0].acceleration);
 }
 
 TEST_CASE("twins: distances are the largest of all boxes, infinite without a match", "[validate][twins]") {

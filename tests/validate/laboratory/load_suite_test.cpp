@@ -77,7 +77,7 @@ TEST_CASE("load_suite: every layout meets the four road accelerations", "[valida
   layout.boxes.push_back({Vec3(0, 0, 0), Vec3(1, 1, 1), 1, 2});
   const std::vector<LoadWorld> worlds = load_worlds(std::vector{layout, layout});
   REQUIRE(worlds.size() == 8);
-  CHECK(worlds[0].scene.motion.end_time() == Approx(2.0));
-  CHECK(worlds[0].scene.motion.segments[1].acceleration.x() == Approx(0.8 * 9.81));
+  CHECK(worlds[0].scene.acceleration.end_time() == Approx(2.0));
+  CHECK(worlds[0].scene.acceleration.segments[1].acceleration.x() == Approx(0.8 * 9.81));
   CHECK(worlds[0].scene.boxes[0].position == Vec3(0.5, 0.5, 0.5));
 }
