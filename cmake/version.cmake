@@ -5,4 +5,4 @@ execute_process(
 if(NOT commit)
   set(commit unknown)
 endif()
-configure_file(${SOURCE_DIR}/src/app/version.cpp.in ${OUTPUT} @ONLY)
+configure_file(${SOURCE_DIR}/src/api/version.cpp.in ${OUTPUT} @ONLY)

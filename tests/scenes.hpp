@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/engine_catalog.hpp"
+#include "api/engine_loader.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/engine/simulate.hpp"
 #include "core/model/acceleration.hpp"
@@ -72,12 +72,20 @@ struct Run {
   Vec3 displacement(std::size_t i = 0) const { return state.position[i] - start[i]; }
 };
 
+/// The worlds of every pair.
+inline WorldBatch batch_of(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
+                           const Settings& settings) {
+  std::vector<const Layout*> pointers;
+  for (const Layout& layout : layouts) pointers.push_back(&layout);
+  return make_batch(pointers, accelerations, settings);
+}
+
 /// Runs all worlds of `layouts` and `accelerations`; results in the batch's order.
 /// @param prepare changes the state that the worlds start from
 inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> layouts,
                                 std::span<const Acceleration* const> accelerations, const Settings& settings,
                                 const std::function<void(StateColumns&)>& prepare = {}) {
-  WorldBatch batch = make_batch(layouts, accelerations, settings);
+  WorldBatch batch = batch_of(layouts, accelerations, settings);
   if (prepare) prepare(batch.state);
   const std::vector<Vec3> start = batch.state.position;
   std::vector<std::unique_ptr<SeriesRecorder>> recorders;

@@ -34,9 +34,10 @@ RULES = {
     "core": ({"core"}, {"Eigen", "Highway"}),
     "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "zlib", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
-    "parallel": ({"core", "parallel"}, {"TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
+    "parallel": ({"core", "parallel"}, {"fmt", "TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),
-    "app": ({"core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
+    "api": ({"core", "io", "parallel", "api"}, {"fmt", "POSIX"}),
+    "app": ({"api", "core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "fmt", "POSIX"}),
 }
 
 # Libraries that are kept to the files that match, so that they can be replaced there.

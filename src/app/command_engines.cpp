@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "api/engine_loader.hpp"
 #include "app/commands.hpp"
-#include "app/engine_catalog.hpp"
 #include "app/report.hpp"
 
 namespace holdfast {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <system_error>
 
+#include "api/version.hpp"
 #include "app/commands.hpp"
 #include "app/report.hpp"
 #include "app/uncaught.hpp"
-#include "app/version.hpp"
 #include "core/base/closest_word.hpp"
 #include "core/model/settings_page.hpp"
 #include "io/results/results_page.hpp"

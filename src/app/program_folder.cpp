@@ -12,7 +12,6 @@ std::filesystem::path program_root() {
 
 }  // namespace
 
-std::filesystem::path plugin_folder() { return program_root() / "lib"; }
 std::filesystem::path share_folder() { return program_root() / "share" / "holdfast"; }
 
 }  // namespace holdfast

@@ -22,30 +22,30 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const ProgressCounts& counts, double seconds) {
-  const std::uint64_t done = counts.done;
-  std::string text = fmt::format("{}/{} {}", done, counts.total, counts.noun);
-  const std::uint64_t here = done - counts.resumed;
+std::string progress_text(const RunProgress& progress, const char* noun, double seconds) {
+  const std::uint64_t done = progress.done;
+  std::string text = fmt::format("{}/{} {}", done, progress.total, noun);
+  const std::uint64_t here = done - progress.resumed;
   if (here == 0 || seconds <= 0.0) return text;
   const double rate = static_cast<double>(here) / seconds;
-  text += fmt::format("  {:.{}f} {}/s", rate, rate < 10.0 ? 2 : 0, counts.noun);
-  const std::uint64_t steps = counts.steps;
+  text += fmt::format("  {:.{}f} {}/s", rate, rate < 10.0 ? 2 : 0, noun);
+  const std::uint64_t steps = progress.steps;
   if (steps > 0) {
-    const double skipped = 100.0 * static_cast<double>(counts.steps_skipped) / static_cast<double>(steps);
+    const double skipped = 100.0 * static_cast<double>(progress.steps_skipped) / static_cast<double>(steps);
     text += fmt::format("  {:.0f} % of steps skipped", skipped);
   }
-  return text + fmt::format("  {} to go", clock_text(static_cast<double>(counts.total - done) / rate));
+  return text + fmt::format("  {} to go", clock_text(static_cast<double>(progress.total - done) / rate));
 }
 
-ProgressLine::ProgressLine(const ProgressCounts& counts, std::FILE* stream, bool quiet)
-    : counts_(counts), stream_(stream), quiet_(quiet), terminal_(isatty(fileno(stream)) == 1) {}
+ProgressLine::ProgressLine(const RunProgress& progress, const char* noun, std::FILE* stream, bool quiet)
+    : progress_(progress), noun_(noun), stream_(stream), quiet_(quiet), terminal_(isatty(fileno(stream)) == 1) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 
 void ProgressLine::show() {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
-  const std::string text = progress_text(counts_, std::chrono::duration<double>(now - start_).count());
+  const std::string text = progress_text(progress_, noun_, std::chrono::duration<double>(now - start_).count());
   if (terminal_) {
     const std::size_t blanks = drawn_ > text.size() ? drawn_ - text.size() : 0;
     print_to(stream_, "\r{}{:{}}", text, "", blanks);

@@ -1,32 +1,24 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <optional>
 #include <string>
+
+#include "core/engine/run_observer.hpp"
 
 namespace holdfast {
 
-/// How far a run has come; counted by the writing thread, read by the one that shows it.
-struct ProgressCounts {
-  const char* noun = "worlds";           ///< what is counted
-  std::uint64_t total = 0;               ///< all of the run
-  std::uint64_t resumed = 0;             ///< of these, finished by an earlier run
-  std::atomic<std::uint64_t> done = 0;   ///< finished, the resumed ones included
-  std::atomic<std::uint64_t> steps = 0;  ///< of the worlds finished in this run
-  std::atomic<std::uint64_t> steps_skipped = 0;
-};
-
-/// The text of a progress line: done and in all, a second, share of steps skipped (when there were steps), time to go.
-std::string progress_text(const ProgressCounts& counts, double seconds);
+/// The text of a progress line: done and in all, done per second, share of steps skipped (when there were steps), time
+/// to go.
+/// @param noun what is counted: "worlds"
+std::string progress_text(const RunProgress& progress, const char* noun, double seconds);
 
 /// Shows progress on a stream: one line drawn over and over on a terminal, a plain line every ten seconds
 /// elsewhere. `show` and `note` are to be called by one thread.
 class ProgressLine {
  public:
-  ProgressLine(const ProgressCounts& counts, std::FILE* stream, bool quiet);
+  ProgressLine(const RunProgress& progress, const char* noun, std::FILE* stream, bool quiet);
   /// Wipes the line from the terminal.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -41,7 +33,8 @@ class ProgressLine {
  private:
   void wipe();
 
-  const ProgressCounts& counts_;
+  const RunProgress& progress_;
+  const char* noun_;
   std::FILE* stream_;
   bool quiet_;
   bool terminal_;

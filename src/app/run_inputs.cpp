@@ -1,11 +1,7 @@
 #include "app/run_inputs.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -13,25 +9,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "api/recorded_run.hpp"
 #include "app/report.hpp"
-#include "app/series_limit.hpp"
-#include "app/version.hpp"
-#include "core/engine/series_recorder.hpp"
-#include "core/model/setting_table.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/text_file.hpp"
+#include "parallel/screening/series_limit.hpp"
 
 namespace holdfast {
-
-namespace {
-
-std::string host_name() {
-  std::array<char, 256> name = {};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
-}  // namespace
 
 std::string input_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -49,10 +33,10 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
   if (warning) warn(std::span(&*warning, 1));
 }
 
-std::vector<RunAcceleration> read_accelerations(const ScreeningJob& job) {
-  std::vector<RunAcceleration> accelerations;
+std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job) {
+  std::vector<ReadAcceleration> accelerations;
   for (const std::string& path : job.acceleration_paths) {
-    RunAcceleration& entry = accelerations.emplace_back();
+    ReadAcceleration& entry = accelerations.emplace_back();
     entry.acceleration.name = input_name(path);
     const Result<TextFile> file = read_text_file(path);
     std::vector<Error> warnings;
@@ -73,22 +57,14 @@ std::vector<RunAcceleration> read_accelerations(const ScreeningJob& job) {
   return accelerations;
 }
 
-RunDescription describe_run(const ScreeningJob& job, const std::vector<RunAcceleration>& accelerations,
+RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAcceleration>& accelerations,
                             std::vector<std::string> layout_hashes) {
-  RunDescription run;
-  run.software = fmt::format("holdfast {}", kVersion);
-  run.git_commit = kGitCommit;
-  run.engine = job.settings.screening.engine;
+  std::vector<std::string> names;
+  for (const std::string& path : job.layout_paths) names.push_back(input_name(path));
+  RunDescription run =
+      describe_run(job.settings, std::move(names), std::move(layout_hashes), accelerations, job.record_series);
   run.command_line = job.command_line;
-  run.created_utc = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  run.host = host_name();
   run.config_text = job.config_text;
-  run.settings = effective_settings(job.settings);
-  for (const std::string& path : job.layout_paths) run.layout_names.push_back(input_name(path));
-  run.layout_hashes = std::move(layout_hashes);
-  for (const RunAcceleration& acceleration : accelerations) run.accelerations.push_back(acceleration.acceleration);
-  run.record_series = job.record_series;
-  run.thresholds = recording_plan(job.settings, true).thresholds;
   return run;
 }
 

@@ -1,6 +1,9 @@
 #include "app/run_options.hpp"
 
+#include <fmt/format.h>
+
 #include "core/model/setting_table.hpp"
+#include "parallel/schedulers/scheduler.hpp"
 
 namespace holdfast {
 
@@ -30,12 +33,18 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   ScreeningSettings& screening = job.settings.screening;
   screening.engine = engine.value_or(screening.engine);
   screening.threads = threads.value_or(screening.threads);
-  screening.scheduler = scheduler.value_or(screening.scheduler);
+  if (scheduler) {
+    const SettingKey& key = *find_setting("Screening", "Scheduler");
+    if (!key.set(job.settings, 0, *scheduler))
+      return Error{.what = "unknown scheduler",
+                   .value = *scheduler,
+                   .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))};
+  }
   if (text_folder) job.text_folder = text_folder;
   job.costs_path = costs_path;
   job.record_series = !no_series;
-  job.resume = resume;
-  job.overwrite = overwrite;
+  if (resume) job.existing = ExistingResults::resume;
+  if (overwrite) job.existing = ExistingResults::overwrite;
   job.json = json;
   job.quiet = quiet;
   return apply_accuracy(job.settings);

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "api/recorded_run.hpp"
 #include "app/exit_code.hpp"
 #include "core/model/settings.hpp"
 
@@ -20,15 +22,17 @@ struct ScreeningJob {
   std::string batch_name = "batch";        ///< names the text file of the batch
   std::string command_line;                ///< as typed
   bool record_series = true;
-  bool resume = false;
-  bool overwrite = false;
+  ExistingResults existing = ExistingResults::refuse;
   std::optional<std::string> costs_path;  ///< write there where the processor time went
   bool json = false;   ///< one JSON object a world on standard output, finished ones first; nothing else there
   bool quiet = false;  ///< no progress, no table
 };
 
-/// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; what went wrong
-/// is on standard error, a line each.
+/// "1 layout", "2 layouts".
+std::string counted(std::size_t count, std::string_view noun);
+
+/// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; errors are on standard
+/// error, one per line.
 ExitCode run_screening(const ScreeningJob& job);
 
 }  // namespace holdfast

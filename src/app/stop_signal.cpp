@@ -6,7 +6,7 @@ namespace holdfast {
 
 namespace {
 
-StopRequest request;
+StopSignal request;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
 
@@ -19,7 +19,7 @@ extern "C" void take_signal(int signal) {
 
 }  // namespace
 
-const StopRequest& watch_stop_signals() {
+const StopSignal& watch_stop_signals() {
   struct sigaction action = {};
   action.sa_handler = take_signal;
   action.sa_flags = SA_RESTART;
@@ -28,7 +28,7 @@ const StopRequest& watch_stop_signals() {
   return request;
 }
 
-ExitCode exit_code_of(const StopRequest& stop) {
+ExitCode exit_code_of(const StopSignal& stop) {
   return stop.signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
 }
 

@@ -7,13 +7,11 @@
 #include <new>
 
 #include "app/exit_code.hpp"
+#include "parallel/screening/work_in_hand.hpp"
 
 namespace holdfast {
 
 namespace {
-
-thread_local const char* layout_in_hand = nullptr;
-thread_local const char* acceleration_in_hand = nullptr;
 
 /// Without memory of its own: there may be none.
 void say(const char* text) { static_cast<void>(!::write(STDERR_FILENO, text, std::strlen(text))); }
@@ -32,10 +30,10 @@ void say_cause() {
 }
 
 [[noreturn]] void end_with_message() {
-  if (layout_in_hand != nullptr) {
-    say(layout_in_hand);
+  if (WorkInHand::layout() != nullptr) {
+    say(WorkInHand::layout());
     say(" under ");
-    say(acceleration_in_hand);
+    say(WorkInHand::acceleration());
     say(": ");
   }
   say_cause();
@@ -48,12 +46,5 @@ void say_cause() {
 }  // namespace
 
 void report_uncaught() { std::set_terminate(end_with_message); }
-
-WorkInHand::WorkInHand(const std::string& layout, const std::string& acceleration) {
-  layout_in_hand = layout.c_str();
-  acceleration_in_hand = acceleration.c_str();
-}
-
-WorkInHand::~WorkInHand() { layout_in_hand = acceleration_in_hand = nullptr; }
 
 }  // namespace holdfast

@@ -53,46 +53,47 @@ class Captured {
 }  // namespace
 
 TEST_CASE("progress: the text before anything is done", "[app][progress]") {
-  ProgressCounts counts;
-  counts.total = 12;
-  CHECK(progress_text(counts, 0.0) == "0/12 worlds");
-  CHECK(progress_text(counts, 5.0) == "0/12 worlds");
-  counts.done = 3;
-  CHECK(progress_text(counts, 0.0) == "3/12 worlds");
+  RunProgress progress;
+  progress.total = 12;
+  CHECK(progress_text(progress, "worlds", 0.0) == "0/12 worlds");
+  CHECK(progress_text(progress, "worlds", 5.0) == "0/12 worlds");
+  progress.done = 3;
+  CHECK(progress_text(progress, "worlds", 0.0) == "3/12 worlds");
 }
 
 TEST_CASE("progress: rate, share of steps skipped and time to go", "[app][progress]") {
-  ProgressCounts counts;
-  counts.total = 1000;
-  counts.done = 100;
-  counts.steps = 2000;
-  counts.steps_skipped = 500;
-  CHECK(progress_text(counts, 4.0) == "100/1000 worlds  25 worlds/s  25 % of steps skipped  0:36 to go");
-  CHECK(progress_text(counts, 40.0) == "100/1000 worlds  2.50 worlds/s  25 % of steps skipped  6:00 to go");
-  CHECK(progress_text(counts, 4000.0) == "100/1000 worlds  0.03 worlds/s  25 % of steps skipped  10:00:00 to go");
+  RunProgress progress;
+  progress.total = 1000;
+  progress.done = 100;
+  progress.steps = 2000;
+  progress.steps_skipped = 500;
+  CHECK(progress_text(progress, "worlds", 4.0) == "100/1000 worlds  25 worlds/s  25 % of steps skipped  0:36 to go");
+  CHECK(progress_text(progress, "worlds", 40.0) == "100/1000 worlds  2.50 worlds/s  25 % of steps skipped  6:00 to go");
+  CHECK(progress_text(progress, "worlds", 4000.0) ==
+        "100/1000 worlds  0.03 worlds/s  25 % of steps skipped  10:00:00 to go");
 }
 
 TEST_CASE("progress: what an earlier run finished counts as done, not as speed", "[app][progress]") {
-  ProgressCounts counts;
-  counts.total = 100;
-  counts.resumed = 60;
-  counts.done = 60;
-  CHECK(progress_text(counts, 10.0) == "60/100 worlds");
-  counts.done = 80;
-  CHECK(progress_text(counts, 10.0) == "80/100 worlds  2.00 worlds/s  0:10 to go");
+  RunProgress progress;
+  progress.total = 100;
+  progress.resumed = 60;
+  progress.done = 60;
+  CHECK(progress_text(progress, "worlds", 10.0) == "60/100 worlds");
+  progress.done = 80;
+  CHECK(progress_text(progress, "worlds", 10.0) == "80/100 worlds  2.00 worlds/s  0:10 to go");
 }
 
 TEST_CASE("progress: one line drawn over and over on a terminal, wiped at the end", "[app][progress]") {
-  ProgressCounts counts;
-  counts.total = 12;
+  RunProgress progress;
+  progress.total = 12;
   Captured terminal(true);
   {
-    ProgressLine line(counts, terminal.stream, false);
+    ProgressLine line(progress, "worlds", terminal.stream, false);
     line.show();
     CHECK(terminal.read() == "\r0/12 worlds");
     line.show();
     CHECK(terminal.read() == "\r0/12 worlds");
-    counts.total = 9;
+    progress.total = 9;
     line.show();
     CHECK(terminal.read() == "\r0/9 worlds ");
     line.note("a note");
@@ -104,18 +105,18 @@ TEST_CASE("progress: one line drawn over and over on a terminal, wiped at the en
 }
 
 TEST_CASE("progress: nothing to wipe where nothing was drawn", "[app][progress]") {
-  ProgressCounts counts;
+  RunProgress progress;
   Captured terminal(true);
-  { ProgressLine line(counts, terminal.stream, false); }
+  { ProgressLine line(progress, "worlds", terminal.stream, false); }
   CHECK(terminal.read().empty());
 }
 
 TEST_CASE("progress: elsewhere no line is drawn over, and notes are plain", "[app][progress]") {
-  ProgressCounts counts;
-  counts.total = 12;
+  RunProgress progress;
+  progress.total = 12;
   Captured pipe(false);
   {
-    ProgressLine line(counts, pipe.stream, false);
+    ProgressLine line(progress, "worlds", pipe.stream, false);
     line.show();
     line.note("a note");
     line.show();
@@ -124,11 +125,11 @@ TEST_CASE("progress: elsewhere no line is drawn over, and notes are plain", "[ap
 }
 
 TEST_CASE("progress: quiet keeps the notes", "[app][progress]") {
-  ProgressCounts counts;
+  RunProgress progress;
   for (const bool terminal : {true, false}) {
     Captured captured(terminal);
     {
-      ProgressLine line(counts, captured.stream, true);
+      ProgressLine line(progress, "worlds", captured.stream, true);
       line.show();
       line.note("a note");
     }

@@ -59,7 +59,7 @@ TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][
       const Layout layout = pile();
       const Acceleration acceleration = swerve();
       const Acceleration* const accelerations[] = {&acceleration};
-      WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, {});
+      WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, {});
       SeriesRecorder recorder(recording_plan({}, true));
       Recorder* const recorders[] = {&recorder};
       simulate(*shared, batch, {}, recorders, false);

@@ -99,7 +99,7 @@ inline void watch(const Engine& engine, const Layout& layout, const Acceleration
                   const std::function<void(const WorldBatch&, const Phase&)>& look,
                   const std::function<void(const WorldBatch&, const Phase&)>& begin = {}) {
   const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, settings);
+  WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
   if (prepare) prepare(batch);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {

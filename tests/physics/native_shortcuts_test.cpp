@@ -106,7 +106,7 @@ TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each 
   const Acceleration acceleration = constant(0.8 * kGravity, 0.3);
   const Acceleration* const pointers[] = {&acceleration};
   const NativeEngine engine(settings);
-  WorldBatch batch = make_batch(layouts, pointers, settings);
+  WorldBatch batch = scenes::batch_of(layouts, pointers, settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   const Phase phase = phases_of(acceleration, 0.3).front();
   double time[] = {0.0, 0.0};

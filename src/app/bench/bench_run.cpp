@@ -16,10 +16,11 @@
 #include <span>
 
 #include "app/report.hpp"
-#include "app/ticker.hpp"
+#include "app/stage_costs_file.hpp"
 #include "io/export/text_output.hpp"
 #include "io/input/text_file.hpp"
 #include "io/results/results_reader.hpp"
+#include "parallel/schedulers/ticker.hpp"
 
 namespace holdfast {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/screening/stage_costs.hpp"
 #include "core/base/result.hpp"
+#include "parallel/screening/stage_costs.hpp"
 
 namespace holdfast {
 

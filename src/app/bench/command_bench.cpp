@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
+#include "api/engine_loader.hpp"
 #include "app/bench/bench_table.hpp"
 #include "app/commands.hpp"
-#include "app/engine_catalog.hpp"
 #include "app/load_config.hpp"
 #include "app/report.hpp"
 #include "app/stop_signal.hpp"
@@ -116,7 +116,7 @@ ExitCode bench(const BenchOptions& options) {
   const auto sets =
       options.classes.empty() ? Result(std::vector<BenchCase>()) : sets_by_boxes(options, *layouts, config->settings);
   if (!sets) return fail(ExitCode::bad_usage, sets.errors());
-  const StopRequest& stop = watch_stop_signals();
+  const StopSignal& stop = watch_stop_signals();
   std::error_code missing;
   const std::string above = options.folder.value_or(std::filesystem::temp_directory_path(missing).string());
   if (above.empty()) {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "api/engine_loader.hpp"
 #include "app/commands.hpp"
-#include "app/engine_catalog.hpp"
 #include "app/program_folder.hpp"
 #include "app/report.hpp"
 #include "app/stop_signal.hpp"
@@ -214,7 +214,7 @@ ExitCode judge_bounds(const ValidateOptions& options, const ValidationResult& re
 }
 
 ExitCode validate(const ValidateOptions& options) {
-  const StopRequest& stop = watch_stop_signals();
+  const StopSignal& stop = watch_stop_signals();
   const Result<ValidationPlan> plan = plan_of(options);
   if (!plan) return fail(ExitCode::bad_usage, plan.errors());
   if (options.record_path) {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "app/engine_catalog.hpp"
+#include "api/engine_loader.hpp"
 #include "app/progress.hpp"
-#include "app/ticker.hpp"
 #include "parallel/schedulers/ordered_run.hpp"
+#include "parallel/schedulers/ticker.hpp"
 
 namespace holdfast {
 
@@ -126,9 +126,9 @@ ValidationResult run_validation(const ValidationPlan& plan, const std::atomic<bo
   const std::vector<EngineSetting>& references = load_references();
   const std::vector<Task> tasks = tasks_of(plan, references);
   Collector collector(plan, references);
-  ProgressCounts counts{.noun = "cases", .total = tasks.size()};
+  RunProgress progress{.total = tasks.size()};
   {
-    ProgressLine line(counts, stderr, plan.quiet);
+    ProgressLine line(progress, "cases", stderr, plan.quiet);
     const Ticker ticker(std::chrono::milliseconds(250), [&] { line.show(); });
     run_in_order(
         Scheduler::tbb, plan.threads, tasks.size(),
@@ -140,12 +140,12 @@ ValidationResult run_validation(const ValidationPlan& plan, const std::atomic<bo
         [&](Finding&& finding) {
           if (stop) return false;
           collector.add(std::move(finding));
-          ++counts.done;
+          ++progress.done;
           return true;
         });
   }
   ValidationResult result = collector.take();
-  result.complete = counts.done == counts.total;
+  result.complete = progress.done == progress.total;
   return result;
 }
 

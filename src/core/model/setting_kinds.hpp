@@ -234,7 +234,8 @@ struct Engines {
 };
 struct Schedulers {
   static constexpr std::string_view kAccepted = "tbb, openmp or serial";
-  static constexpr std::array<std::string_view, 3> kNames{"tbb", "openmp", "serial"};
+  static constexpr std::array kWords{Word{"tbb", Scheduler::tbb}, Word{"openmp", Scheduler::openmp},
+                                     Word{"serial", Scheduler::serial}};
 };
 
 /// Any of the container's sides, each once.

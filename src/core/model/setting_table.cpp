@@ -152,7 +152,7 @@ std::vector<SettingKey> make_table() {
       "What moves the boxes; `holdfast engines` lists what is there.");
   add(Whole<ThreadRange>{}, "Threads", "", "0", MEMBER(screening.threads),
       "Worlds simulated at the same time; 0 stands for one a core.");
-  add(Name<Schedulers>{}, "Scheduler", "", "tbb", MEMBER(screening.scheduler),
+  add(OneOf<Schedulers>{}, "Scheduler", "", "tbb", MEMBER(screening.scheduler),
       "How worlds are handed out to threads; never changes a result.");
   add(NotNegative{}, "SettleSeconds", "s", "0", MEMBER(screening.settle_seconds),
       "Time under gravity alone before t = 0, not recorded.");

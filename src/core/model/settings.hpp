@@ -24,6 +24,13 @@ enum class StoppingCondition { timeout, sleeping };
 /// What displacement is measured from: the layout's pose, or the pose after settling under gravity alone.
 enum class ReferencePose { layout, settled };
 
+/// How work is spread over threads. Results do not depend on it.
+enum class Scheduler {
+  tbb,     ///< TBB's parallel pipeline: read and simulate, and compress, in parallel; one writer
+  openmp,  ///< an OpenMP loop over the units; compressing and writing inside its ordered region
+  serial,  ///< one after the other, on the calling thread
+};
+
 /// How Bullet puts bodies to sleep.
 enum class BulletSleeping { off, wake_on_change };
 
@@ -61,7 +68,7 @@ struct ScreeningSettings {
   std::string acceleration;  ///< path for `holdfast run` on a single pair
   std::string engine = "native";
   int threads = 0;  ///< 0: one a core
-  std::string scheduler = "tbb";
+  Scheduler scheduler = Scheduler::tbb;
   double settle_seconds = 0.0;  ///< gravity alone before t = 0, s
   ReferencePose reference_pose = ReferencePose::layout;
   double drop_threshold = 0.05;  ///< m

@@ -45,13 +45,13 @@ void for_each_number(const StateView& state, Visit visit) {
 
 }  // namespace
 
-WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
+WorldBatch make_batch(std::span<const Layout* const> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings) {
   WorldBatch batch;
-  for (const Layout& layout : layouts) {
+  for (const Layout* layout : layouts) {
     for (const Acceleration* acceleration : accelerations) {
-      batch.worlds.push_back({&layout, acceleration, batch.state.position.size(), layout.boxes.size()});
-      for (const Box& box : layout.boxes) append_box(batch, box, settings);
+      batch.worlds.push_back({layout, acceleration, batch.state.position.size(), layout->boxes.size()});
+      for (const Box& box : layout->boxes) append_box(batch, box, settings);
     }
   }
   return batch;

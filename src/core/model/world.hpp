@@ -70,7 +70,7 @@ struct WorldBatch {
 /// The worlds of every pair of `layouts` and `accelerations`, acceleration fastest, at rest in the layout's pose.
 /// Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
 /// I = m/12 (b² + c²), about the centre of mass.
-WorldBatch make_batch(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
+WorldBatch make_batch(std::span<const Layout* const> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings);
 
 /// Changing state of one world, a view of a batch's columns.

@@ -22,7 +22,7 @@ PartBuilder::PartBuilder(const std::string& path, const RunDescription& run, con
     chunked_.push_back(h5::Dataset::create(file_, kSchema[dataset], 0, 1));
 }
 
-void PartBuilder::add(PackedUnit&& unit) {
+void PartBuilder::add(UnitPiece&& unit) {
   for (const GridChunk& chunk : unit.piece.chunks) {
     h5::Dataset& dataset = chunked_[chunk.column];
     const std::uint64_t index = chunk.index - at(begin_, dataset.spec().axis) / dataset.chunk_entries();

@@ -19,7 +19,7 @@ class PartBuilder {
   /// @param tail those of them in the incomplete chunks, which the part repeats
   PartBuilder(const std::string& path, const RunDescription& run, const AxisCounts& begin, LongEntries tail);
 
-  void add(PackedUnit&& unit);
+  void add(UnitPiece&& unit);
 
   std::size_t world_count() const { return columns_.columns()[dataset_index("/worlds/layout")].count(); }
   /// Bytes of full chunks so far.

@@ -116,35 +116,41 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& pa
   });
 }
 
-PlacedUnit ResultsWriter::place(UnitRecord&& unit) {
-  PlacedUnit placed;
-  placed.record = std::move(unit);
-  placed.columns = columns_of(placed.record, state_->run, state_->placed);
-  placed.end = state_->placed;
-  placed.piece = state_->grid.add(placed.columns);
-  return placed;
-}
+/// A unit on its way into the writer's open part.
+class ResultsWriter::Unit final : public SinkUnit {
+ public:
+  Unit(State& state, UnitRecord& record) : state_(state) {
+    unit_.columns = columns_of(record, state.run, state.placed);
+    unit_.end = state.placed;
+    unit_.piece = state.grid.add(unit_.columns);
+  }
 
-PackedUnit ResultsWriter::pack(PlacedUnit&& unit) {
-  PackedUnit packed{std::move(unit)};
-  for (GridChunk& chunk : packed.piece.chunks)
-    chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[long_datasets()[chunk.column]].type));
-  return packed;
-}
+  void pack() override {
+    for (GridChunk& chunk : unit_.piece.chunks)
+      chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[long_datasets()[chunk.column]].type));
+  }
 
-std::optional<Error> ResultsWriter::write(PackedUnit&& unit) {
-  return state_->guarded([&] {
-    std::unique_ptr<PartBuilder>& part = state_->part;
-    if (!part) {
-      part = std::make_unique<PartBuilder>(part_path(state_->path, state_->finished_parts + 1), state_->run,
-                                           state_->end, std::move(state_->tail));
-    }
-    part->add(std::move(unit));
-    const PartLimits& limits = state_->limits;
-    const bool full = part->world_count() >= limits.worlds || part->bytes() >= limits.bytes;
-    if (full || std::chrono::steady_clock::now() - part->opened() >= limits.age) state_->close_part();
-  });
-}
+  /// Adds the unit to the open part; closes the part when it is due.
+  std::optional<Error> write() override {
+    return state_.guarded([&] {
+      std::unique_ptr<PartBuilder>& part = state_.part;
+      if (!part) {
+        part = std::make_unique<PartBuilder>(part_path(state_.path, state_.finished_parts + 1), state_.run, state_.end,
+                                             std::move(state_.tail));
+      }
+      part->add(std::move(unit_));
+      const PartLimits& limits = state_.limits;
+      const bool full = part->world_count() >= limits.worlds || part->bytes() >= limits.bytes;
+      if (full || std::chrono::steady_clock::now() - part->opened() >= limits.age) state_.close_part();
+    });
+  }
+
+ private:
+  State& state_;
+  UnitPiece unit_;
+};
+
+std::unique_ptr<SinkUnit> ResultsWriter::place(UnitRecord& unit) { return std::make_unique<Unit>(*state_, unit); }
 
 std::optional<Error> ResultsWriter::close_part_if_due(std::chrono::steady_clock::time_point now) {
   return state_->guarded([&] {

@@ -73,9 +73,9 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
   ColumnSet columns;
   for (const LayoutRecord& record : unit.layouts) {
     assert(record.index == at(end, Axis::layouts));
-    append_layout(columns, record.layout, at(end, Axis::layout_boxes));
+    append_layout(columns, *record.layout, at(end, Axis::layout_boxes));
     at(end, Axis::layouts) += 1;
-    at(end, Axis::layout_boxes) += record.layout.boxes.size();
+    at(end, Axis::layout_boxes) += record.layout->boxes.size();
   }
   for (WorldRecord& world : unit.worlds) {
     if (!run.record_series) world.series = {};

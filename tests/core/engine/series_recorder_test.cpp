@@ -21,7 +21,7 @@ class HandDriven {
   explicit HandDriven(const RecordingPlan& plan, const Settings& settings = {})
       : layout_(layout_of({box({0, 0, 0}, {1, 2, 3})})), recorder(plan) {
     const Acceleration* const accelerations[] = {&acceleration_};
-    batch_ = make_batch(std::span(&layout_, 1), accelerations, settings);
+    batch_ = scenes::batch_of(std::span(&layout_, 1), accelerations, settings);
     now = before_ = batch_.state;
   }
 

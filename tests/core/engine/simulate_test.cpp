@@ -52,7 +52,7 @@ class Listener final : public Recorder {
 /// Runs one box with a listener.
 Heard listen(const Script& script, const Acceleration& acceleration, const Settings& settings) {
   const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = make_batch(std::span(&kOneBox, 1), accelerations, settings);
+  WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, settings);
   Listener listener;
   Recorder* const recorders[] = {&listener};
   const std::atomic<bool> abort = false;
@@ -255,7 +255,7 @@ TEST_CASE("simulate: what never sleeps ends at the timeout, or after a minute", 
 TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
   const Acceleration acceleration = constant(1.0, 1.0);
   const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = make_batch(std::span(&kOneBox, 1), accelerations, {});
+  WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, {});
   std::atomic<bool> abort = false;
 
   /// Aborts at its third step.

@@ -15,7 +15,7 @@ namespace {
 WorldBatch batch_of(const std::vector<Layout>& layouts, const Settings& settings) {
   static const Acceleration kRest;
   const Acceleration* const accelerations[] = {&kRest};
-  return make_batch(layouts, accelerations, settings);
+  return scenes::batch_of(layouts, accelerations, settings);
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ TEST_CASE("world: worlds of every pair, motion fastest, one range of the columns
   const std::vector<Layout> layouts = {stack(2, {0, 0, 0}, {1, 1, 1}), stack(3, {0, 0, 0}, {1, 1, 1})};
   const Acceleration one, two;
   const Acceleration* const accelerations[] = {&one, &two};
-  const WorldBatch batch = make_batch(layouts, accelerations, Settings{});
+  const WorldBatch batch = scenes::batch_of(layouts, accelerations, Settings{});
   REQUIRE(batch.worlds.size() == 4);
   std::size_t row = 0;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -52,7 +52,7 @@ void watch(const Layout& layout, const Settings& settings, const Phase& phase,
            const std::function<void(WorldBatch&)>& prepare, const std::function<void(const WorldBatch&)>& look) {
   const Acceleration acceleration = acceleration_of({{phase.end, phase.acceleration}});
   const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = make_batch(std::span(&layout, 1), accelerations, settings);
+  WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
   prepare(batch);
   const PlainEngine engine(settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);

@@ -22,7 +22,11 @@ std::vector<std::string> data_lines(const std::string& path) {
 TEST_CASE("text_export: the seed's three kinds of file", "[io][results]") {
   Run run = make_run({{3, 4}, {2, 2}});
   run.description.layout_names = {"a.txt", "a.dat"};
-  for (std::size_t i = 0; i < 2; ++i) run.units[i].layouts[0].layout.name = run.description.layout_names[i];
+  for (std::size_t i = 0; i < 2; ++i) {
+    Layout renamed = *run.units[i].layouts[0].layout;
+    renamed.name = run.description.layout_names[i];
+    run.units[i].layouts[0].layout = std::make_shared<const Layout>(renamed);
+  }
   const Folder folder;
   write_run_to(folder / "results.h5", run, never());
   require_ok(export_text(folder / "results.h5", folder / "text", "some/batch/"));

@@ -123,10 +123,10 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
     about.layout_names.push_back(name);
     about.layout_hashes.emplace_back(64, 'a');
     UnitRecord unit;
-    LayoutRecord record{layout, {.name = name, .sha256 = std::string(64, 'a'), .header = "262  18"}};
+    Layout loading{.name = name, .sha256 = std::string(64, 'a'), .header = "262  18"};
     for (std::size_t box = 0; box < shape.boxes; ++box)
-      record.layout.boxes.push_back({Vec3(0, 0, 0), Vec3(0.8, 0.6, 0.4), static_cast<int>(layout), 2});
-    unit.layouts.push_back(record);
+      loading.boxes.push_back({Vec3(0, 0, 0), Vec3(0.8, 0.6, 0.4), static_cast<int>(layout), 2});
+    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading))});
     for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
       unit.worlds.push_back(make_world(random, layout, acceleration, shape));
       if (!series) unit.worlds.back().series = {};
@@ -159,10 +159,16 @@ T require_value(Result<T> result) {
   return std::move(*result);
 }
 
-/// Units [begin, end) through the three stages.
+/// A unit through the three stages.
+inline std::optional<Error> write_unit(ResultsWriter& writer, UnitRecord record) {
+  const std::unique_ptr<SinkUnit> unit = writer.place(record);
+  unit->pack();
+  return unit->write();
+}
+
+/// Units [begin, end), one after the other.
 inline void write_units(ResultsWriter& writer, const Run& run, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i)
-    require_ok(writer.write(ResultsWriter::pack(writer.place(UnitRecord(run.units[i])))));
+  for (std::size_t i = begin; i < end; ++i) require_ok(write_unit(writer, run.units[i]));
 }
 
 /// A whole run into a finished file.

@@ -216,7 +216,7 @@ TEST_CASE("results_writer: a timer may close parts while another thread writes",
   });
   std::optional<Error> error;
   for (const UnitRecord& unit : run.units)
-    if (!error) error = writer->write(ResultsWriter::pack(writer->place(UnitRecord(unit))));
+    if (!error) error = write_unit(*writer, unit);
   done = true;
   timer.join();
   require_ok(error);
@@ -283,7 +283,7 @@ TEST_CASE("results_writer: a failed write is an error, and finished parts stay r
   write_units(*writer, run, 0, 1);
   {
     const FileSizeLimit limit(200'000);
-    const auto error = writer->write(ResultsWriter::pack(writer->place(UnitRecord(run.units[1]))));
+    const auto error = write_unit(*writer, run.units[1]);
     REQUIRE(error);
     CHECK(error->message().find("part-000002.h5: cannot be written: File too large") != std::string::npos);
   }

@@ -1,4 +1,4 @@
-#include "app/layout_shelf.hpp"
+#include "io/input/layout_files.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -8,27 +8,26 @@
 using namespace holdfast;
 using results_fixture::Folder;
 
-TEST_CASE("layout_shelf: all who share a layout get the same, whatever becomes of its file", "[app][layout_shelf]") {
+TEST_CASE("layout_files: all who share a layout get the same, whatever becomes of its file", "[io][layout_files]") {
   const Folder folder;
   const std::vector<std::string> paths = {folder / "a.txt"};
   const auto write = [&](const char* text) { std::ofstream(paths[0]) << text; };
   const Settings settings;
-  StageCosts costs;
   write("1 1\n0 0 0 80 59 106 1\n");
   const std::vector<std::string> hashes = hash_layouts(paths);
-  LayoutShelf shelf(paths, hashes, settings, costs);
-  const auto first = shelf.take(0, 2);
+  LayoutFiles files(paths, hashes, settings);
+  const auto first = files.take(0, 2);
   CHECK(first->error.empty());
   CHECK(first->layout.boxes.size() == 1);
   write("1 2\n0 0 0 80 59 106 1\n0 60 0 80 119 106 1\n");
-  CHECK(shelf.take(0, 2) == first);
+  CHECK(files.take(0, 2) == first);
   // Both have come: who takes it now reads it anew.
-  CHECK(shelf.take(0, 1)->error == paths[0] +
+  CHECK(files.take(0, 1)->error == paths[0] +
                                        ": this layout has changed since the run began, and is left out; screen it "
                                        "again by itself");
 }
 
-TEST_CASE("layout_shelf: a layout that has changed since the run began cannot be used", "[app][layout_shelf]") {
+TEST_CASE("layout_files: a layout that has changed since the run began cannot be used", "[io][layout_files]") {
   const Folder folder;
   const std::vector<std::string> paths = {folder / "a.txt", folder / "none.txt"};
   const auto write = [](const std::string& path) { std::ofstream(path) << "1 1\n0 0 0 80 59 106 1\n"; };
@@ -39,10 +38,9 @@ TEST_CASE("layout_shelf: a layout that has changed since the run began cannot be
   std::ofstream(paths[0], std::ios::app) << "# touched\n";
   write(paths[1]);
   const Settings settings;
-  StageCosts costs;
-  LayoutShelf shelf(paths, hashes, settings, costs);
+  LayoutFiles files(paths, hashes, settings);
   for (const std::size_t i : {0U, 1U}) {
-    const auto read = shelf.take(i, 1);
+    const auto read = files.take(i, 1);
     CHECK(read->error.find("has changed since the run began") != std::string::npos);
     // Of what it was then: that is what a resumed run compares with.
     CHECK(read->layout.sha256 == hashes[i]);
@@ -50,14 +48,13 @@ TEST_CASE("layout_shelf: a layout that has changed since the run began cannot be
   }
 }
 
-TEST_CASE("layout_shelf: a layout that cannot be used has its name and says why", "[app][layout_shelf]") {
+TEST_CASE("layout_files: a layout that cannot be used has its name and says why", "[io][layout_files]") {
   const Folder folder;
   const std::vector<std::string> paths = {folder / "none.txt"};
   const Settings settings;
-  StageCosts costs;
   const std::vector<std::string> hashes = hash_layouts(paths);
-  LayoutShelf shelf(paths, hashes, settings, costs);
-  const auto read = shelf.take(0, 1);
+  LayoutFiles files(paths, hashes, settings);
+  const auto read = files.take(0, 1);
   CHECK(read->layout.name == "none.txt");
   CHECK(read->error.find("none.txt: cannot be read") != std::string::npos);
 }

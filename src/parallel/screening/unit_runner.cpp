@@ -1,12 +1,12 @@
-#include "app/screening/unit_runner.hpp"
+#include "parallel/screening/unit_runner.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "app/series_limit.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
+#include "parallel/screening/series_limit.hpp"
 
 namespace holdfast {
 
@@ -27,10 +27,11 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   UnitRecord record;
   std::vector<std::shared_ptr<const ReadLayout>> layouts;
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i) {
-    const ReadLayout& read = *layouts.emplace_back(layouts_.take(i, sharing));
+    const std::shared_ptr<const ReadLayout> read = take(i, sharing);
+    layouts.push_back(read);
     if (unit.acceleration_begin > 0) continue;
-    record.layouts.push_back({i, read.layout});
-    record.warnings.insert(record.warnings.end(), read.warnings.begin(), read.warnings.end());
+    record.layouts.push_back({i, {read, &read->layout}});
+    record.warnings.insert(record.warnings.end(), read->warnings.begin(), read->warnings.end());
   }
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)
     for (std::size_t j = unit.acceleration_begin; j < unit.acceleration_end; ++j)
@@ -42,6 +43,11 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
     if (world.outcome.stop_reason != StopReason::not_run)
       world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
   return record;
+}
+
+std::shared_ptr<const ReadLayout> UnitRunner::take(std::size_t layout, std::size_t takers) const {
+  const StageTimer timer(costs_, Stage::read);
+  return layouts_.take(layout, takers);
 }
 
 WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t acceleration) const {
@@ -79,9 +85,9 @@ std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
   }
   std::size_t simulated = 0;
   for (const auto& [accelerations, of_layouts] : batches) {
-    std::vector<Layout> batch_layouts;
+    std::vector<const Layout*> batch_layouts;
     std::vector<const Acceleration*> batch_accelerations;
-    for (const std::size_t i : of_layouts) batch_layouts.push_back(layouts[i]->layout);
+    for (const std::size_t i : of_layouts) batch_layouts.push_back(&layouts[i]->layout);
     for (const std::size_t j : accelerations)
       batch_accelerations.push_back(&accelerations_[unit.acceleration_begin + j].acceleration);
     std::vector<WorldRecord> records = simulate_batch(batch_layouts, batch_accelerations);
@@ -101,7 +107,7 @@ std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
   return simulated;
 }
 
-std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<Layout>& layouts,
+std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<const Layout*>& layouts,
                                                     const std::vector<const Acceleration*>& accelerations) const {
   WorldBatch batch = make_batch(layouts, accelerations, settings_);
   std::vector<std::unique_ptr<SeriesRecorder>> owners;

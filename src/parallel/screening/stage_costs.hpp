@@ -2,10 +2,7 @@
 
 #include <array>
 #include <atomic>
-#include <optional>
-#include <string>
 
-#include "core/base/result.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 
 namespace holdfast {
@@ -44,14 +41,5 @@ class StageTimer {
   Stage stage_;
   double begin_ = processor_seconds();
 };
-
-/// Writes the seconds as a JSON object, a key a stage, into a new file or over an old one.
-std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path);
-
-/// What keeps `write_stage_seconds` from writing there, if anything.
-std::optional<Error> check_costs_file(const std::string& path);
-
-/// Reads what `write_stage_seconds` wrote.
-Result<StageSeconds> read_stage_seconds(const std::string& path);
 
 }  // namespace holdfast

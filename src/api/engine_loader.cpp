@@ -1,4 +1,4 @@
-#include "app/engine_catalog.hpp"
+#include "api/engine_loader.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/program_folder.hpp"
+#include "api/plugin_file.hpp"
 #include "core/base/closest_word.hpp"
 #include "core/engine/engine_plugin.hpp"
 #include "core/native/native_engine.hpp"
@@ -19,15 +19,14 @@ namespace {
 
 void* open_plugin(const std::string& file) {
   // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
-  return dlopen((plugin_folder() / file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  return dlopen(plugin_file(file).c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
 Result<MakeEngine*> load_plugin(const std::string& file) {
-  const std::filesystem::path path = plugin_folder() / file;
   void* library = open_plugin(file);
   if (library == nullptr) return Error{.what = "the engine's plug-in cannot be loaded", .value = dlerror()};
   auto* entry = reinterpret_cast<MakeEngine*>(dlsym(library, kEnginePluginEntry));
-  if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = path.string()};
+  if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = file};
   return entry;
 }
 

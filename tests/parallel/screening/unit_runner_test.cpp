@@ -1,8 +1,9 @@
-#include "app/screening/unit_runner.hpp"
+#include "parallel/screening/unit_runner.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "io/input/layout_files.hpp"
 #include "io/results/results_fixture.hpp"
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
@@ -13,19 +14,20 @@ using results_fixture::Folder;
 
 TEST_CASE(
     "unit_runner: a world that blows up is marked, as is one of a bad input, and the others are as they are alone",
-    "[app][unit_runner]") {
+    "[parallel][unit_runner]") {
   const Folder folder;
   const std::vector<std::string> paths = {folder / "a.txt"};
   std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
-  const std::vector<RunAcceleration> accelerations = {
+  const std::vector<ReadAcceleration> accelerations = {
       {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
   const Settings settings;
   const std::vector<std::string> hashes = hash_layouts(paths);
+  LayoutFiles layouts(paths, hashes, settings);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const auto worlds_of = [&](const Script& script) {
     const ScriptedEngine engine(script);
-    UnitRunner runner(engine, settings, true, paths, hashes, accelerations, abort, costs);
+    UnitRunner runner(engine, settings, true, layouts, accelerations, abort, costs);
     const std::optional<UnitRecord> unit = runner.run({0, 1, 0, accelerations.size()}, 1);
     REQUIRE(unit);
     REQUIRE(unit->worlds.size() == accelerations.size());
@@ -51,7 +53,7 @@ TEST_CASE(
 }
 
 TEST_CASE("unit_runner: a series that would be too large is not begun, and the others are as they are alone",
-          "[app][unit_runner]") {
+          "[parallel][unit_runner]") {
   const Folder folder;
   const std::vector<std::string> paths = {folder / "a.txt", folder / "b.txt"};
   std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
@@ -61,12 +63,13 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   large.close();
   Settings settings;
   settings.results_interval = 1e-5;
-  const std::vector<RunAcceleration> accelerations = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
+  const std::vector<ReadAcceleration> accelerations = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
   const std::vector<std::string> hashes = hash_layouts(paths);
+  LayoutFiles layouts(paths, hashes, settings);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const ScriptedEngine engine({});
-  UnitRunner runner(engine, settings, true, paths, hashes, accelerations, abort, costs);
+  UnitRunner runner(engine, settings, true, layouts, accelerations, abort, costs);
   const std::optional<UnitRecord> unit = runner.run({0, 2, 0, 2}, 1);
   REQUIRE(unit);
   REQUIRE(unit->worlds.size() == 4);
@@ -79,6 +82,6 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   }
   CHECK(unit->worlds[3].outcome.stop_reason == StopReason::not_run);
   CHECK(unit->worlds[3].status_text.find("samples of 201 boxes: 2010") != std::string::npos);
-  UnitRunner without(engine, settings, false, paths, hashes, accelerations, abort, costs);
+  UnitRunner without(engine, settings, false, layouts, accelerations, abort, costs);
   CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].outcome.status == Status::ok);
 }

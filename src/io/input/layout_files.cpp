@@ -1,4 +1,4 @@
-#include "app/layout_shelf.hpp"
+#include "io/input/layout_files.hpp"
 
 #include <fmt/format.h>
 
@@ -50,23 +50,20 @@ std::vector<std::string> hash_layouts(const std::vector<std::string>& paths) {
   return hashes;
 }
 
-std::shared_ptr<const ReadLayout> LayoutShelf::take(std::size_t layout, std::size_t takers) {
-  std::shared_ptr<Place> place;
+std::shared_ptr<const ReadLayout> LayoutFiles::take(std::size_t layout, std::size_t takers) {
+  std::shared_ptr<Entry> entry;
   {
     const std::scoped_lock lock(mutex_);
-    std::shared_ptr<Place>& entry = places_[layout];
-    if (!entry) {
-      entry = std::make_shared<Place>();
-      entry->takers = takers;
+    std::shared_ptr<Entry>& kept = entries_[layout];
+    if (!kept) {
+      kept = std::make_shared<Entry>();
+      kept->takers = takers;
     }
-    place = entry;
-    if (--place->takers == 0) places_.erase(layout);
+    entry = kept;
+    if (--entry->takers == 0) entries_.erase(layout);
   }
-  std::call_once(place->read, [&] {
-    const StageTimer timer(costs_, Stage::read);
-    place->layout = read_layout(paths_[layout], hashes_[layout], settings_);
-  });
-  return {place, &place->layout};
+  std::call_once(entry->read, [&] { entry->layout = read_layout(paths_[layout], hashes_[layout], settings_); });
+  return {entry, &entry->layout};
 }
 
 }  // namespace holdfast

@@ -1,4 +1,4 @@
-#include "app/screening/stage_costs.hpp"
+#include "app/stage_costs_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -6,13 +6,6 @@
 #include "io/input/text_file.hpp"
 
 namespace holdfast {
-
-StageSeconds StageCosts::seconds() const {
-  StageSeconds seconds{};
-  for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] = seconds_[i];
-  seconds[static_cast<std::size_t>(Stage::simulate)] -= seconds[static_cast<std::size_t>(Stage::build)];
-  return seconds;
-}
 
 std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path) {
   nlohmann::ordered_json json;

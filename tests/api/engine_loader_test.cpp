@@ -1,10 +1,10 @@
-#include "app/engine_catalog.hpp"
+#include "api/engine_loader.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace holdfast;
 
-TEST_CASE("engine_catalog: every engine can be made and knows its name", "[app][engine_catalog]") {
+TEST_CASE("engine_loader: every engine can be made and knows its name", "[api][engine_loader]") {
   REQUIRE_FALSE(engine_catalog().empty());
   for (const EngineEntry& entry : engine_catalog()) {
     CAPTURE(entry.name);
@@ -20,17 +20,17 @@ TEST_CASE("engine_catalog: every engine can be made and knows its name", "[app][
   }
 }
 
-TEST_CASE("engine_catalog: the default of the settings is the first", "[app][engine_catalog]") {
+TEST_CASE("engine_loader: the default of the settings is the first", "[api][engine_loader]") {
   CHECK(engine_catalog().front().name == Settings{}.screening.engine);
 }
 
-TEST_CASE("engine_catalog: a misspelt engine gets a suggestion", "[app][engine_catalog]") {
+TEST_CASE("engine_loader: a misspelt engine gets a suggestion", "[api][engine_loader]") {
   const Result<std::unique_ptr<Engine>> engine = make_engine("bulet", Settings{});
   REQUIRE_FALSE(engine);
   CHECK(engine.error().message() == "unknown engine: bulet; did you mean 'bullet'?");
 }
 
-TEST_CASE("engine_catalog: an unknown engine gets the list", "[app][engine_catalog]") {
+TEST_CASE("engine_loader: an unknown engine gets the list", "[api][engine_loader]") {
   const Result<std::unique_ptr<Engine>> engine = make_engine("warp", Settings{});
   REQUIRE_FALSE(engine);
   CHECK(engine.error().what == "unknown engine");
@@ -39,7 +39,7 @@ TEST_CASE("engine_catalog: an unknown engine gets the list", "[app][engine_catal
   CHECK_FALSE(make_engine("", Settings{}));
 }
 
-TEST_CASE("engine_catalog: an engine refuses what it cannot model", "[app][engine_catalog]") {
+TEST_CASE("engine_loader: an engine refuses what it cannot model", "[api][engine_loader]") {
   Settings settings;
   settings.container.motion = ContainerMotion::free;
   settings.contact.friction_model = FrictionModel::pairs;

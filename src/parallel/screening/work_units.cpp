@@ -1,4 +1,4 @@
-#include "app/screening/work_units.hpp"
+#include "parallel/screening/work_units.hpp"
 
 #include <algorithm>
 

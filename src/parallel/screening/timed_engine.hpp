@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "app/screening/stage_costs.hpp"
 #include "core/engine/engine.hpp"
+#include "parallel/screening/stage_costs.hpp"
 
 namespace holdfast {
 

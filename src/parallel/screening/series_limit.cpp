@@ -1,4 +1,4 @@
-#include "app/series_limit.hpp"
+#include "parallel/screening/series_limit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,105 @@
+#include "app/terminal_observer.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include "app/report.hpp"
+#include "app/run_inputs.hpp"
+#include "app/world_json.hpp"
+#include "core/model/setting_table.hpp"
+#include "parallel/schedulers/scheduler.hpp"
+
+namespace holdfast {
+
+namespace {
+
+constexpr std::size_t kWarningsShown = 20;
+
+/// The engine's name, and its accuracy where it has one.
+std::string engine_text(const Settings& settings) {
+  const std::string& engine = settings.screening.engine;
+  return engine == "native" ? engine + ", accuracy " + find_setting("Native", "Accuracy")->get(settings, 0) : engine;
+}
+
+/// The line that says what is run.
+std::string start_text(const ScreeningJob& job, std::size_t finished) {
+  const Settings& settings = job.settings;
+  const std::size_t layouts = job.layout_paths.size();
+  const std::size_t accelerations = job.acceleration_paths.size();
+  const auto threads = static_cast<std::size_t>(thread_count(settings.screening.threads));
+  return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(layouts, "layout"),
+                     counted(accelerations, "acceleration"), counted(layouts * accelerations, "world"),
+                     engine_text(settings), find_setting("Screening", "Scheduler")->get(settings, 0),
+                     counted(threads, "thread"), finished > 0 ? fmt::format(", {} finished before", finished) : "");
+}
+
+}  // namespace
+
+void TerminalObserver::started(const RunProgress& progress) {
+  if (!job_.quiet) {
+    if (job_.existing == ExistingResults::resume && progress.resumed == 0)
+      print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job_.results_path);
+    warn_of_same_names(job_.layout_paths);
+    warn_of_same_names(job_.acceleration_paths);
+    print_to(stderr, "{}", start_text(job_, progress.resumed));
+  }
+  display_.emplace(progress, job_.quiet);
+  ticker_ = std::make_unique<Ticker>(std::chrono::milliseconds(250), [this] {
+    try {
+      tick();
+    } catch (const std::bad_alloc&) {
+      // The next tick may find room.
+    }
+  });
+}
+
+void TerminalObserver::warned(const Error& warning) {
+  if (!job_.quiet && ++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
+}
+
+void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {
+  const std::string& layout = description_.layout_names[world.layout];
+  const std::string& acceleration = description_.accelerations[world.acceleration].name;
+  const Status status = world.outcome.status;
+  if (display_) {
+    if (has(status, Status::bad_layout) && world.acceleration == 0) note(world.status_text);
+    if (has(status, Status::too_large)) note(world.status_text);
+    if (has(status, Status::non_finite))
+      note(printable(fmt::format("{} under {}: {}", layout, acceleration, world.status_text)));
+  }
+  if (!job_.json) return;
+  const std::string line = world_json(world, layout, acceleration, index, description_.thresholds) + "\n";
+  write_unless(stop_.drop, stdout, line);
+}
+
+void TerminalObserver::ended() {
+  ticker_.reset();
+  display_.reset();
+  if (warning_count_ > kWarningsShown)
+    print_to(stderr, "and {} more warnings; `holdfast check` prints all\n", warning_count_ - kWarningsShown);
+}
+
+void TerminalObserver::note(std::string text) {
+  const std::scoped_lock lock(notes_mutex_);
+  notes_.push_back(std::move(text));
+}
+
+void TerminalObserver::tick() {
+  std::vector<std::string> notes;
+  {
+    const std::scoped_lock lock(notes_mutex_);
+    notes.swap(notes_);
+  }
+  for (const std::string& note : notes) display_->line.note(note);
+  if (stop_.no_more && !display_->stop_told) {
+    display_->line.note(stop_.drop ? "stopping"
+                                   : "stopping: finishing the worlds in flight; press Ctrl-C again to drop them");
+    display_->stop_told = true;
+  }
+  display_->line.show();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,162 @@
+#include "parallel/screening/screening.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "parallel/schedulers/ordered_run.hpp"
+#include "parallel/screening/unit_runner.hpp"
+#include "parallel/screening/work_in_hand.hpp"
+#include "parallel/screening/work_units.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// A unit between simulation and sink: what the observer is shown, and what the sink takes.
+struct UnitInFlight {
+  UnitRecord record;
+  std::unique_ptr<SinkUnit> unit;
+};
+
+/// What the threads of a run share.
+class Run {
+ public:
+  Run(const ScreeningPlan& plan, ResultSink& sink, RunObserver& observer, const StopRequest& stop, StageCosts& costs)
+      : plan_(plan),
+        sink_(sink),
+        observer_(observer),
+        stop_(stop),
+        costs_(costs),
+        runner_(plan.engine, plan.settings, plan.record_series, plan.layouts, plan.accelerations, stop.drop, costs),
+        units_(plan.layouts.count(), plan.accelerations.size(), plan.engine.traits()),
+        first_unit_(units_.beginning_with(plan.finished_worlds)),
+        next_world_(plan.finished_worlds) {
+    progress_.total = plan.world_count();
+    progress_.resumed = plan.finished_worlds;
+    progress_.done = plan.finished_worlds;
+  }
+
+  ScreeningEnd go() {
+    observer_.started(progress_);
+    const ScreeningSettings& screening = plan_.settings.screening;
+    run_in_order(
+        screening.scheduler, thread_count(screening.threads), units_.count() - first_unit_,
+        [&](std::size_t i) { return simulate(first_unit_ + i); }, [&](UnitRecord&& record) { return place(record); },
+        [&](Placed&& unit) { return pack(std::move(unit)); }, [&](Placed&& unit) { return write(unit); });
+    keep(sink_.finish());
+    observer_.ended();
+    return {progress_.done, error_};
+  }
+
+ private:
+  using Placed = std::optional<UnitInFlight>;
+
+  std::optional<UnitRecord> simulate(std::size_t i) {
+    if (stop_.no_more || failed_) return std::nullopt;
+    const WorkUnit unit = units_[i];
+    return with_memory(unit.layout_begin, unit.acceleration_begin, "simulated",
+                       [&] { return runner_.run(unit, units_.sharing_layouts(i, first_unit_)); });
+  }
+
+  Placed place(UnitRecord& record) {
+    return with_memory(record, "placed", [&] {
+      const StageTimer timer(costs_, Stage::write);
+      std::unique_ptr<SinkUnit> unit = sink_.place(record);
+      return Placed({std::move(record), std::move(unit)});
+    });
+  }
+
+  Placed pack(Placed&& unit) {
+    if (!unit) return std::nullopt;
+    return with_memory(unit->record, "compressed", [&] {
+      const StageTimer timer(costs_, Stage::compress);
+      unit->unit->pack();
+      return std::move(unit);
+    });
+  }
+
+  bool write(Placed& unit) {
+    if (!unit) return false;
+    return with_memory(unit->record, "written", [&] { return std::optional<bool>(write_and_report(*unit)); })
+        .value_or(false);
+  }
+
+  bool write_and_report(UnitInFlight& unit) {
+    {
+      const StageTimer timer(costs_, Stage::write);
+      if (auto error = unit.unit->write()) {
+        keep(std::move(error));
+        return false;
+      }
+    }
+    for (const WorldRecord& world : unit.record.worlds) {
+      progress_.steps += world.outcome.counters.steps;
+      progress_.steps_skipped += world.outcome.counters.steps_skipped;
+    }
+    progress_.done += unit.record.worlds.size();
+    for (const Error& warning : unit.record.warnings) observer_.warned(warning);
+    for (const WorldRecord& world : unit.record.worlds) observer_.world_finished(world, next_world_++);
+    return true;
+  }
+
+  template <class Work>
+  auto with_memory(const UnitRecord& record, const char* done, Work&& work) -> decltype(work()) {
+    return with_memory(record.worlds.front().layout, record.worlds.front().acceleration, done,
+                       std::forward<Work>(work));
+  }
+
+  /// Runs a stage of the unit that begins with a world. When memory runs out, there is no result, and an error is kept.
+  /// @param done what the stage does to the world, in words
+  template <class Work>
+  auto with_memory(std::size_t layout, std::size_t acceleration, const char* done, Work&& work) -> decltype(work()) {
+    const std::string& label = plan_.layouts.label(layout);
+    const std::string& name = plan_.accelerations[acceleration].acceleration.name;
+    const WorkInHand in_hand(label, name);
+    try {
+      return work();
+    } catch (const std::bad_alloc&) {
+      keep(out_of_memory(label, printable(fmt::format("memory ran out when its world under {} was {}", name, done))));
+      return std::nullopt;
+    }
+  }
+
+  /// Keeps the first error, from whichever thread.
+  void keep(std::optional<Error> error) {
+    const std::scoped_lock lock(error_mutex_);
+    if (error && !error_) error_ = std::move(error);
+    if (error_) failed_ = true;
+  }
+
+  const ScreeningPlan& plan_;
+  ResultSink& sink_;
+  RunObserver& observer_;
+  const StopRequest& stop_;
+  StageCosts& costs_;
+  UnitRunner runner_;
+  WorkUnits units_;
+  std::size_t first_unit_;
+  std::size_t next_world_;  ///< index of the next world to be written
+  RunProgress progress_;
+  std::mutex error_mutex_;
+  std::optional<Error> error_;
+  std::atomic<bool> failed_ = false;
+};
+
+}  // namespace
+
+ScreeningEnd screen_worlds(const ScreeningPlan& plan, ResultSink& sink, RunObserver& observer, const StopRequest& stop,
+                           StageCosts& costs) {
+  return Run(plan, sink, observer, stop, costs).go();
+}
+
+bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size_t accelerations, std::size_t world) {
+  if (world == layouts * accelerations) return true;
+  const WorkUnits units(layouts, accelerations, traits);
+  return units.first_world(units.beginning_with(world)) == world;
+}
+
+}  // namespace holdfast

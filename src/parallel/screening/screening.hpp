@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/engine/engine.hpp"
+#include "core/engine/result_sink.hpp"
+#include "core/engine/run_inputs.hpp"
+#include "core/engine/run_observer.hpp"
+#include "core/model/settings.hpp"
+#include "parallel/screening/stage_costs.hpp"
+
+namespace holdfast {
+
+/// A run: every layout under every acceleration. All that it names must outlive it.
+struct ScreeningPlan {
+  const Engine& engine;
+  const Settings& settings;  ///< threads and scheduler among them
+  LayoutSource& layouts;
+  std::span<const ReadAcceleration> accelerations;
+  bool record_series = true;
+  std::size_t finished_worlds = 0;  ///< the first so many are finished already; a unit of work must begin there
+
+  std::size_t world_count() const { return layouts.count() * accelerations.size(); }
+};
+
+/// How a run ended.
+struct ScreeningEnd {
+  std::uint64_t done = 0;      ///< worlds that the sink has, those finished before the run included
+  std::optional<Error> error;  ///< what kept the run from going on, if anything
+};
+
+/// Simulates the worlds of a plan in parallel and hands them to the sink in their order: layout by layout, acceleration
+/// fastest. A layout or acceleration that cannot be used becomes a world with a status. Reading, placing, packing and
+/// writing are the stages of one pipeline, so that memory holds a bounded number of worlds.
+///
+/// Throws nothing: memory that runs out in a stage ends the run with an error that names the world.
+ScreeningEnd screen_worlds(const ScreeningPlan& plan, ResultSink& sink, RunObserver& observer, const StopRequest& stop,
+                           StageCosts& costs);
+
+/// Whether a unit of work of the engine begins with world `world`, so that a run can resume there; also true at the
+/// end.
+bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size_t accelerations, std::size_t world);
+
+}  // namespace holdfast
