@@ -8,7 +8,7 @@ endif()
 
 # One target carries the flags that all of our code is compiled with.
 add_library(holdfast_options INTERFACE)
-target_include_directories(holdfast_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_include_directories(holdfast_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 
 # Results must have the same bits whatever the compiler: no contraction of a*b+c, never -ffast-math.
 target_compile_options(holdfast_options INTERFACE

@@ -30,20 +30,25 @@ endif()
 # HDF5's CMake module of Debian gives variables only.
 add_library(holdfast_hdf5 INTERFACE)
 target_include_directories(holdfast_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
-# Debian's shared library draws in a client for the web and thirty libraries more, 7 ms at every start: the static one,
-# whose part for the web is left out when linking, is taken where it is.
+# Debian's shared library draws in a client for the web and thirty libraries more, 7 ms at every start: programs take the
+# static one, whose part for the web is left out when linking. It cannot be part of a shared library, which takes the
+# shared one.
 list(GET HDF5_C_LIBRARIES 0 hdf5_shared)
 get_filename_component(hdf5_folder ${hdf5_shared} DIRECTORY)
 find_library(HOLDFAST_HDF5_STATIC NAMES libhdf5.a hdf5/serial/libhdf5.a HINTS ${hdf5_folder} ${hdf5_folder}/hdf5/serial NO_DEFAULT_PATH)
 find_library(HOLDFAST_SZIP NAMES sz)
 if(HOLDFAST_HDF5_STATIC AND HOLDFAST_SZIP)
-  target_link_libraries(holdfast_hdf5 INTERFACE ${HOLDFAST_HDF5_STATIC} ${HOLDFAST_SZIP} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
+  set(in_library $<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>)
+  add_library(holdfast_hdf5_static INTERFACE)
+  target_link_libraries(holdfast_hdf5_static INTERFACE ${HOLDFAST_HDF5_STATIC} ${HOLDFAST_SZIP} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
   # Sanitizers have an allocator of their own, and end a program that asks it for too much.
   if(NOT HOLDFAST_SANITIZE)
-    add_library(holdfast_hdf5_memory STATIC ${CMAKE_SOURCE_DIR}/src/io/results/hdf5_memory.cpp)
-    target_link_libraries(holdfast_hdf5 INTERFACE holdfast_hdf5_memory)
-    target_link_options(holdfast_hdf5 INTERFACE -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc)
+    add_library(holdfast_hdf5_memory STATIC ${PROJECT_SOURCE_DIR}/src/io/results/hdf5_memory.cpp)
+    target_link_libraries(holdfast_hdf5_static INTERFACE holdfast_hdf5_memory)
+    target_link_options(holdfast_hdf5 INTERFACE $<$<NOT:${in_library}>:-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc>)
   endif()
+  target_link_libraries(holdfast_hdf5 INTERFACE
+    $<${in_library}:${HDF5_C_LIBRARIES}> $<$<NOT:${in_library}>:holdfast_hdf5_static>)
 else()
   target_link_libraries(holdfast_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 endif()

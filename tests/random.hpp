@@ -5,7 +5,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Random numbers for tests, the same on every machine: the distributions of the standard library are not.
 class Random {
@@ -31,4 +31,4 @@ class Random {
   std::mt19937 generator_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Whether two columns are the same to the bit: 0 and -0 differ, a NaN is itself.
 template <class T>
@@ -20,4 +20,4 @@ inline bool same_bits(const StateColumns& a, const StateColumns& b) {
   return same;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

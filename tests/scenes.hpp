@@ -19,7 +19,7 @@
 #include "core/model/world.hpp"
 
 /// Scenes that several test files use, and what runs them.
-namespace holdfast::scenes {
+namespace holdfast::internal::scenes {
 
 inline constexpr double kGravity = 9.81;  ///< m/s², the default of the settings
 
@@ -132,4 +132,4 @@ inline Run run(const std::string& engine, const Layout& layout, const Accelerati
   return run(*engine_of(engine, settings), layout, acceleration, settings);
 }
 
-}  // namespace holdfast::scenes
+}  // namespace holdfast::internal::scenes

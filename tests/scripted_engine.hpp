@@ -9,7 +9,7 @@
 #include "core/engine/engine.hpp"
 #include "core/engine/step_plan.hpp"
 
-namespace holdfast::scenes {
+namespace holdfast::internal::scenes {
 
 /// What a scripted engine does.
 struct Script {
@@ -94,4 +94,4 @@ class ScriptedEngine final : public Engine {
   Script script_;
 };
 
-}  // namespace holdfast::scenes
+}  // namespace holdfast::internal::scenes

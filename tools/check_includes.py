@@ -67,6 +67,8 @@ def judge(folder, header, quoted, src):
     """What is wrong with the include, or None."""
     ours, libraries = RULES[folder]
     first = header.split("/")[0]
+    if quoted and first == "holdfast":
+        return None if folder == "api" else f"src/{folder} must not include the library's public header"
     if quoted and first in RULES:
         if not (src / header).is_file():
             return f'"{header}" is not there'

@@ -6,22 +6,10 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/engine/engine.hpp"
+#include "core/engine/engine_registry.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
-
-/// An engine that the program knows by name.
-struct EngineEntry {
-  std::string name;
-  std::string sentence;  ///< what it is
-  std::string plugin;    ///< file name of its plug-in; empty: the engine is part of the program
-  /// Makes an engine that is part of the program, or says what it cannot model of the settings.
-  Result<std::unique_ptr<Engine>> (*make)(const Settings& settings) = nullptr;
-};
-
-/// All engines, the default first.
-const std::vector<EngineEntry>& engine_catalog();
+namespace holdfast::internal {
 
 /// Makes an engine; loads its plug-in if it has one, which stays loaded. An error says what the settings ask that the
 /// engine cannot model, that the plug-in is missing and why, or that there is no such engine.
@@ -36,4 +24,4 @@ bool runs_on_devices(const EngineEntry& entry);
 /// A line a device that the engine's plug-in finds on this machine; none where it runs on the processor as it is.
 std::vector<std::string> engine_devices(const EngineEntry& entry);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::filesystem::path plugin_file(const std::string& name) {
   return (folder / name).lexically_normal();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -23,7 +23,7 @@
 #include "io/results/results_writer.hpp"
 #include "parallel/schedulers/ticker.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -168,4 +168,4 @@ RunDescription describe_run(const Settings& settings, std::vector<std::string> l
   return run;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "io/results/run_description.hpp"
 #include "parallel/screening/screening.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What to do about results that are there already.
 enum class ExistingResults { refuse, resume, overwrite };
@@ -52,4 +52,4 @@ RunDescription describe_run(const Settings& settings, std::vector<std::string> l
                             std::vector<std::string> hashes, std::span<const ReadAcceleration> accelerations,
                             bool record_series);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace holdfast {
+namespace holdfast::internal {
 
 extern const char* const kVersion;    ///< of the program, "0.1.0"
 extern const char* const kGitCommit;  ///< of the sources it was built from, "-dirty" when changed; or "unknown"
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/input/input_paths.hpp"
 #include "io/input/layout_reader.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -99,4 +99,4 @@ void add_check_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([options, &chosen] { chosen.run = [options] { return check(*options); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

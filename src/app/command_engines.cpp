@@ -9,19 +9,19 @@
 #include "app/commands.hpp"
 #include "app/report.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
 /// Why an engine cannot be used, if it cannot. One that runs on devices is asked for them only when these are wanted.
 std::optional<Error> why_missing(const EngineEntry& entry, bool devices) {
   if (!devices) return why_not_loadable(entry);
-  const auto engine = make_engine(entry.name, Settings{});
+  const auto engine = make_engine(std::string(entry.name), Settings{});
   return engine ? std::nullopt : std::optional(engine.error());
 }
 
 ExitCode list_engines(bool devices) {
-  for (const EngineEntry& entry : engine_catalog()) {
+  for (const EngineEntry& entry : engine_registry()) {
     const std::optional<Error> missing = why_missing(entry, devices);
     print_to(stdout, "{:<14} {}\n", entry.name, missing ? "missing: " + missing->message() : entry.sentence);
     if (!runs_on_devices(entry)) continue;
@@ -42,4 +42,4 @@ void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([devices, &chosen] { chosen.run = [devices] { return list_engines(*devices); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "app/run_options.hpp"
 #include "io/input/input_paths.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -79,4 +79,4 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
       [options, &chosen] { chosen.run = [options, &chosen] { return run(*options, chosen.command_line); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

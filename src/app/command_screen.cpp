@@ -9,7 +9,7 @@
 #include "app/run_options.hpp"
 #include "io/input/input_paths.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -73,4 +73,4 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
       [options, &chosen] { chosen.run = [options, &chosen] { return screen(*options, chosen.command_line); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

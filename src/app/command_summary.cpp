@@ -12,7 +12,7 @@
 #include "io/results/results_reader.hpp"
 #include "io/results/summary.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -97,4 +97,4 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 
 #include "app/exit_code.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What the chosen command does, once the command line is read. Set by the command's callback.
 struct ChosenCommand {
@@ -24,4 +24,4 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen);
 void add_validate_command(CLI::App& program, ChosenCommand& chosen);
 void add_engines_command(CLI::App& program, ChosenCommand& chosen);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

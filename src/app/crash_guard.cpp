@@ -13,7 +13,7 @@
 
 #include "app/report.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -60,4 +60,4 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
   return ExitCode::some_failed;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "app/exit_code.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Does work that reads an HDF5 file of unknown origin in a process of its own, and passes on its exit code.
 ///
@@ -15,4 +15,4 @@ namespace holdfast {
 /// @param cure what to do about a damaged file
 ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>& work, const std::string& cure);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

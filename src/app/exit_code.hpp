@@ -1,6 +1,6 @@
 #pragma once
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What the program tells its caller when it ends. A shell tells 141 of one that wrote into a pipe whose reader had
 /// gone: SIGPIPE keeps its usual effect.
@@ -12,4 +12,4 @@ enum class ExitCode : int {
   terminated = 143,   ///< SIGTERM; what finished is kept
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include "app/report.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 Result<Config> load_config(const std::optional<std::string>& path) {
   if (!path) return Config{};
@@ -15,4 +15,4 @@ Result<Config> load_config(const std::optional<std::string>& path) {
   return config;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

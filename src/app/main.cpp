@@ -14,7 +14,7 @@
 #include "core/model/settings_page.hpp"
 #include "io/results/results_page.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

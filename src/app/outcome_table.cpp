@@ -11,7 +11,7 @@
 
 #include "io/results/summary.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -178,4 +178,4 @@ Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresh
   return tally.table();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

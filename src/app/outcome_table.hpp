@@ -6,7 +6,7 @@
 #include "core/base/result.hpp"
 #include "core/model/verdict.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The outcome of a run for a reader at a terminal.
 struct OutcomeTable {
@@ -19,4 +19,4 @@ struct OutcomeTable {
 /// the given thresholds.
 Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #include "app/program_folder.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -14,4 +14,4 @@ std::filesystem::path program_root() {
 
 std::filesystem::path share_folder() { return program_root() / "share" / "holdfast"; }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 
 #include "app/report.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -71,4 +71,4 @@ void ProgressLine::wipe() {
   drawn_ = 0;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

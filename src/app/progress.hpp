@@ -7,7 +7,7 @@
 
 #include "core/engine/run_observer.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The text of a progress line: done and in all, done per second, share of steps skipped (when there were steps), time
 /// to go.
@@ -43,4 +43,4 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_ = start_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

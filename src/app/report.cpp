@@ -8,7 +8,7 @@
 #include <climits>
 #include <cstring>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 void write_to(std::FILE* stream, std::string_view text) {
   // What is not written shows in the stream's error state.
@@ -53,4 +53,4 @@ void warn(std::span<const Error> warnings) {
   for (const Error& warning : warnings) print_to(stderr, "warning: {}\n", warning.message());
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

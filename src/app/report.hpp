@@ -11,7 +11,7 @@
 #include "app/exit_code.hpp"
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Writes to a standard stream. One that takes nothing (closed, on a full disk) does not end a run, whose results are
 /// worth more than what is said of them.
@@ -41,4 +41,4 @@ ExitCode fail(ExitCode code, const Error& error);
 /// Prints warnings on standard error, a line each, marked as such.
 void warn(std::span<const Error> warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

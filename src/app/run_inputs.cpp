@@ -15,7 +15,7 @@
 #include "io/input/text_file.hpp"
 #include "parallel/screening/series_limit.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::string input_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -68,4 +68,4 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAccel
   return run;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

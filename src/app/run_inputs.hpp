@@ -7,7 +7,7 @@
 #include "core/engine/run_inputs.hpp"
 #include "io/results/run_description.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What results call an input.
 std::string input_name(const std::string& path);
@@ -22,4 +22,4 @@ std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job);
 RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAcceleration>& accelerations,
                             std::vector<std::string> layout_hashes);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

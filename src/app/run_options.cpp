@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "core/engine/engine_registry.hpp"
 #include "core/model/setting_table.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 void RunOptions::add_to(CLI::App& command) {
   command.add_option("--engine", engine, "Engine that moves the boxes; see `holdfast engines`")->type_name("NAME");
@@ -51,17 +52,7 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
 }
 
 std::optional<Error> RunOptions::apply_accuracy(Settings& settings) const {
-  if (!accuracy) return std::nullopt;
-  if (settings.screening.engine != "native") {
-    return Error{.what = "--accuracy is for the engine native, and the engine is",
-                 .value = settings.screening.engine,
-                 .accepted = "leave out --accuracy, or take --engine native"};
-  }
-  const SettingKey& key = *find_setting("Native", "Accuracy");
-  if (!key.set(settings, 0, *accuracy))
-    return Error{
-        .what = "unknown accuracy", .value = *accuracy, .accepted = "accepted are " + std::string(key.accepted)};
-  return std::nullopt;
+  return accuracy ? set_accuracy(settings, *accuracy) : std::nullopt;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

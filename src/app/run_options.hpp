@@ -7,7 +7,7 @@
 #include "app/screening.hpp"
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Options that `screen` and `run` share; what is given stands in for the key of the same name.
 struct RunOptions {
@@ -32,4 +32,4 @@ struct RunOptions {
   std::optional<Error> apply_accuracy(Settings& settings) const;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -20,7 +20,7 @@
 #include "io/results/results_resume.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -136,9 +136,10 @@ ExitCode run_screening(const ScreeningJob& job) {
 
   const StopSignal& stop = watch_stop_signals();
   LayoutFiles layouts(job.layout_paths, description.layout_hashes, job.settings);
+  Workers workers(job.settings.screening.scheduler, job.settings.screening.threads);
   TerminalObserver observer(job, description, stop);
-  const RecordedEnd end = record_run({**engine, job.settings, layouts, accelerations, job.record_series}, recording,
-                                     *lock, observer, stop, costs);
+  const RecordedEnd end = record_run({**engine, job.settings, workers, layouts, accelerations, job.record_series},
+                                     recording, *lock, observer, stop, costs);
   switch (end.kind) {
     case RecordedEnd::Kind::refused:
       return fail(ExitCode::bad_usage, end.errors);
@@ -155,4 +156,4 @@ ExitCode run_screening(const ScreeningJob& job) {
   return conclude(job, description, costs);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "app/exit_code.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// One screening run: every layout under every acceleration.
 struct ScreeningJob {
@@ -35,4 +35,4 @@ std::string counted(std::size_t count, std::string_view noun);
 /// error, one per line.
 ExitCode run_screening(const ScreeningJob& job);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include "io/export/text_output.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path) {
   nlohmann::ordered_json json;
@@ -30,4 +30,4 @@ Result<StageSeconds> read_stage_seconds(const std::string& path) {
   return seconds;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

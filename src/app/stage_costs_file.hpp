@@ -6,7 +6,7 @@
 #include "core/base/result.hpp"
 #include "parallel/screening/stage_costs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Writes the seconds as a JSON object, a key a stage, into a new file or over an old one.
 std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path);
@@ -17,4 +17,4 @@ std::optional<Error> check_costs_file(const std::string& path);
 /// Reads what `write_stage_seconds` wrote.
 Result<StageSeconds> read_stage_seconds(const std::string& path);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

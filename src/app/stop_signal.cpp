@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -37,4 +37,4 @@ void unwatch_stop_signals() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

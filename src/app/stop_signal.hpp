@@ -5,7 +5,7 @@
 #include "app/exit_code.hpp"
 #include "core/engine/run_observer.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What signals have asked of a run so far. One for the process, since signals are.
 ///
@@ -24,4 +24,4 @@ ExitCode exit_code_of(const StopSignal& stop);
 /// Gives SIGINT and SIGTERM their usual effect again: they end the process.
 void unwatch_stop_signals();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,10 +9,11 @@
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/world_json.hpp"
+#include "core/engine/engine_registry.hpp"
 #include "core/model/setting_table.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -20,8 +21,8 @@ constexpr std::size_t kWarningsShown = 20;
 
 /// The engine's name, and its accuracy where it has one.
 std::string engine_text(const Settings& settings) {
-  const std::string& engine = settings.screening.engine;
-  return engine == "native" ? engine + ", accuracy " + find_setting("Native", "Accuracy")->get(settings, 0) : engine;
+  const std::string accuracy = accuracy_of(settings);
+  return settings.screening.engine + (accuracy.empty() ? "" : ", accuracy " + accuracy);
 }
 
 /// The line that says what is run.
@@ -102,4 +103,4 @@ void TerminalObserver::tick() {
   display_->line.show();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -13,7 +13,7 @@
 #include "io/results/run_description.hpp"
 #include "parallel/schedulers/ticker.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Shows a run at a terminal: progress and notes on standard error, one JSON object per world on standard output.
 class TerminalObserver final : public RunObserver {
@@ -48,4 +48,4 @@ class TerminalObserver final : public RunObserver {
   std::unique_ptr<Ticker> ticker_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

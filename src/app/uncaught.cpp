@@ -9,7 +9,7 @@
 #include "app/exit_code.hpp"
 #include "parallel/screening/work_in_hand.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -47,4 +47,4 @@ void say_cause() {
 
 void report_uncaught() { std::set_terminate(end_with_message); }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

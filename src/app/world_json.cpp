@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include "bullet/bullet_world.hpp"
 #include "bullet/surface.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<Error> unsupported_by_bullet(const Settings& settings) {
   return errors;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/base/result.hpp"
 #include "core/engine/engine.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Bullet's rigid bodies on the CPU behind the `Engine` seam; float or double as the plug-in was built.
 class BulletEngine final : public Engine {
@@ -27,4 +27,4 @@ class BulletEngine final : public Engine {
 /// What Bullet cannot model of the settings, or nothing.
 std::vector<Error> unsupported_by_bullet(const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

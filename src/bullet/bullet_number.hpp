@@ -8,7 +8,7 @@
 // The adapter is compiled once against each of Bullet's two builds; a mix-up would read every vector wrongly.
 static_assert(sizeof(btScalar) == HOLDFAST_BULLET_SCALAR_BYTES, "Bullet's headers and libraries differ in precision");
 
-namespace holdfast {
+namespace holdfast::internal {
 
 inline btScalar to_bullet(double number) { return static_cast<btScalar>(number); }
 
@@ -25,4 +25,4 @@ inline Rotation from_bullet(const btQuaternion& q) {
   return rotation;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

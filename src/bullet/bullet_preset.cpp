@@ -1,6 +1,6 @@
 #include "bullet/bullet_preset.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 BulletPreset bullet_preset(std::string_view engine, const Settings& settings) {
   BulletPreset preset;
@@ -30,4 +30,4 @@ BulletPreset bullet_preset(std::string_view engine, const Settings& settings) {
   return preset;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Bullet's solver, every choice made.
 struct BulletPreset {
@@ -26,4 +26,4 @@ struct BulletPreset {
 /// `bullet-f64` are the best practical setting, `bullet-stock` is Bullet as shipped.
 BulletPreset bullet_preset(std::string_view engine, const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

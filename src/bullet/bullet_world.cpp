@@ -5,7 +5,7 @@
 #include "bullet/bullet_number.hpp"
 #include "core/engine/step_plan.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -138,4 +138,4 @@ void BulletWorld::read_back(StateColumns& state) const {
   }
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -16,7 +16,7 @@
 #include "core/engine/engine.hpp"
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// One container world as bodies of Bullet, with everything of Bullet's that must not be shared between worlds.
 class BulletWorld {
@@ -68,4 +68,4 @@ class BulletWorld {
   Counters counters_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "bullet/surface.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The container inside a Bullet world: where the boxes are, and what holds them.
 class ContainerBody {
@@ -45,4 +45,4 @@ std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld
 std::unique_ptr<ContainerBody> make_free_container(btDiscreteDynamicsWorld& world, const Settings& settings,
                                                    double cargo_mass);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

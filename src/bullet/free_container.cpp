@@ -5,7 +5,7 @@
 #include "bullet/container_body.hpp"
 #include "core/model/container_panels.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::unique_ptr<ContainerBody> make_free_container(btDiscreteDynamicsWorld& worl
   return std::make_unique<FreeContainer>(world, settings, cargo_mass);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Bullet's solver, with a record of what its iterations reached. It is called once a group of islands.
 class MeasuringSolver final : public btSequentialImpulseConstraintSolver {
@@ -38,4 +38,4 @@ class MeasuringSolver final : public btSequentialImpulseConstraintSolver {
   double residual_ = 0.0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 #include "bullet/bullet_engine.hpp"
 #include "core/engine/engine_plugin.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "bullet/container_body.hpp"
 #include "core/model/container_panels.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld
   return std::make_unique<PrescribedContainer>(world, settings);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

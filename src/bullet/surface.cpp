@@ -6,7 +6,7 @@
 
 #include "bullet/bullet_number.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -34,4 +34,4 @@ void install_contact_laws() {
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

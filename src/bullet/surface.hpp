@@ -2,7 +2,7 @@
 
 #include "core/model/contact_law.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The surface of a body, hung on it as its user pointer: what Bullet's contact callbacks need. Belongs to the
 /// world of the body.
@@ -14,4 +14,4 @@ struct BodySurface : Surface {
 /// callbacks are global to the library).
 void install_contact_laws();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

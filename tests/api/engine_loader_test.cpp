@@ -2,14 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("engine_loader: every engine can be made and knows its name", "[api][engine_loader]") {
-  REQUIRE_FALSE(engine_catalog().empty());
-  for (const EngineEntry& entry : engine_catalog()) {
+  REQUIRE_FALSE(engine_registry().empty());
+  for (const EngineEntry& entry : engine_registry()) {
     CAPTURE(entry.name);
     CHECK_FALSE(entry.sentence.empty());
-    const Result<std::unique_ptr<Engine>> engine = make_engine(entry.name, Settings{});
+    const Result<std::unique_ptr<Engine>> engine = make_engine(std::string(entry.name), Settings{});
     if (!engine && entry.name == "bullet-opencl") {
       // A machine without a device, or a build without the library, says so.
       CHECK_THAT(engine.error().message(), Catch::Contains("OpenCL") || Catch::Contains("plug-in"));
@@ -21,7 +21,7 @@ TEST_CASE("engine_loader: every engine can be made and knows its name", "[api][e
 }
 
 TEST_CASE("engine_loader: the default of the settings is the first", "[api][engine_loader]") {
-  CHECK(engine_catalog().front().name == Settings{}.screening.engine);
+  CHECK(engine_registry().front().name == Settings{}.screening.engine);
 }
 
 TEST_CASE("engine_loader: a misspelt engine gets a suggestion", "[api][engine_loader]") {
@@ -34,7 +34,7 @@ TEST_CASE("engine_loader: an unknown engine gets the list", "[api][engine_loader
   const Result<std::unique_ptr<Engine>> engine = make_engine("warp", Settings{});
   REQUIRE_FALSE(engine);
   CHECK(engine.error().what == "unknown engine");
-  for (const EngineEntry& entry : engine_catalog())
+  for (const EngineEntry& entry : engine_registry())
     CHECK(engine.error().accepted.find(entry.name) != std::string::npos);
   CHECK_FALSE(make_engine("", Settings{}));
 }

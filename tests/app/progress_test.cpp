@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

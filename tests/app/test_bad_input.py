@@ -202,7 +202,7 @@ class Screen(CliTest):
                 (("--engine", "warp"), ("unknown engine: warp", "accepted are", "bullet-f64")),
                 (("--engine", "native", "--accuracy", "quick"),
                  ("unknown accuracy: quick; accepted are screening, standard or reference",)),
-                (("--accuracy", "standard"), ("--accuracy is for the engine native", "bullet-stock", "--engine native")),
+                (("--accuracy", "standard"), ("an accuracy is for the engine native", "bullet-stock", "--engine native")),
                 (("--scheduler", "opnmp"), ("unknown scheduler: opnmp", "accepted are tbb")),
                 (("--no-series", "--text", "text"), ("text files need the series",))):
             with self.subTest(arguments=arguments):

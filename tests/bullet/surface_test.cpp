@@ -4,8 +4,8 @@
 
 #include "scenes.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
 
 namespace {
 

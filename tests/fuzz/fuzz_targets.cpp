@@ -17,7 +17,7 @@ namespace fuzz {
 
 namespace {
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 constexpr std::size_t kMostMessageBytes = 2000;
 

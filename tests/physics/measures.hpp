@@ -19,7 +19,7 @@
 #include "scenes.hpp"
 
 /// What tests of an engine's physics measure, from outside the engine, and the scenes that they measure it on.
-namespace holdfast::physics {
+namespace holdfast::internal::physics {
 
 /// A number as messages of tests show it: also where it is small.
 inline std::string text(double number) { return fmt::format("{:.4g}", number); }
@@ -178,4 +178,4 @@ inline Acceleration random_acceleration(Random& random, double phase) {
   return scenes::acceleration_of(segments);
 }
 
-}  // namespace holdfast::physics
+}  // namespace holdfast::internal::physics

@@ -9,9 +9,9 @@
 #include "core/native/solver/each_instruction_set.hpp"
 #include "physics/measures.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
-using namespace holdfast::physics;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::physics;
 
 namespace {
 

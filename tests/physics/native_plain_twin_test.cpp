@@ -6,9 +6,9 @@
 #include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
-using namespace holdfast::physics;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::physics;
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
-using namespace holdfast;
-using namespace holdfast::native_scenes;
-using namespace holdfast::scenes;
-using namespace holdfast::physics;
+using namespace holdfast::internal;
+using namespace holdfast::internal::native_scenes;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::physics;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "validate/laboratory/departure.hpp"
 #include "validate/laboratory/laboratory.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -22,7 +22,7 @@
 #include "io/results/results_reader.hpp"
 #include "parallel/schedulers/ticker.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -152,4 +152,4 @@ Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInput
   return sample;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

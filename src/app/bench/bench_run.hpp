@@ -9,7 +9,7 @@
 #include "core/base/result.hpp"
 #include "parallel/screening/stage_costs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// One way of running a set of worlds: what a benchmark compares.
 struct BenchCase {
@@ -49,4 +49,4 @@ struct BenchInputs {
 Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs,
                                    const std::atomic<bool>& stop);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/export/text_output.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::optional<Error> check_bench_csv(const std::string& path) {
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

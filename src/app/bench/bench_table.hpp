@@ -6,7 +6,7 @@
 
 #include "app/bench/bench_run.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// All runs of a case.
 struct BenchRow {
@@ -28,4 +28,4 @@ std::string bench_csv(const std::vector<BenchRow>& rows);
 /// What keeps `bench_csv` from being written there, if anything.
 std::optional<Error> check_bench_csv(const std::string& path);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -19,7 +19,7 @@
 #include "io/input/text_file.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -190,4 +190,4 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([options, &chosen] { chosen.run = [options] { return bench(*options); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

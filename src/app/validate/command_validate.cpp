@@ -22,7 +22,7 @@
 #include "parallel/schedulers/scheduler.hpp"
 #include "validate/laboratory/engine_settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -278,4 +278,4 @@ void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([options, &chosen] { chosen.run = [options] { return validate(*options); }; });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/input/text_file.hpp"
 #include "validate/laboratory/case.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::optional<Error> write_validation(const std::string& folder, std::span<const
   return write_text_file(base / "measurements.json", validation_json(rows) + "\n");
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

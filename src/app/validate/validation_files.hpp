@@ -11,7 +11,7 @@
 #include "validate/laboratory/laboratory.hpp"
 #include "validate/laboratory/measurement.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A measurement with what it was made on: a row of every table.
 struct ValidationRow {
@@ -57,4 +57,4 @@ std::string validation_json(std::span<const ValidationRow> rows);
 std::optional<Error> write_validation(const std::string& folder, std::span<const ValidationRow> rows,
                                       std::span<const SuiteCost> costs);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

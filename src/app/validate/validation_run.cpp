@@ -9,7 +9,7 @@
 #include "parallel/schedulers/ordered_run.hpp"
 #include "parallel/schedulers/ticker.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -130,8 +130,9 @@ ValidationResult run_validation(const ValidationPlan& plan, const std::atomic<bo
   {
     ProgressLine line(progress, "cases", stderr, plan.quiet);
     const Ticker ticker(std::chrono::milliseconds(250), [&] { line.show(); });
+    Workers workers(Scheduler::tbb, plan.threads);
     run_in_order(
-        Scheduler::tbb, plan.threads, tasks.size(),
+        workers, tasks.size(),
         [&](std::size_t i) -> std::optional<Finding> {
           if (stop) return std::nullopt;
           return measure(tasks[i], stop);
@@ -149,4 +150,4 @@ ValidationResult run_validation(const ValidationPlan& plan, const std::atomic<bo
   return result;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -10,7 +10,7 @@
 #include "validate/laboratory/case.hpp"
 #include "validate/laboratory/load_suite.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What to validate.
 struct ValidationPlan {
@@ -32,4 +32,4 @@ struct ValidationResult {
 /// them. Processor time is the measuring thread's own. Loads are measured with both references first.
 ValidationResult run_validation(const ValidationPlan& plan, const std::atomic<bool>& stop);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::optional<std::string_view> closest_word(std::string_view word, std::span<co
   return best;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Errors of one file in the order they are found. The first ones are kept, the rest are counted: a file can be
 /// wrong in every line.
@@ -43,4 +43,4 @@ class ErrorList {
   std::size_t more_ = 0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

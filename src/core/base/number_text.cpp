@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::string rounded_text(double number, int digits) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits).ptr};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The finite decimal number that the whole text stands for: `12`, `-0.5`, `+1e-3`. Nothing for anything else:
 /// white space, hexadecimal, a decimal comma, `nan`, `inf`, a number too large or too small for a double.
@@ -20,4 +20,4 @@ std::string number_text(double number);
 /// The number with at most that many significant digits, for messages: `0.0123`, `587`.
 std::string rounded_text(double number, int digits = 4);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::string printable(std::string text) {
   for (char& letter : text) {
@@ -29,4 +29,9 @@ std::string Error::message() const {
   return text;
 }
 
-}  // namespace holdfast
+std::string summary_of(const std::vector<Error>& errors) {
+  const std::size_t more = errors.size() - 1;
+  return errors.front().message() + (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+}
+
+}  // namespace holdfast::internal

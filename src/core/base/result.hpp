@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The text with `?` for control characters: a file's name may hold them, and must not garble a line.
 std::string printable(std::string text);
@@ -23,6 +23,9 @@ struct Error {
   /// The message of one line: `file:line:column: what: value; accepted`.
   std::string message() const;
 };
+
+/// The message of the first error, and how many more there are.
+std::string summary_of(const std::vector<Error>& errors);
 
 /// What is told where memory runs out, with what to do about it.
 /// @param file  what it was needed for; may be empty
@@ -53,4 +56,4 @@ class Result {
   std::variant<T, std::vector<Error>> content_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A vector in the container frame unless its name says otherwise; the unit is in the name's doc.
 using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
@@ -12,4 +12,4 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// Unaligned, so that columns of it are plain arrays.
 using Rotation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -12,7 +12,7 @@
 #include "core/model/status.hpp"
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What an engine spent on a world, and how well it did.
 struct Counters {
@@ -100,4 +100,4 @@ class Engine {
   virtual std::unique_ptr<Simulation> build(const WorldBatch& batch) const = 0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

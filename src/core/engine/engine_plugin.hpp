@@ -8,7 +8,7 @@
 #include "core/engine/engine.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What a plug-in exports under the name `kEnginePluginEntry`: makes the engine of that name, or says what it
 /// cannot model of the settings, in `engine`. Built with the program, by the same compiler; not a stable interface.
@@ -20,4 +20,4 @@ inline constexpr const char* kEnginePluginEntry = "holdfast_make_engine";
 using ListEngineDevices = void(std::vector<std::string>& lines);
 inline constexpr const char* kEngineDevicesEntry = "holdfast_list_devices";
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

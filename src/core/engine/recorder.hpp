@@ -5,7 +5,7 @@
 #include "core/model/status.hpp"
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A stretch of a world's time between two stops of the engine, usually one step.
 struct Step {
@@ -47,4 +47,4 @@ class Recorder {
   virtual void finish(const Outcome& outcome, const StateView& end) = 0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "core/engine/world_record.hpp"
 #include "core/model/layout.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A layout as the results keep it. A bad layout has no boxes.
 struct LayoutRecord {
@@ -56,4 +56,4 @@ class ResultSink {
   virtual std::optional<Error> finish() { return std::nullopt; }
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "core/model/acceleration.hpp"
 #include "core/model/layout.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A layout of a run, or why it cannot be used: then only its name, and its hash where it is known, are there.
 struct ReadLayout {
@@ -43,4 +43,4 @@ class LayoutSource {
   virtual std::shared_ptr<const ReadLayout> take(std::size_t layout, std::size_t takers) = 0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/base/result.hpp"
 #include "core/engine/world_record.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// How far a run has come. Counted by the writing thread; any thread may read it.
 struct RunProgress {
@@ -48,4 +48,4 @@ class RunObserver {
   virtual void ended() {}
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

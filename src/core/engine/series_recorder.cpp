@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -171,4 +171,4 @@ float SeriesRecorder::tilt(const Rotation& container_from_body, std::size_t box)
   return static_cast<float>(2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())) * 180.0 / std::numbers::pi);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

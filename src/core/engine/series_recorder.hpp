@@ -8,7 +8,7 @@
 #include "core/model/settings.hpp"
 #include "core/model/verdict.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What a recorder needs to know of the run.
 struct RecordingPlan {
@@ -62,4 +62,4 @@ class SeriesRecorder final : public Recorder {
   WorldRecord record_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

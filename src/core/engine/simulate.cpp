@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -200,4 +200,4 @@ bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
   return true;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

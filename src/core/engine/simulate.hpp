@@ -8,7 +8,7 @@
 #include "core/model/settings.hpp"
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// How long all speeds must stay below the sleeping threshold before a world ends, s.
 inline constexpr double kSleepingTime = 0.5;
@@ -32,4 +32,4 @@ double latest_end(const Acceleration& acceleration, const Settings& settings);
 bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
               const std::atomic<bool>& abort);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::uint64_t StepPlan::steps_before(double time) const {
   return static_cast<std::uint64_t>(std::max(0.0, std::floor(share + 0.5)));
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

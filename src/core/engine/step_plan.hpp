@@ -4,7 +4,7 @@
 
 #include "core/model/acceleration.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Cuts a phase into equal steps, none longer than wanted, so that no step straddles a border of the phase.
 class StepPlan {
@@ -29,4 +29,4 @@ class StepPlan {
   std::uint64_t step_count_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

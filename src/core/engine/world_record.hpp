@@ -7,7 +7,7 @@
 
 #include "core/engine/recorder.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A vector and a quaternion as the results file stores them: float32, the latter as w, x, y, z.
 struct Float3 {
@@ -67,4 +67,4 @@ struct WorldRecord {
   Series series;  ///< empty when not recorded
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

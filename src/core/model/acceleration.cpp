@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 double Acceleration::end_time() const {
   return segments.empty() ? 0.0 : segments.back().start + segments.back().duration;
@@ -33,4 +33,4 @@ double last_change(const Acceleration& acceleration) {
   return phases[last].begin;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

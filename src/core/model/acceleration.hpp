@@ -5,7 +5,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A stretch of constant acceleration of the container, as the acceleration file declares it.
 struct Segment {
@@ -46,4 +46,4 @@ std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 /// Time of the last change of the acceleration, s: after it a(t) is constant for ever. 0 when it never changes.
 double last_change(const Acceleration& acceleration);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -23,4 +23,4 @@ double restitution_of_pair(const Surface& a, const Surface& b) {
   return is_box(a) ? a.restitution : b.restitution;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What kind of thing a surface belongs to.
 enum class SurfaceKind { box, floor, wall, ground };
@@ -22,4 +22,4 @@ double friction_of_pair(const ContactSettings& contact, const Surface& a, const 
 /// one, because the side that dissipates more decides.
 double restitution_of_pair(const Surface& a, const Surface& b);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

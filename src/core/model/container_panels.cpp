@@ -4,7 +4,7 @@
 
 #include "core/model/container_sides.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::vector<Panel> container_panels(const ContainerSettings& container, double thickness) {
   const std::vector<ContainerSide> closed = closed_sides(container);
@@ -30,4 +30,4 @@ std::vector<Panel> container_panels(const ContainerSettings& container, double t
   return panels;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include "core/model/contact_law.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A side of the container as a solid box outside its inner faces; container frame.
 struct Panel {
@@ -18,4 +18,4 @@ struct Panel {
 /// the neighbour is not open either.
 std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

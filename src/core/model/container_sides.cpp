@@ -1,31 +1,28 @@
 #include "core/model/container_sides.hpp"
 
 #include <algorithm>
-#include <array>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 double side_play(SurfaceKind kind, double gap) {
   return kind == SurfaceKind::floor ? 0.0 : std::max(0.0, kLeastPlay - gap);
 }
 
+bool can_be_open(std::string_view side) {
+  return std::any_of(kContainerSides.begin() + 1, kContainerSides.end(),
+                     [&](const ContainerSide& known) { return known.name == side; });
+}
+
+bool is_open(const ContainerSettings& container, const ContainerSide& side) {
+  const auto& open = container.open_sides;
+  return std::find(open.begin(), open.end(), side.name) != open.end();
+}
+
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container) {
-  struct NamedSide {
-    const char* name;
-    ContainerSide side;
-  };
-  constexpr std::array<NamedSide, 6> kSides = {{{"floor", {2, false, SurfaceKind::floor}},
-                                                {"front", {0, false, SurfaceKind::wall}},
-                                                {"rear", {0, true, SurfaceKind::wall}},
-                                                {"left", {1, false, SurfaceKind::wall}},
-                                                {"right", {1, true, SurfaceKind::wall}},
-                                                {"roof", {2, true, SurfaceKind::wall}}}};
   std::vector<ContainerSide> closed;
-  for (const NamedSide& named : kSides) {
-    const auto& open = container.open_sides;
-    if (std::find(open.begin(), open.end(), named.name) == open.end()) closed.push_back(named.side);
-  }
+  for (const ContainerSide& side : kContainerSides)
+    if (!is_open(container, side)) closed.push_back(side);
   return closed;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

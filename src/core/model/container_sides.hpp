@@ -1,14 +1,17 @@
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "core/model/contact_law.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
-/// A side of the container that is not open.
+/// A side of the container.
 struct ContainerSide {
+  std::string_view name;
   int axis = 0;      ///< 0, 1, 2: x, y, z, perpendicular to the side
   bool far = false;  ///< at the inner size along the axis, not at 0
   SurfaceKind kind = SurfaceKind::wall;
@@ -22,7 +25,21 @@ inline constexpr double kLeastPlay = 1e-5;
 /// How far behind its place a side stands for a box that begins at a distance `gap` of it, m.
 double side_play(SurfaceKind kind, double gap);
 
+/// All sides: the one table of them. The floor is first, and is never open.
+inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, false, SurfaceKind::floor},
+                                                                  {"front", 0, false, SurfaceKind::wall},
+                                                                  {"rear", 0, true, SurfaceKind::wall},
+                                                                  {"left", 1, false, SurfaceKind::wall},
+                                                                  {"right", 1, true, SurfaceKind::wall},
+                                                                  {"roof", 2, true, SurfaceKind::wall}}};
+
+/// Whether a side has that name and may be open.
+bool can_be_open(std::string_view side);
+
+/// Whether a side is open.
+bool is_open(const ContainerSettings& container, const ContainerSide& side);
+
 /// The sides that are not open, floor first: floor, front, rear, left, right, roof.
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// One box of a layout as it was loaded: axis-aligned, container frame (z up), metres.
 struct Box {
@@ -24,4 +24,4 @@ struct Layout {
   std::vector<Box> boxes;  ///< in the order of the file
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

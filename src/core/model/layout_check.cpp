@@ -6,9 +6,10 @@
 
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/model/setting_kinds.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -80,27 +81,20 @@ class LayoutCheck {
     return positive;
   }
 
-  bool is_open(const char* side) const {
-    return std::find(container_.open_sides.begin(), container_.open_sides.end(), side) != container_.open_sides.end();
-  }
-
   void check_inside(std::size_t i) {
     const Box& box = boxes_[i];
-    const Vec3 below = -box.corner_min;
-    const Vec3 above = box.corner_max - container_.size;
-    check_side(i, "front", below.x());
-    check_side(i, "rear", above.x());
-    check_side(i, "left", below.y());
-    check_side(i, "right", above.y());
-    check_side(i, "floor", below.z());
-    check_side(i, "roof", above.z());
+    for (const ContainerSide& side : kContainerSides) {
+      const double depth =
+          side.far ? box.corner_max[side.axis] - container_.size[side.axis] : -box.corner_min[side.axis];
+      check_side(i, side, depth);
+    }
   }
 
-  void check_side(std::size_t i, const char* side, double depth) {
-    if (depth <= kExact || is_open(side) || tolerates(depth)) return;
+  void check_side(std::size_t i, const ContainerSide& side, double depth) {
+    if (depth <= kExact || is_open(container_, side) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[i].line,
-                 .what = box_name(i) + " is outside the container at the " + side,
+                 .what = box_name(i) + " is outside the container at the " + std::string(side.name),
                  .value = millimetres(depth),
                  .accepted = "the container is " + centimetres(container_.size)});
   }
@@ -124,7 +118,8 @@ class LayoutCheck {
     if (depth <= kExact || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[b].line,
-                 .what = box_name(b) + " overlaps " + box_name(a) + " of line " + std::to_string(boxes_[a].line),
+                 .what = box_name(b) + " overlaps " + box_name(a) +
+                         (boxes_[a].line > 0 ? " of line " + std::to_string(boxes_[a].line) : ""),
                  .value = millimetres(depth) + " deep",
                  .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding"});
   }
@@ -156,4 +151,4 @@ std::vector<Error> check_layout(const Layout& layout, const Settings& settings, 
   return check.take_errors();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,11 @@
 #include "core/model/layout.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
+
+/// Most boxes of a layout. The largest container takes some thousand; the check of all pairs that meet along x, and the
+/// memory of a world, stay bounded.
+inline constexpr std::size_t kMostBoxes = 20'000;
 
 /// Overlaps and protrusions up to this are rounding of the program that made the layout, m.
 inline constexpr double kLayoutTolerance = 1e-4;
@@ -22,4 +27,4 @@ inline constexpr double kLayoutTolerance = 1e-4;
 std::vector<Error> check_layout(const Layout& layout, const Settings& settings, const std::string& file,
                                 std::vector<Error>& warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

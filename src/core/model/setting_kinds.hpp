@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "core/base/number_text.hpp"
+#include "core/engine/engine_registry.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/model/settings.hpp"
 
 /// What the text of a key may be. A kind has `kAccepted`, the clause for messages; `parse(text)`, an optional value;
 /// and `text(value)`, how one would write the value in the file.
-namespace holdfast::setting_kinds {
+namespace holdfast::internal::setting_kinds {
 
 /// The words of a text, which any of the separators stand between.
 inline std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
@@ -226,11 +228,22 @@ struct Name : List {
   static std::string text(const std::string& name) { return name; }
 };
 
+/// "a, b or c".
+template <class Names>
+std::string joined_with_or(const Names& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+  return text;
+}
+
 struct Engines {
-  static constexpr std::string_view kAccepted =
-      "native, bullet, bullet-f64, bullet-stock, bullet-opencl or native-plain";
-  static constexpr std::array<std::string_view, 6> kNames{"native",       "bullet",        "bullet-f64",
-                                                          "bullet-stock", "bullet-opencl", "native-plain"};
+  static inline const std::vector<std::string_view> kNames = [] {
+    std::vector<std::string_view> names;
+    for (const EngineEntry& entry : engine_registry()) names.push_back(entry.name);
+    return names;
+  }();
+  static inline const std::string kAccepted = joined_with_or(kNames);
 };
 struct Schedulers {
   static constexpr std::string_view kAccepted = "tbb, openmp or serial";
@@ -241,11 +254,10 @@ struct Schedulers {
 /// Any of the container's sides, each once.
 struct Sides {
   static constexpr std::string_view kAccepted = "any of front, rear, left, right, roof, separated by spaces or commas";
-  static constexpr std::array<std::string_view, 5> kNames{"front", "rear", "left", "right", "roof"};
   static std::optional<std::vector<std::string>> parse(std::string_view text) {
     std::vector<std::string> sides;
     for (const std::string_view word : words_of(text, " \t,")) {
-      if (std::find(kNames.begin(), kNames.end(), word) == kNames.end()) return std::nullopt;
+      if (!can_be_open(word)) return std::nullopt;
       if (std::find(sides.begin(), sides.end(), word) == sides.end()) sides.emplace_back(word);
     }
     return sides;
@@ -276,4 +288,4 @@ struct NeededPath : Path {
   }
 };
 
-}  // namespace holdfast::setting_kinds
+}  // namespace holdfast::internal::setting_kinds

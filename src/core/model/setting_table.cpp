@@ -5,7 +5,7 @@
 
 #include "core/model/setting_kinds.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
   return conflicts;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

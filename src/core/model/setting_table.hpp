@@ -9,7 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// One key of config.ini: everything the reader, `--help-config`, docs/config.md and the results file need.
 struct SettingKey {
@@ -55,4 +55,4 @@ struct SettingConflict {
 /// Contradictions between keys that are fine each for itself; empty when there are none.
 std::vector<SettingConflict> check_settings(const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

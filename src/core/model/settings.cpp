@@ -1,6 +1,6 @@
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 BoxMaterial material_of(const Settings& settings, int id) {
   static const MaterialSettings kCommon;
@@ -18,4 +18,4 @@ BoxMaterial material_of(const Settings& settings, int id) {
   return material;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Which axis of a layout file points up.
 enum class UpAxis { z, y };
@@ -160,4 +160,4 @@ struct BoxMaterial {
 };
 BoxMaterial material_of(const Settings& settings, int id);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include "core/model/setting_kinds.hpp"
 #include "core/model/setting_table.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::string settings_help() {
   return help;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The page docs/config.md, Markdown, made from the table of keys.
 std::string settings_page();
@@ -10,4 +10,4 @@ std::string settings_page();
 /// The same keys as plain text of at most 100 columns, for a terminal.
 std::string settings_help();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

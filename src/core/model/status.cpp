@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::string to_string(Status status) {
   constexpr std::array<std::pair<Status, const char*>, 6> kNames = {{{Status::bad_layout, "bad_layout"},
@@ -27,4 +27,4 @@ std::string to_string(StopReason reason) {
   return number < kNames.size() ? kNames[number] : "unknown";
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What went wrong with a world, a bit a cause; 0 is well. A world of a bad input, or too large, was not simulated and
 /// has no boxes.
@@ -38,4 +38,4 @@ std::string to_string(Status status);
 /// Name of the reason as above; "unknown" for a number that is none, which a damaged file may hold.
 std::string to_string(StopReason reason);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<float> first_move_times(std::span<const double> time, std::span<cons
   return times;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

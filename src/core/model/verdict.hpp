@@ -10,7 +10,7 @@
 #include "core/engine/world_record.hpp"
 #include "core/model/status.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Limits that separate a box that stayed from one that did not.
 struct Thresholds {
@@ -79,4 +79,4 @@ WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kine
 std::vector<float> first_move_times(std::span<const double> time, std::span<const Float3> displacement,
                                     std::size_t box_count, const Thresholds& thresholds);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -84,4 +84,4 @@ bool is_finite(const StateView& state) {
   return finite;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -10,7 +10,7 @@
 #include "core/model/layout.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What of a box never changes, a column a quantity, an entry a box.
 struct BoxColumns {
@@ -102,4 +102,4 @@ std::uint64_t state_hash(const StateView& state);
 /// True when every number of the state is finite.
 bool is_finite(const StateView& state);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 
 #include "core/native/rotation_step.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 Mat3 Bodies::inertia(std::size_t body) const {
   if (shape[body].aligned) return principal_inertia[body].asDiagonal();
@@ -53,4 +53,4 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
   return bodies;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -7,7 +7,7 @@
 #include "core/model/world.hpp"
 #include "core/native/collision/oriented_box.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// The boxes of one world, a column a quantity, an entry a box; container frame. In the order of where they stand at
 /// first, so that results do not depend on the order in which a layout lists them.
@@ -39,4 +39,4 @@ struct Bodies {
 /// The bodies of a world at the batch's state.
 Bodies bodies_of(const WorldBatch& batch, const World& world);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -6,7 +6,7 @@
 
 #include "core/native/island_motion.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
   const std::size_t count = bodies.count();
@@ -70,4 +70,4 @@ IslandView Islands::operator[](std::size_t island) const {
           std::span(inside_).subspan(range.manifold_begin, range.manifold_end - range.manifold_begin)};
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

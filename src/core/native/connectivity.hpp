@@ -7,7 +7,7 @@
 #include "core/native/collision/manifold.hpp"
 #include "core/native/island.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// The islands of a world: bodies that active manifolds join, in the order of their first bodies.
 class Islands {
@@ -39,4 +39,4 @@ class Islands {
   std::vector<std::uint32_t> island_of_;  ///< a body
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -7,7 +7,7 @@
 #include "core/native/island_motion.hpp"
 #include "core/native/rotation_step.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -348,4 +348,4 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   }
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -9,7 +9,7 @@
 #include "core/native/native_options.hpp"
 #include "core/native/solver/admm.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Everything that islands of a world share.
 struct Scene {
@@ -130,4 +130,4 @@ class IslandStepper {
   bool may_cut_ = true;                 ///< impacts that lie ahead may cut the step; else they are solved at its end
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

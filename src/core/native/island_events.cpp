@@ -7,7 +7,7 @@
 
 #include "core/native/island_motion.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -212,4 +212,4 @@ double IslandStepper::first_stop(const Scene& scene, const StepTerms& terms, dou
   return first > kLeastStep * terms.step && first < step - kLeastStep * terms.step ? first : step;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

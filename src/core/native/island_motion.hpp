@@ -5,7 +5,7 @@
 
 // What the parts of IslandStepper share: how bodies move at a point, and when they touch.
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// A contact supports, rather than merely touches, when its normal is this much along the vertical.
 inline constexpr double kSupporting = 0.5;
@@ -80,4 +80,4 @@ inline double leaning_gap(const Bodies& bodies, const Manifold& manifold) {
   return is_wall(bodies, manifold) ? kLeastPlay + kTouch : kTouch;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

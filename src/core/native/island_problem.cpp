@@ -9,7 +9,7 @@
 #include "core/native/island_motion.hpp"
 #include "core/native/rotation_step.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -207,4 +207,4 @@ void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const S
   for (std::size_t p = first; p < solver_.patches.size(); ++p) solver_.patches[p].base = 1.0 / (inverse_mass * used);
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -2,7 +2,7 @@
 
 #include "core/native/native_world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::vector<Error> unsupported_by_native(const Settings& settings) {
            .accepted = "Engine = bullet or bullet-f64, or Motion = prescribed"}};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/model/settings.hpp"
 #include "core/native/native_options.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The project's own engine: hard contacts solved to a tolerance, and no work where nothing changes;
 /// docs/physics.md derives it.
@@ -29,4 +29,4 @@ class NativeEngine final : public Engine {
 /// What the engine cannot model of the settings, or nothing.
 std::vector<Error> unsupported_by_native(const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 NativeOptions native_options(const Settings& settings) {
   const NativeSettings& given = settings.native;
@@ -57,4 +57,4 @@ NativeOptions native_options(const Settings& settings) {
   return options;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

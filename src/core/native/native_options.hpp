@@ -4,7 +4,7 @@
 
 #include "core/model/settings.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Islands of more bodies are crowds.
 inline constexpr std::size_t kFewBodies = 8;
@@ -39,4 +39,4 @@ struct NativeOptions {
 
 NativeOptions native_options(const Settings& settings);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -8,7 +8,7 @@
 #include "core/model/container_sides.hpp"
 #include "core/native/island_motion.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -423,4 +423,4 @@ void NativeWorld::read_back(StateColumns& state) const {
       scene_.bodies.state, state);
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

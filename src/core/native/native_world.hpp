@@ -9,7 +9,7 @@
 #include "core/native/connectivity.hpp"
 #include "core/native/island.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// One container world: islands of boxes, of which only those that move are stepped.
 class NativeWorld {
@@ -78,4 +78,4 @@ class NativeWorld {
   Status status_ = Status::ok;
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

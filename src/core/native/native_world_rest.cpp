@@ -5,7 +5,7 @@
 #include "core/native/island_motion.hpp"
 #include "core/native/native_world.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -118,4 +118,4 @@ void NativeWorld::set_at_rest(const IslandView& island) {
   }
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

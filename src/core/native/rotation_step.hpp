@@ -4,7 +4,7 @@
 
 #include "core/native/collision/oriented_box.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Rotation by a rotation vector, rad. The half angle's tangent is its Padé approximant
 /// x (945 − 105 x² + x⁴) / (945 − 420 x² + 15 x⁴), right to 1e-13 below half a radian: the sine and cosine of C
@@ -29,4 +29,4 @@ inline Vec3 clamped(const Vec3& vector, double limit) {
   return square > limit * limit ? Vec3(vector * (limit / std::sqrt(square))) : vector;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

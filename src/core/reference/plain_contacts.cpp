@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 namespace {
 
@@ -187,4 +187,4 @@ std::vector<ContactPoint> contact_points(const Block& a, const Block& b, double 
   return points_over_face(b, axis.of_b, -axis.normal, a, axis.normal, margin);
 }
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

@@ -7,7 +7,7 @@
 
 /// The parts of the engine `native-plain`, which is written to be read: nothing is kept from step to step, and every
 /// pair is looked at. Independent of `core/native`, whose tests it is the measure of.
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 /// A box as a solid where it is now, in the container's frame.
 struct Block {
@@ -44,4 +44,4 @@ std::vector<ContactPoint> contact_points(const HalfSpace& side, const Block& blo
 /// Blocks that share an edge or a corner only have none.
 std::vector<ContactPoint> contact_points(const Block& a, const Block& b, double margin);
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

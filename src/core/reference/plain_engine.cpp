@@ -2,7 +2,7 @@
 
 #include "core/reference/plain_world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::vector<Error> unsupported_by_plain(const Settings& settings) {
   return errors;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

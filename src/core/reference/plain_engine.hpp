@@ -7,7 +7,7 @@
 #include "core/engine/engine.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The engine `native-plain`: rigid boxes and hard contacts by a brute-force contact finder and projected
 /// Gauss-Seidel to the end. Slow and obvious: what the tests of faster engines compare with.
@@ -27,4 +27,4 @@ class PlainEngine final : public Engine {
 /// What the engine cannot model of the settings, or nothing.
 std::vector<Error> unsupported_by_plain(const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 namespace {
 
@@ -116,4 +116,4 @@ Solution solve(std::vector<Mover>& movers, const std::vector<PointLaw>& laws, do
   return solution;
 }
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

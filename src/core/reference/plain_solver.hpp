@@ -7,7 +7,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 /// A body as the solver sees it. One that nothing moves has no inverse mass and no inverse inertia.
 struct Mover {
@@ -47,4 +47,4 @@ Vec3 relative_velocity(const std::vector<Mover>& movers, const PointLaw& law);
 Solution solve(std::vector<Mover>& movers, const std::vector<PointLaw>& laws, double tolerance,
                std::uint64_t most_sweeps);
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

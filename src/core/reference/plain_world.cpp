@@ -7,7 +7,7 @@
 #include "core/engine/step_plan.hpp"
 #include "core/model/container_sides.hpp"
 
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 namespace {
 
@@ -271,4 +271,4 @@ void PlainWorld::separate() {
   }
 }
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

@@ -12,7 +12,7 @@
 #include "core/reference/plain_contacts.hpp"
 #include "core/reference/plain_solver.hpp"
 
-namespace holdfast::plain {
+namespace holdfast::internal::plain {
 
 /// One container with its boxes, moved step by step; everything in the container's frame.
 ///
@@ -87,4 +87,4 @@ class PlainWorld {
   Status status_ = Status::ok;
 };
 
-}  // namespace holdfast::plain
+}  // namespace holdfast::internal::plain

@@ -1,6 +1,6 @@
 #include "io/export/csv_field.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -9,4 +9,4 @@ std::string csv_field(const std::string& text) {
   return field + '"';
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

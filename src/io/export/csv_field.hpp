@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A field as RFC 4180 wants it: quoted where it has a comma, a quote or a line break.
 std::string csv_field(const std::string& text);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

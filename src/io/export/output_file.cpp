@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   errno = 0;
@@ -43,4 +43,4 @@ std::string acceleration_name(const ResultsInfo& info, const WorldRow& row) {
   return i < info.accelerations.size() ? info.accelerations[i] : std::to_string(i);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

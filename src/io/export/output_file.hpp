@@ -7,7 +7,7 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_reader.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A text file that is written from its beginning; every failure is thrown as `h5::Failure`. For src/io only.
 class OutputFile {
@@ -30,4 +30,4 @@ void make_output_folder(const std::string& folder);
 std::string layout_name(const ResultsInfo& info, const WorldRow& row);
 std::string acceleration_name(const ResultsInfo& info, const WorldRow& row);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "io/export/output_file.hpp"
 #include "io/results/summary.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

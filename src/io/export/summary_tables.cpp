@@ -8,7 +8,7 @@
 #include "io/results/results_columns.hpp"
 #include "io/results/results_inputs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::optional<Error> write_summary(const std::string& results_path, const Thresh
   return error;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include "io/results/chunk_codec.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 TableWriter::TableWriter(const h5::File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size)
     : dataset_(h5::Dataset::create(file, spec, length, text_size)) {}
@@ -39,4 +39,4 @@ void write_column(const h5::File& file, const Column& column) {
   writer.finish();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_columns.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Fills a dataset of known length from its beginning to its end, compressing chunk by chunk. For src/io only;
 /// throws `h5::Failure`.
@@ -38,4 +38,4 @@ class TableWriter {
 /// Writes a whole column as a new dataset.
 void write_column(const h5::File& file, const Column& column);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

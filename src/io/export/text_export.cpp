@@ -13,7 +13,7 @@
 #include "io/input/text_lines.hpp"
 #include "io/results/summary.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::optional<Error> export_text(const std::string& results_path, const std::str
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

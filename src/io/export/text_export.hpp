@@ -6,7 +6,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What keeps `export_text` from writing files of these names, told before the run that they are to tell of: a name
 /// longer than the file system takes, a folder that cannot be made. Makes the folder when missing.
@@ -24,4 +24,4 @@ std::optional<Error> prepare_text_export(const std::string& folder, const std::v
 std::optional<Error> export_text(const std::string& results_path, const std::string& folder,
                                  const std::string& batch_directory);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/results/durable_file.hpp"
 #include "io/results/hdf5_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::optional<Error> check_output_file(const std::string& path,
   return std::nullopt;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Writes the text into a file, new or in place of an old one: afterwards either all of it is there, or what was
 /// before.
@@ -19,4 +19,4 @@ std::optional<Error> write_text_file(const std::string& path, std::string_view t
 std::optional<Error> check_output_file(const std::string& path,
                                        const std::function<bool(const std::string&)>& is_same_kind);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

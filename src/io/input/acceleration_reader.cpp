@@ -1,14 +1,14 @@
 #include "io/input/acceleration_reader.hpp"
 
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
+#include "core/model/acceleration_check.hpp"
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -18,12 +18,12 @@ constexpr std::array kNames{"the initial time", "the duration", "ax", "ay", "az"
 
 /// The segment of a line, or nothing when its numbers cannot be used.
 std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields, ErrorList& errors) {
-  const auto refuse = [&](std::size_t i, std::string what, const char* accepted) {
+  const auto refuse = [&](std::size_t i, std::string what, std::string accepted) {
     errors.add({.line = line,
                 .column = fields[i].column,
                 .what = std::move(what),
                 .value = shown(fields[i].text),
-                .accepted = accepted});
+                .accepted = std::move(accepted)});
     return std::nullopt;
   };
   if (fields.size() != kColumns) {
@@ -46,35 +46,9 @@ std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields
              i < 2 ? "a finite number of s" : "a finite number of m/s²");
   }
   if (!good) return std::nullopt;
-  if (numbers[0] < 0.0) return refuse(0, "the initial time is negative", "a time of at least 0 s");
-  if (numbers[0] > kLatestSegment || numbers[1] > kLatestSegment)
-    return refuse(numbers[0] > kLatestSegment ? 0 : 1, "a time that no run would reach", "times of at most 1e6 s");
-  if (numbers[1] < kSameInstant) return refuse(1, "the duration is too short", "a duration of at least 1e-9 s");
-  for (std::size_t i = 2; i < kColumns; ++i)
-    if (std::abs(numbers[i]) > kLargestAcceleration)
-      return refuse(i, std::string(kNames[i]) + " is too large", "accelerations from -10000 to 10000 m/s²");
-  return Segment{numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}, line};
-}
-
-/// Appends a segment, or says how it disagrees with the one before.
-void append(std::vector<Segment>& segments, Segment segment, long column, ErrorList& errors) {
-  if (!segments.empty()) {
-    const Segment& before = segments.back();
-    const double end = before.start + before.duration;
-    if (std::abs(segment.start - end) < kSameInstant) segment.start = end;
-    if (segment.start < end) {
-      const bool unsorted = segment.start < before.start;
-      errors.add({.line = segment.line,
-                  .column = column,
-                  .what = (unsorted ? "the segment is before that of line " : "the segment overlaps that of line ") +
-                          std::to_string(before.line),
-                  .value = "starts at " + number_text(segment.start) + " s",
-                  .accepted = unsorted ? "segments are in the order of their times"
-                                       : "at least " + rounded_text(end, 12) + " s, where that one ends"});
-      return;
-    }
-  }
-  segments.push_back(segment);
+  const Segment segment{numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}, line};
+  if (const auto fault = check_segment(segment)) return refuse(fault->column, fault->error.what, fault->error.accepted);
+  return segment;
 }
 
 }  // namespace
@@ -90,7 +64,11 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
     split_fields(lines.line(), fields);
     if (fields.empty()) continue;
     const std::optional<Segment> segment = parse_segment(lines.number(), fields, errors);
-    if (segment) append(acceleration.segments, *segment, fields[0].column, errors);
+    auto disagreement = segment ? append_segment(acceleration.segments, *segment) : std::nullopt;
+    if (!disagreement) continue;
+    disagreement->line = lines.number();
+    disagreement->column = fields[0].column;
+    errors.add(std::move(*disagreement));
   }
   if (errors.empty() && acceleration.segments.empty())
     errors.add({.what = trimmed(file.text).empty() ? "is empty" : "has no segments",
@@ -99,4 +77,4 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
   return acceleration;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

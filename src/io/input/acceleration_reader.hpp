@@ -6,13 +6,7 @@
 #include "core/model/acceleration.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
-
-/// Latest start and longest duration of a segment, s: eleven days. More is a slip, and would never end.
-inline constexpr double kLatestSegment = 1e6;
-
-/// Largest acceleration along an axis, m/s²: a thousand times gravity. More is a slip, and nothing would stay whole.
-inline constexpr double kLargestAcceleration = 1e4;
+namespace holdfast::internal {
 
 /// Reads an acceleration file: a line a segment, `initial-time duration ax ay az` in s and m/s², in the order of
 /// time and without overlap; gaps mean zero. `#` begins a comment anywhere in a line. A segment that starts within
@@ -21,4 +15,4 @@ inline constexpr double kLargestAcceleration = 1e4;
 /// All errors of the file are reported, up to the limit of ErrorList.
 Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,9 +1,9 @@
 #include "io/input/announced_boxes.hpp"
 
 #include "core/base/number_text.hpp"
-#include "io/input/layout_reader.hpp"
+#include "core/model/layout_check.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -26,4 +26,4 @@ std::optional<std::size_t> contradicted_count(std::span<const Field> header, std
   return announced == found ? std::nullopt : announced;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The number of boxes that a layout's header announces, where that is another than the file has: what a copy that was
 /// cut off looks like. Nothing where header and file agree, or the header announces none.
@@ -16,4 +16,4 @@ namespace holdfast {
 /// @param header words of the header
 std::optional<std::size_t> contradicted_count(std::span<const Field> header, std::size_t found);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -13,7 +13,7 @@
 #include "core/model/setting_table.hpp"
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -245,4 +245,4 @@ Result<Config> parse_config(const TextFile& file, std::vector<Error>& warnings) 
   return ConfigReader(file).read(warnings);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

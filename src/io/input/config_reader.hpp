@@ -9,7 +9,7 @@
 #include "core/model/settings.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A config.ini as it was read.
 struct Config {
@@ -30,4 +30,4 @@ struct Config {
 /// @param warnings gets an entry for every key without effect
 Result<Config> parse_config(const TextFile& file, std::vector<Error>& warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

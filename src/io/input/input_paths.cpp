@@ -16,7 +16,7 @@
 #include "io/input/text_file.hpp"
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -232,4 +232,4 @@ Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error
   return folder;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What an input file is, by its content.
 enum class InputKind { layout, acceleration, config, unknown };
@@ -52,4 +52,4 @@ struct BatchFolder {
 /// Looks through a batch folder. An error when it is no folder, or has no layout or no acceleration.
 Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error>& warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,14 +1,12 @@
 #include "io/input/layout_files.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <utility>
 
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -33,8 +31,7 @@ ReadLayout read_layout(const std::string& path, const std::string& hash, const S
   if (layout) {
     read.layout = std::move(*layout);
   } else {
-    const std::size_t more = layout.errors().size() - 1;
-    read.error = layout.error().message() + (more > 0 ? fmt::format(" (and {} more)", more) : "");
+    read.error = summary_of(layout.errors());
   }
   return read;
 }
@@ -66,4 +63,4 @@ std::shared_ptr<const ReadLayout> LayoutFiles::take(std::size_t layout, std::siz
   return {entry, &entry->layout};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

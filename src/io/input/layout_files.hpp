@@ -10,7 +10,7 @@
 #include "core/engine/run_inputs.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// SHA-256 of each layout's file as it is now; empty where it cannot be read.
 std::vector<std::string> hash_layouts(const std::vector<std::string>& paths);
@@ -43,4 +43,4 @@ class LayoutFiles final : public LayoutSource {
   std::map<std::size_t, std::shared_ptr<Entry>> entries_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/input/announced_boxes.hpp"
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -169,4 +169,4 @@ Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std:
   return LayoutReader(file, settings).read(warnings);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

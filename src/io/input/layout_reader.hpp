@@ -8,11 +8,7 @@
 #include "core/model/settings.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
-
-/// Most boxes of a layout. The largest container takes some thousand; the check of all pairs that meet along x, and the
-/// memory of a world, stay bounded.
-inline constexpr std::size_t kMostBoxes = 20'000;
+namespace holdfast::internal {
 
 /// Farthest that a corner may be from the origin along an axis, cm: ten kilometres. An open side does not bound, and
 /// more is a slip.
@@ -39,4 +35,4 @@ inline constexpr std::size_t kMostHeaderBytes = 4096;
 ///   announces another number of boxes (see contradicted_count)
 Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -22,4 +22,4 @@ std::optional<Error> why_no_regular_file(const std::string& path, mode_t mode) {
                .accepted = "save what it gives in a file, and name that"};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

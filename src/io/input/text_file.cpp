@@ -16,7 +16,7 @@
 #include "io/input/regular_file.hpp"
 #include "io/results/durable_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::string sha256_of(std::string_view bytes) {
   return text;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

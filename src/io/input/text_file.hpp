@@ -6,7 +6,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Largest input file that is read, byte: a thousand times what any layout has, an hour of an acceleration measured at
 /// 1 kHz. More is a wrong file.
@@ -26,4 +26,4 @@ Result<TextFile> read_text_file(const std::string& path);
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits.
 std::string sha256_of(std::string_view bytes);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

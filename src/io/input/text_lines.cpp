@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::string shown(std::string_view text) {
   return clean;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

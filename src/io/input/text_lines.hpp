@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Walks the lines of a text without copying them. Lines end with LF or CRLF; a byte order mark of UTF-8 is skipped.
 class LineReader {
@@ -47,4 +47,4 @@ std::string valid_utf8(std::string_view text);
 /// so that a wrong file (or a hostile one) cannot garble a terminal.
 std::string shown(std::string_view text);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include <memory>
 #include <new>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::vector<std::byte> compress_padded_chunk(std::span<const std::byte> raw, std
   return packed.finish();
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Compresses a chunk to the bytes that HDF5's filters shuffle and deflate read: bytes of the same significance
 /// put together, then a zlib stream (RFC 1950) of level 1. Pure; any thread.
@@ -15,4 +15,4 @@ std::vector<std::byte> compress_chunk(std::span<const std::byte> raw, std::size_
 std::vector<std::byte> compress_padded_chunk(std::span<const std::byte> raw, std::size_t number_bytes,
                                              std::size_t chunk_bytes);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

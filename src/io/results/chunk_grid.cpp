@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -44,4 +44,4 @@ void append_rest(const GridPiece& piece, LongEntries& tail) {
   }
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "io/results/results_columns.hpp"
 #include "io/results/results_schema.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Entries of every long dataset, in the order of `long_datasets`, as they are stored.
 using LongEntries = std::array<std::vector<std::byte>, kLongDatasets>;
@@ -49,4 +49,4 @@ class ChunkGrid {
 /// Adds a piece to the entries of the incomplete chunks: what follows the last chunk that the piece completes.
 void append_rest(const GridPiece& piece, LongEntries& tail);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 
 #include "io/results/hdf5_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -81,4 +81,4 @@ void write_durably(const std::string& path, std::span<const std::byte> bytes) {
   }
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

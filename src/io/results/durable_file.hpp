@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Name under which a file is written before it is whole.
 inline std::string temporary_name(const std::string& path) { return path + ".tmp"; }
@@ -42,4 +42,4 @@ void sync_entry(const std::string& path);
 /// The last steps of the above for a closed file under its temporary name.
 void commit_temporary(const std::string& path);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include "io/results/hdf5_file.hpp"
 
-namespace holdfast::h5 {
+namespace holdfast::internal::h5 {
 
 namespace {
 
@@ -56,7 +56,7 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
   dataset.number_bytes_ = spec.type == ElementType::text ? std::max<std::size_t>(text_size, 1) : size_of(spec.type);
   const std::uint64_t most = std::max<std::uint64_t>(kTableChunkBytes / dataset.entry_bytes(), 1);
   dataset.chunk_entries_ =
-      is_long(spec) ? holdfast::chunk_entries(spec.axis) : std::clamp<std::uint64_t>(length, 1, most);
+      is_long(spec) ? holdfast::internal::chunk_entries(spec.axis) : std::clamp<std::uint64_t>(length, 1, most);
 
   const int rank = spec.width == 1 ? 1 : 2;
   const std::array<hsize_t, 2> extent = {length, spec.width};
@@ -148,7 +148,7 @@ void Dataset::write_whole(std::span<const std::byte> bytes) {
 }
 
 ChunkPlace Dataset::chunk_place(std::uint64_t index) const {
-  if (chunk_entries_ != holdfast::chunk_entries(spec_->axis))
+  if (chunk_entries_ != holdfast::internal::chunk_entries(spec_->axis))
     fail("has a dataset of another chunk size than it should");
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   unsigned filter_mask = 0;
@@ -160,4 +160,4 @@ ChunkPlace Dataset::chunk_place(std::uint64_t index) const {
   return {begin, size};
 }
 
-}  // namespace holdfast::h5
+}  // namespace holdfast::internal::h5

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-namespace holdfast::h5 {
+namespace holdfast::internal::h5 {
 
 namespace {
 
@@ -141,4 +141,4 @@ void use_disk_driver(hid_t access, DiskState* state) {
   H5Pset_driver(access, kDriver, &state);
 }
 
-}  // namespace holdfast::h5
+}  // namespace holdfast::internal::h5

@@ -2,7 +2,7 @@
 
 #include <hdf5.h>
 
-namespace holdfast::h5 {
+namespace holdfast::internal::h5 {
 
 /// What befell the file on disk; must outlive the open file.
 struct DiskState {
@@ -14,4 +14,4 @@ struct DiskState {
 /// one in `state`, writes nothing more, and lets HDF5 close in peace. The caller looks at `state`.
 void use_disk_driver(hid_t access, DiskState* state);
 
-}  // namespace holdfast::h5
+}  // namespace holdfast::internal::h5

@@ -7,7 +7,7 @@
 #include "io/input/regular_file.hpp"
 #include "io/input/text_lines.hpp"
 
-namespace holdfast::h5 {
+namespace holdfast::internal::h5 {
 
 namespace {
 
@@ -239,4 +239,4 @@ std::string read_text(const File& file, const std::string& path) {
   return text.substr(0, text.find('\0'));
 }
 
-}  // namespace holdfast::h5
+}  // namespace holdfast::internal::h5

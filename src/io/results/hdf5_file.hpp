@@ -20,7 +20,7 @@
 
 /// HDF5's C interface with owners and errors: what the results file needs of it. Inside src/io only; `Failure`
 /// never leaves that folder.
-namespace holdfast::h5 {
+namespace holdfast::internal::h5 {
 
 /// Thrown where a call of HDF5 or of the file system failed.
 class Failure : public std::exception {
@@ -203,4 +203,4 @@ class Dataset {
   bool whole_ = false;
 };
 
-}  // namespace holdfast::h5
+}  // namespace holdfast::internal::h5

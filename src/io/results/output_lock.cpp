@@ -14,7 +14,7 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_part.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -89,4 +89,4 @@ OutputLock::~OutputLock() {
   ::close(descriptor_);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

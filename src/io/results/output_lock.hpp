@@ -5,7 +5,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Keeps a results file and its parts to one run: whoever holds the lock may write `<path>.parts/` and `path`.
 ///
@@ -29,4 +29,4 @@ class OutputLock {
   int descriptor_ = -1;  ///< of the lock's file; -1 when moved from
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

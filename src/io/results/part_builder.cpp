@@ -8,7 +8,7 @@
 #include "io/results/durable_file.hpp"
 #include "io/results/results_inputs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 PartBuilder::PartBuilder(const std::string& path, const RunDescription& run, const AxisCounts& begin, LongEntries tail)
     : path_(path), file_(h5::File::create_in_memory(path)), begin_(begin), end_(begin), tail_(std::move(tail)) {
@@ -59,4 +59,4 @@ void PartBuilder::close() {
   write_durably(path_, image);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

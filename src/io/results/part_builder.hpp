@@ -9,7 +9,7 @@
 #include "io/results/results_part.hpp"
 #include "io/results/results_writer.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The open part. It is built in memory, where HDF5 cannot fail for want of disk, and reaches the disk in one go.
 /// For src/io only; throws `h5::Failure`.
@@ -47,4 +47,4 @@ class PartBuilder {
   std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -12,7 +12,7 @@
 #include "io/results/results_inputs.hpp"
 #include "io/results/results_part.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -219,4 +219,4 @@ std::optional<Error> assemble(const std::string& path, const RunDescription& run
   return error;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

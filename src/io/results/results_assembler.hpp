@@ -7,7 +7,7 @@
 #include "core/base/result.hpp"
 #include "io/results/run_description.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Makes the results file `path` of the finished parts under `<path>.parts/`, and removes the parts. The file appears
 /// under its name when all of it is safe on disk; on an error the parts stay. The same worlds give the same bytes
@@ -16,4 +16,4 @@ namespace holdfast {
 std::optional<Error> assemble(const std::string& path, const RunDescription& run,
                               const std::atomic<bool>* stop = nullptr);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 void Column::append(const Column& other) {
   assert(spec_ == other.spec_);
@@ -52,4 +52,4 @@ std::vector<std::string> texts_of(std::span<const std::byte> stored, std::size_t
   return texts;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

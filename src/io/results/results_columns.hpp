@@ -14,7 +14,7 @@
 #include "io/results/summary.hpp"
 
 /// Which member is kept in which dataset: said once, for writing and for reading.
-namespace holdfast {
+namespace holdfast::internal {
 
 template <class Visit, class SeriesLike>
 void visit_series(Visit&& visit, SeriesLike& s) {
@@ -171,4 +171,4 @@ std::vector<T> values_of(const std::vector<std::byte>& stored) {
   return values;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "io/input/text_lines.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -97,4 +97,4 @@ void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_b
   }
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

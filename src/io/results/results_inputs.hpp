@@ -7,7 +7,7 @@
 #include "io/results/run_description.hpp"
 
 /// The parts of the file that are not results. For src/io only; throws `h5::Failure`.
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
 void write_run(const h5::File& file, const RunDescription& run);
@@ -28,4 +28,4 @@ void append_accelerations(ColumnSet& columns, const std::vector<Acceleration>& a
 /// @param box_begin index of its first box in the run
 void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_begin);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/model/status.hpp"
 #include "io/results/results_schema.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::string results_page() {
   return page;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The page docs/results_file.md: how to read the file, and every dataset of the schema.
 std::string results_page();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

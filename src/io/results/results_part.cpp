@@ -9,7 +9,7 @@
 #include "io/results/durable_file.hpp"
 #include "io/results/run_description.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::vector<PartRange> check_parts(const std::string& results_path, const std::s
   return ranges;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

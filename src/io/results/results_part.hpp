@@ -8,7 +8,7 @@
 #include "io/results/results_schema.hpp"
 
 /// Part files: where they are and what range of the run they hold. For src/io only; throws `h5::Failure`.
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What of a run a file holds. Accelerations are whole in every part.
 struct PartRange {
@@ -44,4 +44,4 @@ inline constexpr const char* kCureOfPart =
 /// before, or is of a run of another fingerprint.
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

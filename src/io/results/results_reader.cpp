@@ -10,7 +10,7 @@
 #include "io/results/results_inputs.hpp"
 #include "io/results/results_part.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -179,4 +179,4 @@ Result<Series> ResultsReader::path_of(const WorldRow& world) {
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "core/engine/world_record.hpp"
 #include "core/model/verdict.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What a results file says about its run.
 struct ResultsInfo {
@@ -93,4 +93,4 @@ class ResultsReader {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_part.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -35,4 +35,4 @@ std::optional<Error> remove_results(const std::string& path) {
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "io/results/results_reader.hpp"
 #include "io/results/run_description.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -112,4 +112,4 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/engine/world_record.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// How far a run came.
 struct Progress {
@@ -38,4 +38,4 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
 std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
                                     const std::function<void(const WorldRecord&)>& visit);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -189,4 +189,4 @@ const std::array<std::size_t, kLongDatasets>& long_datasets() {
   return kPlaces;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -11,7 +11,7 @@
 #include "core/engine/world_record.hpp"
 #include "core/model/status.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What the entries of a dataset stand for, one each. All datasets of an axis have the same length.
 enum class Axis : std::uint8_t {
@@ -121,4 +121,4 @@ constexpr ElementType element_type_of() {
   }
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "io/results/part_builder.hpp"
 #include "io/results/unit_columns.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::optional<Error> ResultsWriter::finish() {
   return state_->guarded([&] { state_->close_part(); });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -15,7 +15,7 @@
 #include "io/results/results_resume.hpp"
 #include "io/results/run_description.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What the file gets of a unit of work, whose place in it is fixed. A unit is never split over two parts.
 struct UnitPiece {
@@ -61,4 +61,4 @@ class ResultsWriter final : public ResultSink {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 
 #include "io/input/text_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string fingerprint_difference(const std::string& a, const std::string& b) {
   return difference;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 #include "core/model/acceleration.hpp"
 #include "core/model/verdict.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What the results file says about a run as a whole, and what every world of it shares.
 struct RunDescription {
@@ -36,4 +36,4 @@ std::string fingerprint(const RunDescription& run);
 /// Names of what differs between two fingerprints, joined by ", "; empty when they are equal.
 std::string fingerprint_difference(const std::string& a, const std::string& b);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "io/results/hdf5_file.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -147,4 +147,4 @@ std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& th
   });
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -10,7 +10,7 @@
 #include "core/model/verdict.hpp"
 #include "io/results/results_reader.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// /summary/worlds, an entry a world; see WorldVerdict for one that was not simulated.
 struct WorldSummary {
@@ -68,4 +68,4 @@ std::optional<Error> write_summary(const std::string& results_path, const Thresh
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 #include "io/results/results_inputs.hpp"
 #include "io/results/summary.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -84,4 +84,4 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
   return columns;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

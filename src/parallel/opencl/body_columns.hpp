@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 using Float4Column = std::array<float, 4>;
 
@@ -25,4 +25,4 @@ struct DeviceInertia {
   std::array<Float4Column, 3> setup = {};  ///< fourth column: steps a second; coefficient of restitution; of friction
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

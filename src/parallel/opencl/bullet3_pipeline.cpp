@@ -35,7 +35,7 @@ extern "C" BuildProgram* __clewBuildProgram;
 extern "C" GetProgramInfo* __clewGetProgramInfo;
 // NOLINTEND(readability-identifier-naming)
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -301,4 +301,4 @@ Result<std::unique_ptr<Bullet3Pipeline>> Bullet3Pipeline::create(cl_context cont
   return std::unique_ptr<Bullet3Pipeline>(std::move(pipeline));
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

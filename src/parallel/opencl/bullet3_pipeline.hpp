@@ -12,7 +12,7 @@
 #include "core/base/vector.hpp"
 #include "parallel/opencl/body_columns.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A range of bodies that can touch each other and no other body.
 struct BodyRange {
@@ -63,4 +63,4 @@ class Bullet3Pipeline {
   virtual std::size_t body_capacity() const = 0;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

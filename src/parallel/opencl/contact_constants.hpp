@@ -1,6 +1,6 @@
 #pragma once
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// By how much a shape is larger than its box on every side, m. Bullet's narrow phase sees no pair that is apart; with
 /// the margin a resting contact lasts, at a distance of zero.
@@ -18,4 +18,4 @@ inline constexpr double kReboundSpeed = 0.2;
 /// Outer sweeps that Bullet's host code makes over all contacts; ours are inside each of them.
 inline constexpr int kOuterSweeps = 4;
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

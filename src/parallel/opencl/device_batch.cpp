@@ -9,7 +9,7 @@
 #include "core/model/contact_law.hpp"
 #include "core/model/container_panels.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -129,4 +129,4 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
   return device;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

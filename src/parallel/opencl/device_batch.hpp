@@ -7,7 +7,7 @@
 #include "parallel/opencl/body_columns.hpp"
 #include "parallel/opencl/bullet3_pipeline.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A batch of worlds as columns of bodies: of each world its boxes in order, then the sides of the container.
 struct DeviceBatch {
@@ -21,4 +21,4 @@ struct DeviceBatch {
 /// @param sweeps of the solver inside each of Bullet's outer ones
 DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

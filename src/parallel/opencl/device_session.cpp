@@ -6,7 +6,7 @@
 
 #include "parallel/opencl/kernel_sources.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -188,4 +188,4 @@ SessionLease::SessionLease(const std::string& wanted_device, std::size_t body_co
 
 SessionLease::~SessionLease() { shared().free.release(); }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -12,7 +12,7 @@
 #include "parallel/opencl/opencl_device.hpp"
 #include "parallel/opencl/opencl_handle.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What a world does in one step.
 struct WorldStep {
@@ -91,4 +91,4 @@ class SessionLease {
   std::string error_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -6,7 +6,7 @@
 #include "parallel/opencl/contact_constants.hpp"
 #include "parallel/opencl/kernel_sources.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::vector<std::string> KernelPatcher::unapplied() const {
   return names;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A change of the text of one of Bullet's OpenCL programs, made in memory before it is compiled.
 struct KernelPatch {
@@ -35,4 +35,4 @@ class KernelPatcher {
   std::vector<std::string> misfits_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

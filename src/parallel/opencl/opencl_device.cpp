@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -95,4 +95,4 @@ Result<OpenClDevice> choose_device(const std::vector<OpenClDevice>& devices, con
   return gpu == usable.end() ? usable.front() : *gpu;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 
 #include "core/base/result.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A device that some OpenCL driver of this machine offers.
 struct OpenClDevice {
@@ -33,4 +33,4 @@ std::string device_line(const OpenClDevice& device);
 /// The device whose name contains `wanted`; without a wish the first GPU, else the first device.
 Result<OpenClDevice> choose_device(const std::vector<OpenClDevice>& devices, const std::string& wanted);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -10,7 +10,7 @@
 #include "parallel/opencl/device_session.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -245,4 +245,4 @@ std::unique_ptr<Simulation> OpenClEngine::build(const WorldBatch& batch) const {
   return std::make_unique<OpenClSimulation>(batch, settings_, bodies_at_once_);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

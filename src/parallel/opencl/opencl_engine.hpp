@@ -9,7 +9,7 @@
 #include "core/model/settings.hpp"
 #include "parallel/opencl/opencl_device.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Bullet's OpenCL pipeline behind the `Engine` seam: batches of worlds, all stepped at once on one device.
 class OpenClEngine final : public Engine {
@@ -29,4 +29,4 @@ class OpenClEngine final : public Engine {
   std::size_t bodies_at_once_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

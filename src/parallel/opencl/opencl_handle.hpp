@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Owns an OpenCL object.
 template <class Object, auto kRelease>
@@ -34,4 +34,4 @@ using ClProgram = OpenClHandle<cl_program, clReleaseProgram>;
 using ClKernel = OpenClHandle<cl_kernel, clReleaseKernel>;
 using ClBuffer = OpenClHandle<cl_mem, clReleaseMemObject>;
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

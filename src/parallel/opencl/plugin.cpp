@@ -2,7 +2,7 @@
 #include "parallel/opencl/opencl_device.hpp"
 #include "parallel/opencl/opencl_engine.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 extern "C" __attribute__((visibility("default"))) void holdfast_make_engine(const std::string& name,
                                                                             const Settings& settings,

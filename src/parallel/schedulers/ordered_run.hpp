@@ -2,17 +2,16 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
-#include "parallel/schedulers/scheduler.hpp"
 #include "parallel/schedulers/tsan_annotations.hpp"
+#include "parallel/schedulers/workers.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Units in flight a thread, at most: enough that a long unit does not keep the others idle while its successors
 /// wait to be written, few enough that memory stays flat.
@@ -30,7 +29,7 @@ inline constexpr std::size_t kUnitsInFlight = 8;
 /// @param pack  (B&&) -> C
 /// @param write (C&&) -> bool; false ends the run
 template <class Work, class Place, class Pack, class Write>
-void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work, Place place, Pack pack, Write write) {
+void run_in_order(Workers& workers, std::size_t count, Work work, Place place, Pack pack, Write write) {
   using A = decltype(work(std::size_t{}));
   using B = std::optional<decltype(place(std::declval<typename A::value_type>()))>;
   using C = std::optional<decltype(pack(std::declval<typename B::value_type>()))>;
@@ -49,15 +48,16 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
   };
   const auto write_in_order = [&](C&& item) { writing = writing && item && write(std::move(*item)); };
 
-  if (count <= 1) scheduler = Scheduler::serial;  // nothing to spread: threads would cost a millisecond to start
+  const int threads = workers.threads();
+  // Nothing to spread: other threads would cost more than they bring.
+  const Scheduler scheduler = count <= 1 || threads <= 1 ? Scheduler::serial : workers.scheduler();
   if (scheduler == Scheduler::tbb) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena arena(threads);
     std::atomic<bool> more = true;
     std::size_t next = 0;
     RunOrder order;
     leave_at(&order.begin);
-    arena.execute([&] {
+    workers.arena().execute([&] {
       tbb::parallel_pipeline(
           kUnitsInFlight * static_cast<std::size_t>(threads),
           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
@@ -118,4 +118,4 @@ void run_in_order(Scheduler scheduler, int threads, std::size_t count, Work work
   for (std::size_t unit = 0; unit < count && writing; ++unit) write_in_order(pack_one(place_in_order(work(unit))));
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Processor time that the calling thread has used, s.
 inline double processor_seconds() {
@@ -11,4 +11,4 @@ inline double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

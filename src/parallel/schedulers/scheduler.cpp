@@ -2,7 +2,7 @@
 
 #include <oneapi/tbb/info.h>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::vector<std::string> scheduler_names() {
 #ifdef _OPENMP
@@ -22,4 +22,4 @@ std::optional<Error> why_not_built([[maybe_unused]] Scheduler scheduler) {
 
 int thread_count(int wanted) { return wanted > 0 ? wanted : tbb::info::default_concurrency(); }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

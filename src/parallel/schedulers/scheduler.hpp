@@ -7,7 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Names of the schedulers that this build has.
 std::vector<std::string> scheduler_names();
@@ -18,4 +18,4 @@ std::optional<Error> why_not_built(Scheduler scheduler);
 /// Threads to use when the user asks for `wanted`; 0 asks for one per core that this process may use.
 int thread_count(int wanted);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

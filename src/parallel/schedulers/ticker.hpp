@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Calls a function at regular intervals on a thread of its own, until destroyed. A last call follows then.
 class Ticker {
@@ -26,4 +26,4 @@ class Ticker {
   std::jthread thread_;  // last: stops and joins before the rest goes
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

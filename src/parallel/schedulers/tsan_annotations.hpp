@@ -15,7 +15,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What this thread did so far is done for whoever calls `see_from` with the same place later.
 inline void leave_at([[maybe_unused]] void* place) {
@@ -80,4 +80,4 @@ class Handed {
   T item_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -12,7 +12,7 @@
 #include "parallel/screening/work_in_hand.hpp"
 #include "parallel/screening/work_units.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -42,11 +42,10 @@ class Run {
 
   ScreeningEnd go() {
     observer_.started(progress_);
-    const ScreeningSettings& screening = plan_.settings.screening;
     run_in_order(
-        screening.scheduler, thread_count(screening.threads), units_.count() - first_unit_,
-        [&](std::size_t i) { return simulate(first_unit_ + i); }, [&](UnitRecord&& record) { return place(record); },
-        [&](Placed&& unit) { return pack(std::move(unit)); }, [&](Placed&& unit) { return write(unit); });
+        plan_.workers, units_.count() - first_unit_, [&](std::size_t i) { return simulate(first_unit_ + i); },
+        [&](UnitRecord&& record) { return place(record); }, [&](Placed&& unit) { return pack(std::move(unit)); },
+        [&](Placed&& unit) { return write(unit); });
     keep(sink_.finish());
     observer_.ended();
     return {progress_.done, error_};
@@ -159,4 +158,4 @@ bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size
   return units.first_world(units.beginning_with(world)) == world;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -10,14 +10,16 @@
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/run_observer.hpp"
 #include "core/model/settings.hpp"
+#include "parallel/schedulers/workers.hpp"
 #include "parallel/screening/stage_costs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A run: every layout under every acceleration. All that it names must outlive it.
 struct ScreeningPlan {
   const Engine& engine;
-  const Settings& settings;  ///< threads and scheduler among them
+  const Settings& settings;
+  Workers& workers;
   LayoutSource& layouts;
   std::span<const ReadAcceleration> accelerations;
   bool record_series = true;
@@ -44,4 +46,4 @@ ScreeningEnd screen_worlds(const ScreeningPlan& plan, ResultSink& sink, RunObser
 /// end.
 bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size_t accelerations, std::size_t world);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

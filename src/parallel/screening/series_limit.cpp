@@ -6,7 +6,7 @@
 
 #include "core/engine/simulate.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, co
                .accepted = at_most(kMostRows)};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/model/acceleration.hpp"
 #include "core/model/settings.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Most samples of a world.
 inline constexpr double kMostSamples = 200'000;
@@ -28,4 +28,4 @@ std::optional<Error> check_samples(const std::string& path, const Acceleration& 
 std::optional<Error> check_rows(const std::string& layout, std::size_t boxes, const Acceleration& acceleration,
                                 const Settings& settings);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

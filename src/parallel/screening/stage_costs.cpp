@@ -1,6 +1,6 @@
 #include "parallel/screening/stage_costs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 StageSeconds StageCosts::seconds() const {
   StageSeconds seconds{};
@@ -9,4 +9,4 @@ StageSeconds StageCosts::seconds() const {
   return seconds;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

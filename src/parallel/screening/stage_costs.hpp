@@ -5,7 +5,7 @@
 
 #include "parallel/schedulers/processor_time.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Where a run's processor time goes.
 enum class Stage { read, build, simulate, compress, write, assemble };
@@ -42,4 +42,4 @@ class StageTimer {
   double begin_ = processor_seconds();
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include "core/engine/engine.hpp"
 #include "parallel/screening/stage_costs.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// An engine that says what building its simulations costs; all else is the other engine's.
 class TimedEngine : public Engine {
@@ -24,4 +24,4 @@ class TimedEngine : public Engine {
   StageCosts& costs_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

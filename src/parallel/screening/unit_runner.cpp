@@ -8,7 +8,7 @@
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/series_limit.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<const Layo
   return records;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

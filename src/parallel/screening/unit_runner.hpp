@@ -15,7 +15,7 @@
 #include "parallel/screening/timed_engine.hpp"
 #include "parallel/screening/work_units.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Turns a unit of work into records: takes its layouts, simulates their worlds, keeps what they left. A layout
 /// or acceleration that cannot be used, and a series that would be too large, become rows with a status. Shared by all
@@ -60,4 +60,4 @@ class UnitRunner {
   StageCosts& costs_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #include "parallel/screening/work_in_hand.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -19,4 +19,4 @@ WorkInHand::~WorkInHand() { layout_in_hand = acceleration_in_hand = nullptr; }
 const char* WorkInHand::layout() { return layout_in_hand; }
 const char* WorkInHand::acceleration() { return acceleration_in_hand; }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

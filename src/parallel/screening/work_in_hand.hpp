@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Names the world that this thread works on, from its making to its end, for a terminate handler: memory may run out
 /// where no exception can be caught. The texts must outlive it.
@@ -18,4 +18,4 @@ class WorkInHand {
   static const char* acceleration();
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::size_t WorkUnits::beginning_with(std::size_t world) const {
   return layout_block * acceleration_blocks_ + acceleration_block;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

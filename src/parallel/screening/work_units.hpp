@@ -4,7 +4,7 @@
 
 #include "core/engine/engine.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A block of the table of worlds, layouts × accelerations: what is handed out as one piece of work.
 struct WorkUnit {
@@ -36,4 +36,4 @@ class WorkUnits {
   std::size_t layout_blocks_, acceleration_blocks_;
 };
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -47,4 +47,4 @@ double domino_speed(Laboratory& laboratory, double height) {
   return kPitch * height * static_cast<double>(kTo - kFrom) / (reached[1] - reached[0]);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

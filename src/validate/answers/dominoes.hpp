@@ -2,7 +2,7 @@
 
 #include "validate/laboratory/laboratory.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A row of dominoes along x, `height` m high, height/8 thick and height/2 apart from face to like face. The first one
 /// is on its way over, at a spin of 3 rad/s times √(0.25 m / height), about its lower front edge.
@@ -12,4 +12,4 @@ Scene domino_row(double height);
 /// it does not get there.
 double domino_speed(Laboratory& laboratory, double height);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 RockingBlock rocking_block(double width, double height, double gravity) {
   const double half_diagonal = 0.5 * std::hypot(width, height);
@@ -48,4 +48,4 @@ double peak_time(const RockingBlock& block, double tilt, int n) {
   return time;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A block that rocks on its two lower edges without slipping (Housner 1963): half diagonal R, atan(width / height) α.
 ///   θ'' = −p² sin(α − θ),  p² = 3 g / (4 R)
@@ -26,4 +26,4 @@ double quarter_period(const RockingBlock& block, double tilt);
 /// Time of the n-th peak after release from `tilt`, s: quarter periods between.
 double peak_time(const RockingBlock& block, double tilt, int n);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

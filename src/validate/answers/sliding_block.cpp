@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -37,4 +37,4 @@ SlidingBlock slide_along_x(const Acceleration& acceleration, double friction_dec
   return block;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

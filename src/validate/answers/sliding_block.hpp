@@ -2,7 +2,7 @@
 
 #include "core/model/acceleration.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A body on a floor that moves along x with piecewise constant acceleration, held by friction alone: Newmark's
 /// sliding block. Relative to the floor.
@@ -17,4 +17,4 @@ struct SlidingBlock {
 /// @param friction_deceleration μg, m/s²
 SlidingBlock slide_along_x(const Acceleration& acceleration, double friction_deceleration);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -105,4 +105,4 @@ double load_that_tips(const Stack& stack, double gravity, double distance, doubl
   return 0.5 * (low + high);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include "validate/laboratory/scene.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Boxes of one footprint on top of each other, flush, alone on a floor; uniform density each.
 struct Stack {
@@ -33,4 +33,4 @@ double sliding_load(const Stack& stack, double gravity);
 /// cos(α − θ) − g sin(α − θ)). Right where the lowest joint is the weakest by a margin.
 double load_that_tips(const Stack& stack, double gravity, double distance, double duration);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

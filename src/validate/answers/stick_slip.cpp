@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -130,4 +130,4 @@ StackedPaths slide_stacked(const Acceleration& acceleration, const StackedBlocks
   return at;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include "core/base/vector.hpp"
 #include "core/model/acceleration.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Where sliding blocks are known to be at the end of a motion.
 struct SlidePath {
@@ -43,4 +43,4 @@ struct StackedPaths {
 /// Both blocks from rest to the end of a motion along x: exact, by the closed formulas between changes of who slides.
 StackedPaths slide_stacked(const Acceleration& acceleration, const StackedBlocks& blocks);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

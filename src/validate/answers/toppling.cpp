@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -117,4 +117,4 @@ double overturning_pulse(const Pivoted& body, double acceleration, double gravit
   return Toppling(body, acceleration, gravity).time_to(body.lean - std::asin(remaining_sine));
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

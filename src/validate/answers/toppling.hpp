@@ -1,6 +1,6 @@
 #pragma once
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// What turns about a fixed edge or corner below its centre of mass.
 struct Pivoted {
@@ -64,4 +64,4 @@ double toppling_threshold(const Pivoted& body, double gravity, double angle, dou
 /// to the top of its arc, R g (1 − cos(α − θ_T)):   a [sin α − sin(α − θ_T)] = g [1 − cos α].
 double overturning_pulse(const Pivoted& body, double acceleration, double gravity);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

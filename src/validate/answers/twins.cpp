@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -104,4 +104,4 @@ bool same_bits(const Snapshot& a, const Snapshot& b) {
   return !a.position.empty() && a.position.size() == b.position.size() && hash(a) == hash(b);
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include "validate/laboratory/laboratory.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Three flat boxes of equal mass on each other with friction 0.5, 0.3 and 0.2 from the floor up, in the middle of a
 /// container 16 m square. Under a load of 0.5 g they slip on each other: with m a of its own and the friction of its
@@ -37,4 +37,4 @@ double distance_between(const Snapshot& a, const Snapshot& b);
 /// Whether two states are the same bit for bit.
 bool same_bits(const Snapshot& a, const Snapshot& b);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -7,7 +7,7 @@
 #include "validate/cases/hard_cases.hpp"
 #include "validate/laboratory/departure.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::vector<Case> hard_balance_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #include "validate/cases/hard_cases.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::vector<Case> hard_cases() {
   std::vector<Case> all;
@@ -11,4 +11,4 @@ std::vector<Case> hard_cases() {
   return all;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

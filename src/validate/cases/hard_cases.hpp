@@ -4,7 +4,7 @@
 
 #include "validate/laboratory/case.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The parts of the suite `hard`.
 std::vector<Case> hard_stack_cases();     ///< tall and uneven stacks, load paths, rest for a minute
@@ -13,4 +13,4 @@ std::vector<Case> hard_geometry_cases();  ///< degenerate geometry: no gap, tiny
 std::vector<Case> hard_roof_cases();      ///< columns under the roof, and rest of a bridge
 std::vector<Case> hard_twin_cases();      ///< worlds that must behave alike: scaled, mirrored, renumbered, in a batch
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "validate/cases/hard_cases.hpp"
 #include "validate/laboratory/departure.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::vector<Case> hard_geometry_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 #include "validate/cases/hard_cases.hpp"
 #include "validate/laboratory/departure.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::vector<Case> hard_roof_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "validate/cases/hard_cases.hpp"
 #include "validate/laboratory/departure.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::vector<Case> hard_stack_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

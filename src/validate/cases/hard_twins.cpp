@@ -8,7 +8,7 @@
 #include "validate/cases/hard_cases.hpp"
 #include "validate/laboratory/departure.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::vector<Case> hard_twin_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

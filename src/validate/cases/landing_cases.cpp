@@ -6,7 +6,7 @@
 #include "validate/cases/rebound_cases.hpp"
 #include "validate/laboratory/track.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::vector<Case> landing_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

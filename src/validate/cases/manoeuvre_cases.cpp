@@ -7,7 +7,7 @@
 #include "validate/laboratory/case.hpp"
 #include "validate/laboratory/track.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -291,4 +291,4 @@ std::vector<Case> manoeuvre_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #include "validate/cases/rebound_cases.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::vector<Case> rebound_cases() {
   std::vector<Case> all;
@@ -11,4 +11,4 @@ std::vector<Case> rebound_cases() {
   return all;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include "validate/laboratory/case.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Parts of the suite `rebound`.
 std::vector<Case> wall_cases();     ///< a box meets a wall
@@ -12,4 +12,4 @@ std::vector<Case> meeting_cases();  ///< boxes meet boxes
 std::vector<Case> landing_cases();  ///< boxes fall onto the floor
 std::vector<Case> rocking_cases();  ///< boxes rock and trip
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "validate/cases/rebound_cases.hpp"
 #include "validate/laboratory/track.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -118,7 +118,8 @@ std::vector<Measurement> trip(Laboratory& laboratory, double kerb, double share)
   double largest = 0.0;
   for (const Snapshot& state : track) largest = std::max(largest, turn_of(state.orientation[0]));
   const bool falls = share > 1.0;
-  std::vector<Measurement> measurements = {holdfast::verdict("falls over", largest > slenderness + 0.1, falls)};
+  std::vector<Measurement> measurements = {
+      holdfast::internal::verdict("falls over", largest > slenderness + 0.1, falls)};
   const double energy = 0.5 * scene.batch().boxes.mass[0] * speed * speed;
   if (!falls) {
     const std::vector<Peak> peaks = peaks_of(track, tilt_of, kNoise);
@@ -156,4 +157,4 @@ std::vector<Case> rocking_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

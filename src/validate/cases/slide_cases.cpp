@@ -9,7 +9,7 @@
 #include "validate/laboratory/case.hpp"
 #include "validate/laboratory/threshold.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -319,4 +319,4 @@ std::vector<Case> slide_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

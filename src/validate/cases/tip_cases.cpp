@@ -11,7 +11,7 @@
 #include "validate/laboratory/case.hpp"
 #include "validate/laboratory/threshold.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -301,4 +301,4 @@ std::vector<Case> tip_cases() {
   return cases;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -1,6 +1,6 @@
 #include "validate/laboratory/case.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
@@ -11,4 +11,4 @@ std::vector<Case> all_cases() {
   return all;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

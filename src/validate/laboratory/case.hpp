@@ -8,7 +8,7 @@
 #include "validate/laboratory/laboratory.hpp"
 #include "validate/laboratory/measurement.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A question with a known answer. Adding one is adding an entry to the table of its suite.
 struct Case {
@@ -32,4 +32,4 @@ std::vector<Case> hard_cases();
 /// All of them, suite after suite.
 std::vector<Case> all_cases();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

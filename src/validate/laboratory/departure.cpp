@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::vector<Measurement> rest_of(Laboratory& laboratory, const Scene& scene) {
           scaled("speed at the end (m/s)", speed, 0.0, 1.0, ToleranceClass::exact)};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

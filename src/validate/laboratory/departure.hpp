@@ -5,7 +5,7 @@
 #include "validate/laboratory/laboratory.hpp"
 #include "validate/laboratory/measurement.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Largest distance of any box from where it was at the time `from`, at any later step end, m. Ends the run once that
 /// passes `enough`, and then returns what it was. Infinite when the run failed.
@@ -22,4 +22,4 @@ double smallest_load_that_moves(Laboratory& laboratory, const Scene& scene, doub
 /// gone 0.1 m.
 std::vector<Measurement> rest_of(Laboratory& laboratory, const Scene& scene);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -2,7 +2,7 @@
 
 #include "core/native/native_options.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -66,4 +66,4 @@ const std::vector<EngineSetting>& engine_settings() {
   return kSettings;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

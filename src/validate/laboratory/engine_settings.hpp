@@ -4,10 +4,10 @@
 
 #include "validate/laboratory/laboratory.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The engines and settings that are validated: the curves of speed against error. The first one of each engine is its
 /// default.
 const std::vector<EngineSetting>& engine_settings();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -173,4 +173,4 @@ double smallest_amplitude(double low, double high, double precision, const std::
   return high;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

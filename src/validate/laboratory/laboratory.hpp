@@ -12,7 +12,7 @@
 #include "core/model/settings.hpp"
 #include "validate/laboratory/scene.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// An engine with a choice of its solver's settings: one curve's point, one column of the tables.
 struct EngineSetting {
@@ -99,4 +99,4 @@ double time_to_reach(Laboratory& laboratory, const Scene& scene, double level,
 /// between `low` (false) and `high` (true). `high` when it is false even there; `low` when it is true already there.
 double smallest_amplitude(double low, double high, double precision, const std::function<bool(double)>& exceeds);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

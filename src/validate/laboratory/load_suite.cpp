@@ -6,7 +6,7 @@
 
 #include "core/model/verdict.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -184,4 +184,4 @@ const std::vector<EngineSetting>& load_references() {
   return kReferences;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

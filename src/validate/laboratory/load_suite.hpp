@@ -8,7 +8,7 @@
 #include "validate/laboratory/laboratory.hpp"
 #include "validate/laboratory/measurement.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// A real load under a road acceleration: no exact answer, so engines are compared with a converged reference.
 struct LoadWorld {
@@ -48,4 +48,4 @@ std::vector<Measurement> compare_loads(std::span<const LoadRun> runs, std::span<
 /// how far they agree says how far either can be trusted.
 const std::vector<EngineSetting>& load_references();
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -56,4 +56,4 @@ Measurement verdict(std::string metric, bool value, bool expected) {
           ToleranceClass::verdict};
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

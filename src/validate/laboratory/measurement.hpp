@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// How close to the known answer a case asks an engine to come; the same for all engines and settings.
 enum class ToleranceClass {
@@ -38,4 +38,4 @@ Measurement scaled(std::string metric, double value, double expected, double sca
 /// A yes or no that must be as expected: error 0 or 1.
 Measurement verdict(std::string metric, bool value, bool expected);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

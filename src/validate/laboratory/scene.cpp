@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 SceneBox standing_box(const Vec3& size, const Vec3& corner_min) {
   SceneBox box;
@@ -67,4 +67,4 @@ Scene scene_of_pairs(const Vec3& container_size, double box_floor, double box_bo
   return scene;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -8,7 +8,7 @@
 #include "core/model/settings.hpp"
 #include "core/model/world.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// Mass of a box that is fixed to the container: a ledge, a kerb, a step, an obstacle. Engines hold it still.
 inline constexpr double kFixed = std::numeric_limits<double>::infinity();
@@ -57,4 +57,4 @@ Scene empty_scene(const Vec3& container_size, double friction, double restitutio
 Scene scene_of_pairs(const Vec3& container_size, double box_floor, double box_box, double box_wall,
                      double restitution = 0.0);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

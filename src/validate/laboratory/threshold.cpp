@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 double border_near(double expected, double precision, const std::function<bool(double)>& exceeds) {
   const bool border_is_below = exceeds(expected);
@@ -31,4 +31,4 @@ double border_near(double expected, double precision, const std::function<bool(d
   return high;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

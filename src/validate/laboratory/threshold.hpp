@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The smallest amplitude at which `exceeds` is true, searched outwards from where it should be: an engine that is
 /// right takes a handful of runs to find it to a share of `precision`, one that is far off gets its error to 2 %.
@@ -10,4 +10,4 @@ namespace holdfast {
 /// expected.
 double border_near(double expected, double precision, const std::function<bool(double)>& exceeds);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

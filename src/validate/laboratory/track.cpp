@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace holdfast {
+namespace holdfast::internal {
 
 namespace {
 
@@ -108,4 +108,4 @@ double energy_gain(const Scene& scene, const Track& track) {
   return gain;
 }
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

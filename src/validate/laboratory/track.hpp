@@ -5,7 +5,7 @@
 
 #include "validate/laboratory/laboratory.hpp"
 
-namespace holdfast {
+namespace holdfast::internal {
 
 /// The start and every step end of a run, in order; never empty.
 using Track = std::vector<Snapshot>;
@@ -51,4 +51,4 @@ double kinetic_energy(const Scene& scene, const Snapshot& state);
 /// container's acceleration since, J; 0 when it never does. Contacts with what is fixed do no work.
 double energy_gain(const Scene& scene, const Track& track);
 
-}  // namespace holdfast
+}  // namespace holdfast::internal

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

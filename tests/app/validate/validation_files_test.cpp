@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-using holdfast::closest_word;
+using holdfast::internal::closest_word;
 
 TEST_CASE("closest_word: a slip finds the word, another word finds nothing", "[core][closest_word]") {
   const std::array<std::string_view, 4> words{"BoxFriction", "GroundFriction", "Mass", "TimeoutInSeconds"};

@@ -2,10 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-using holdfast::number_text;
-using holdfast::parse_integer;
-using holdfast::parse_number;
-using holdfast::rounded_text;
+using holdfast::internal::number_text;
+using holdfast::internal::parse_integer;
+using holdfast::internal::parse_number;
+using holdfast::internal::rounded_text;
 
 TEST_CASE("number_text: a number is a whole finite decimal text", "[core][number_text]") {
   CHECK(parse_number("12") == 12.0);

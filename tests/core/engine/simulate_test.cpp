@@ -7,8 +7,8 @@
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
 
 namespace {
 

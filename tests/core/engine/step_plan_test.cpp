@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using holdfast::Phase;
-using holdfast::StepPlan;
+using holdfast::internal::Phase;
+using holdfast::internal::StepPlan;
 
 TEST_CASE("step_plan: equal steps, none longer than wanted, end exactly at the phase's end", "[core][step_plan]") {
   const Phase phase{0.3, 1.0001, {}};

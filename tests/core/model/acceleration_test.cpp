@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

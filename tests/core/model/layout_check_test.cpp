@@ -5,7 +5,7 @@
 
 #include "random.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "core/model/setting_table.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("settings_page: docs/config.md is up to date", "[core][settings_page]") {
   std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/config.md", std::ios::binary);

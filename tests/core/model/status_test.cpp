@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("status: names of the bits, joined", "[core][status]") {
   CHECK(to_string(Status::ok) == "ok");

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

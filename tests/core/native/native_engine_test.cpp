@@ -6,10 +6,10 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
-using namespace holdfast::native_scenes;
-using namespace holdfast::physics;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::native_scenes;
+using namespace holdfast::internal::physics;
 
 namespace {
 

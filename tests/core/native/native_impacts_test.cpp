@@ -8,10 +8,10 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
-using namespace holdfast::native_scenes;
-using namespace holdfast::physics;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::native_scenes;
+using namespace holdfast::internal::physics;
 
 TEST_CASE("native_impacts: a landing ends on the floor at rest, without rebound", "[core][native_impacts]") {
   for (const auto& [accuracy, bound] : {std::pair(Accuracy::standard, 1e-5), std::pair(Accuracy::reference, 1e-6)}) {

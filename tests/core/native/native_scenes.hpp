@@ -6,7 +6,7 @@
 #include "scenes.hpp"
 
 /// What the tests of the native engine's known answers share.
-namespace holdfast::native_scenes {
+namespace holdfast::internal::native_scenes {
 
 inline const Vec3 kFlat(1.1, 1.1, 0.25);  ///< a box that slides and does not tip, m
 
@@ -24,4 +24,4 @@ inline Layout one_box(const Vec3& size, double height = 0.0) {
   return scenes::layout_of({scenes::box({10, 10, height}, size)});
 }
 
-}  // namespace holdfast::native_scenes
+}  // namespace holdfast::internal::native_scenes

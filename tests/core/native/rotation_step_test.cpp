@@ -7,8 +7,8 @@
 
 #include "random.hpp"
 
-using namespace holdfast;
-using namespace holdfast::native;
+using namespace holdfast::internal;
+using namespace holdfast::internal::native;
 
 namespace {
 

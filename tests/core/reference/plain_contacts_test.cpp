@@ -6,8 +6,8 @@
 #include <cmath>
 #include <tuple>
 
-using namespace holdfast;
-using namespace holdfast::plain;
+using namespace holdfast::internal;
+using namespace holdfast::internal::plain;
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
-using namespace holdfast::plain;
+using namespace holdfast::internal;
+using namespace holdfast::internal::plain;
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include "io/input/memory_file.hpp"
 
-using namespace holdfast;
-using namespace holdfast::test;
+using namespace holdfast::internal;
+using namespace holdfast::internal::test;
 
 namespace {
 

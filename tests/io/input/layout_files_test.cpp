@@ -5,7 +5,7 @@
 
 #include "io/results/results_fixture.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 using results_fixture::Folder;
 
 TEST_CASE("layout_files: all who share a layout get the same, whatever becomes of its file", "[io][layout_files]") {

@@ -6,7 +6,7 @@
 #include "core/base/result.hpp"
 #include "io/input/text_file.hpp"
 
-namespace holdfast::test {
+namespace holdfast::internal::test {
 
 /// An input file that exists in memory only.
 inline TextFile memory_file(std::string text, const std::string& path = "a.txt") {
@@ -28,4 +28,4 @@ Messages messages_of(const Result<T>& result) {
   return result ? Messages{"no error"} : messages_of(result.errors());
 }
 
-}  // namespace holdfast::test
+}  // namespace holdfast::internal::test

@@ -8,8 +8,8 @@
 #include "io/input/memory_file.hpp"
 #include "io/results/results_fixture.hpp"
 
-using namespace holdfast;
-using namespace holdfast::test;
+using namespace holdfast::internal;
+using namespace holdfast::internal::test;
 using results_fixture::Folder;
 
 TEST_CASE("text_file: a file is read whole, whatever its length", "[io][text_file]") {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("text_lines: lines end with LF or CRLF and are counted from 1", "[io][text_lines]") {
   LineReader lines("\xEF\xBB\xBFone\r\n\ntwo");

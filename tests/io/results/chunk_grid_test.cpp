@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -15,7 +15,7 @@
 /// Made-up runs for the tests of the results file.
 namespace results_fixture {
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 /// A folder that is gone when the test ends.
 class Folder {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 
@@ -48,8 +48,9 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Runs `count` units; work leaves unit `gap` undone, write refuses after unit `last`.
 void run_units(const Way& way, std::size_t count, Log& log, std::size_t gap = kNone, std::size_t last = kNone) {
+  Workers workers(way.scheduler, way.threads);
   run_in_order(
-      way.scheduler, way.threads, count,
+      workers, count,
       [&](std::size_t unit) -> std::optional<std::unique_ptr<std::size_t>> {
         take_time(unit);
         ++log.worked;
@@ -113,8 +114,9 @@ TEST_CASE("ordered_run: the number of units in flight is bounded", "[parallel][o
     std::atomic<std::size_t> written = 0;
     std::atomic<std::size_t> begun = 0;
     std::atomic<std::size_t> most = 0;
+    Workers workers(way.scheduler, way.threads);
     run_in_order(
-        way.scheduler, way.threads, 400,
+        workers, 400,
         [&](std::size_t unit) -> std::optional<std::size_t> {
           const std::size_t in_flight = ++begun - written;
           std::size_t seen = most;
@@ -143,8 +145,9 @@ TEST_CASE("ordered_run: place and write run for one unit at a time", "[parallel]
     std::atomic<int> placing = 0;
     std::atomic<int> writing = 0;
     bool alone = true;
+    Workers workers(way.scheduler, way.threads);
     run_in_order(
-        way.scheduler, way.threads, 200, [](std::size_t unit) { return std::optional<std::size_t>(unit); },
+        workers, 200, [](std::size_t unit) { return std::optional<std::size_t>(unit); },
         [&](std::size_t&& unit) {
           alone = alone && ++placing == 1;
           std::this_thread::yield();
@@ -167,8 +170,9 @@ TEST_CASE("ordered_run: the serial scheduler stays on the calling thread", "[par
   const std::thread::id here = std::this_thread::get_id();
   bool only_here = true;
   const auto look = [&] { only_here = only_here && std::this_thread::get_id() == here; };
+  Workers workers(Scheduler::serial, 8);
   run_in_order(
-      Scheduler::serial, 8, 20, [&](std::size_t unit) { return look(), std::optional<std::size_t>(unit); },
+      workers, 20, [&](std::size_t unit) { return look(), std::optional<std::size_t>(unit); },
       [&](std::size_t&& unit) { return look(), unit; }, [&](std::size_t&& unit) { return look(), unit; },
       [&](std::size_t&&) { return look(), true; });
   CHECK(only_here);
@@ -179,8 +183,9 @@ TEST_CASE("ordered_run: no more threads work than asked for", "[parallel][ordere
     CAPTURE(static_cast<int>(way.scheduler), way.threads);
     std::atomic<int> working = 0;
     std::atomic<int> most = 0;
+    Workers workers(way.scheduler, way.threads);
     run_in_order(
-        way.scheduler, way.threads, 100,
+        workers, 100,
         [&](std::size_t unit) -> std::optional<std::size_t> {
           const int now = ++working;
           int seen = most;

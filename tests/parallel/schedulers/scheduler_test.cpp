@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("scheduler: OpenMP is there exactly where its name is, and the others always", "[parallel][scheduler]") {
   const std::vector<std::string> names = scheduler_names();

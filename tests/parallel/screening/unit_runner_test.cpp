@@ -8,8 +8,8 @@
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
-using namespace holdfast;
-using namespace holdfast::scenes;
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
 using results_fixture::Folder;
 
 TEST_CASE(

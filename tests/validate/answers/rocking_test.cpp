@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("rocking: a slender block has Housner's quarter period", "[validate]") {
   // With sin(α − θ) ≈ α − θ: T/4 = arcosh(1 / (1 − θ₀/α)) / p; the error is of the order of α².

@@ -5,7 +5,7 @@
 
 #include "validate/laboratory/scene.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

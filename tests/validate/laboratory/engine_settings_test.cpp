@@ -4,7 +4,7 @@
 
 #include "validate/laboratory/scene.hpp"
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("engine settings: every one says its step, for a scene's step factor to multiply", "[validate]") {
   for (const EngineSetting& setting : engine_settings()) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-using namespace holdfast;
+using namespace holdfast::internal;
 
 TEST_CASE("measurement: errors are relative, of a scale, or of a verdict", "[validate][measurement]") {
   CHECK(relative("m", 1.02, 1.0, ToleranceClass::coarse).error == Approx(0.02));

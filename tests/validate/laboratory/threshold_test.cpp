@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using holdfast::border_near;
+using holdfast::internal::border_near;
 
 TEST_CASE("border: found wherever it is", "[validate][border]") {
   for (const double border : {0.013, 0.5, 0.9, 0.999, 1.0, 1.0000003, 1.01, 1.7, 9.0}) {

@@ -7,7 +7,7 @@
 #include "core/native/collision/clipping.hpp"
 #include "core/native/collision/separating_axis.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -175,4 +175,4 @@ ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin) {
   return contact;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

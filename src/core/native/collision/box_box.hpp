@@ -4,7 +4,7 @@
 
 #include "core/native/collision/oriented_box.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Where two surfaces face each other at one place.
 struct ContactPoint {
@@ -51,4 +51,4 @@ ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin,
 /// axis of the box' face.
 ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

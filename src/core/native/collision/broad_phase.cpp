@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -123,4 +123,4 @@ void BroadPhase::sort_pairs() {
   }
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -7,7 +7,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Two boxes that may touch, by their places in the caller's arrays; i < j.
 struct IndexPair {
@@ -56,4 +56,4 @@ class BroadPhase {
   std::vector<std::uint32_t> first_;  ///< where the pairs of each i begin
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

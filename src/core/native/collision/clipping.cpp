@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -271,4 +271,4 @@ ContactSet edge_contact(const OrientedBox& a, const OrientedBox& b, const Relati
   return contact;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

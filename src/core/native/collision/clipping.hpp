@@ -4,7 +4,7 @@
 #include "core/native/collision/oriented_box.hpp"
 #include "core/native/collision/separating_axis.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Projections of two boxes that overlap by less than this touch along an edge or at a corner: no contact. Boxes of a
 /// packing do so everywhere, and would be held by each other's edges; an overlap this narrow carries no load, m.
@@ -20,4 +20,4 @@ ContactSet face_contact(const OrientedBox& a, const OrientedBox& b, const Relati
 /// along the axis: the boxes are then nearest elsewhere.
 ContactSet edge_contact(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose, const ContactAxis& axis);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

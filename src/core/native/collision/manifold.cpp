@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -75,4 +75,4 @@ ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std
   return contact_of(bodies.shape[static_cast<std::size_t>(a)], box, margin, previous);
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

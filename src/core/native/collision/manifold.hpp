@@ -7,7 +7,7 @@
 #include "core/native/bodies.hpp"
 #include "core/native/collision/box_box.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// A side of the container as a body that does not move.
 struct Side {
@@ -63,4 +63,4 @@ void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& 
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
                        double margin, const ContactAxis& previous);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

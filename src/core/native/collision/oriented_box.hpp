@@ -4,7 +4,7 @@
 
 #include "core/base/vector.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// A rotation matrix; unaligned, like all small vectors of the columns.
 using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
@@ -26,4 +26,4 @@ struct HalfSpace {
   double offset = 0.0;          ///< m
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

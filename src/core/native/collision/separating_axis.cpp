@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::optional<AxisChoice> choose_axis(const OrientedBox& a, const OrientedBox& b
   return AxisChoice{edges ? of_edges.axis : of_faces.axis, of_faces.axis};
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -5,7 +5,7 @@
 #include "core/native/collision/box_box.hpp"
 #include "core/native/collision/oriented_box.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// The axis of the step before is kept until another is better by this much: more than the jitter of boxes at rest, far
 /// less than the thinnest plate, m.
@@ -37,4 +37,4 @@ struct AxisChoice {
 std::optional<AxisChoice> choose_axis(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose,
                                       double margin, const ContactAxis& previous);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

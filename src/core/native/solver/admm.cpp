@@ -5,7 +5,7 @@
 
 #include "core/native/solver/contact_kernels.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -217,4 +217,4 @@ double Splitting::imbalance_at_rest(double velocity_unit) {
   return worst;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -10,7 +10,7 @@
 #include "core/native/solver/contact_constraint.hpp"
 #include "core/native/solver/contact_kernels.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// What a body's mass does in a solve.
 struct SolverBody {
@@ -114,4 +114,4 @@ class Splitting {
   std::vector<BodyVector> change_, motion_;
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

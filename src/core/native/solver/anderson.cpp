@@ -5,7 +5,7 @@
 
 #include "core/native/solver/contact_kernels.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -95,4 +95,4 @@ bool Anderson::weigh(double (&weight)[kDepth]) const {
   return std::all_of(weight, weight + stored_, [](double w) { return std::abs(w) <= kLargestWeight; });
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

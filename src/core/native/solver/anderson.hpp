@@ -7,7 +7,7 @@
 
 #include "core/native/solver/contact_constraint.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Anderson's acceleration of a fixed-point iteration x ← g(x) (Anderson 1965; Walker and Ni 2011, type II): the next
 /// x mixes the last few g such that the residuals r = g − x that go with them cancel best. The iteration of hard
@@ -39,4 +39,4 @@ class Anderson {
   bool has_last_ = false;
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

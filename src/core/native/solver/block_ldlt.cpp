@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 namespace {
 
@@ -107,4 +107,4 @@ void BlockFactor::factorise() { native::factorise(shape_, below_, diagonal_, scr
 
 void BlockFactor::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, diagonal_, x); }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -7,7 +7,7 @@
 
 #include "core/native/solver/ldlt_kernels.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Two bodies that share contacts, by index.
 using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -58,4 +58,4 @@ class BlockFactor {
   std::vector<std::uint32_t> block_at_row_;
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

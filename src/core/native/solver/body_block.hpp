@@ -2,7 +2,7 @@
 
 #include "core/native/solver/contact_constraint.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Rows that a body's six are padded to, so that a column of a block is a whole SIMD vector.
 inline constexpr int kPaddedRows = 8;
@@ -23,4 +23,4 @@ struct alignas(64) LaneWrench {
   double row[kBodyRows][kLanes] = {};
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

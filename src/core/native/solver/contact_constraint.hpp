@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Contact points that are solved side by side, one a SIMD lane.
 inline constexpr int kLanes = 4;
@@ -52,4 +52,4 @@ struct alignas(64) Patch {
   double base = 0.0;       ///< effective mass of the two bodies over the contact's points, kg
 };
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -14,7 +14,7 @@
 #include "core/native/solver/pack-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace holdfast::native::HWY_NAMESPACE {
+namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
 /// limit / √square where that shortens, else 1.
@@ -174,11 +174,11 @@ HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, st
 }
 
 }  // namespace
-}  // namespace holdfast::native::HWY_NAMESPACE
+}  // namespace holdfast::internal::native::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 HWY_EXPORT(aim_kernel);
 HWY_EXPORT(project_kernel);
@@ -218,5 +218,5 @@ void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms
   HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native
 #endif  // HWY_ONCE

@@ -8,7 +8,7 @@
 
 // The inner loops over contacts.
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// How far the velocities at the points are from those that go with the impulses, |u − z|.
 struct Mismatch {
@@ -56,4 +56,4 @@ void subtract(std::span<const std::vector<PatchVector>> history, std::span<const
 /// Adds J_midᵀ y to `wrench`.
 void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -5,10 +5,10 @@
 
 #include <hwy/targets.h>
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 std::vector<std::int64_t> instruction_sets() { return hwy::SupportedAndGeneratedTargets(); }
 
 void use_instruction_set(std::int64_t set) { hwy::SetSupportedTargetsForTest(set); }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

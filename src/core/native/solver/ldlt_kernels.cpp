@@ -13,7 +13,7 @@
 #include "core/native/solver/pack-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace holdfast::native::HWY_NAMESPACE {
+namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
 /// Three components of a vector at the points of a patch.
@@ -216,11 +216,11 @@ HWY_ATTR void solve_kernel(const FactorShape& shape, const BodyBlock* below, con
 }
 
 }  // namespace
-}  // namespace holdfast::native::HWY_NAMESPACE
+}  // namespace holdfast::internal::native::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 HWY_EXPORT(add_resistance_kernel);
 HWY_EXPORT(factorise_kernel);
@@ -244,5 +244,5 @@ void solve(const FactorShape& shape, std::span<const BodyBlock> below, std::span
   HWY_DYNAMIC_DISPATCH(solve_kernel)(shape, below.data(), inverse_diagonal.data(), x.data());
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native
 #endif  // HWY_ONCE

@@ -9,7 +9,7 @@
 
 // The inner loops over the blocks of the matrix.
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// c −= l bᵀ, the step of the factorisation.
 struct BlockUpdate {
@@ -45,4 +45,4 @@ void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<B
 void solve(const FactorShape& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
            std::span<BodyVector> x);
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -16,7 +16,7 @@
 #include "core/native/solver/contact_constraint.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace holdfast::native::HWY_NAMESPACE {
+namespace holdfast::internal::native::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -85,7 +85,7 @@ HWY_INLINE double total(const Four& four) {
   return (lane[0] + lane[1]) + (lane[2] + lane[3]);
 }
 
-}  // namespace holdfast::native::HWY_NAMESPACE
+}  // namespace holdfast::internal::native::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // HOLDFAST_PACK_INL

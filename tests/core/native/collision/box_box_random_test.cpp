@@ -10,9 +10,9 @@
 #include "core/native/collision/boxes.hpp"
 #include "random.hpp"
 
-using namespace holdfast::native;
-using holdfast::Random;
-using holdfast::Vec3;
+using namespace holdfast::internal::native;
+using holdfast::internal::Random;
+using holdfast::internal::Vec3;
 
 namespace {
 

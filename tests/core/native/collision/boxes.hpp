@@ -7,7 +7,7 @@
 #include "core/native/collision/box_box.hpp"
 
 /// Boxes for tests of their geometry.
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 inline OrientedBox box_at(const Vec3& centre, const Vec3& size) {
   return {.centre = centre, .half_extents = 0.5 * size, .axes = Mat3::Identity(), .aligned = true};
@@ -31,4 +31,4 @@ inline double least_gap(const ContactSet& contact) {
   return least;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -9,10 +9,10 @@
 
 #include "random.hpp"
 
-using holdfast::Random;
-using holdfast::Vec3;
-using holdfast::native::BroadPhase;
-using holdfast::native::IndexPair;
+using holdfast::internal::Random;
+using holdfast::internal::Vec3;
+using holdfast::internal::native::BroadPhase;
+using holdfast::internal::native::IndexPair;
 
 template <>
 struct Catch::StringMaker<IndexPair> {

@@ -6,8 +6,8 @@
 
 #include "core/native/collision/boxes.hpp"
 
-using namespace holdfast::native;
-using holdfast::Vec3;
+using namespace holdfast::internal::native;
+using holdfast::internal::Vec3;
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace holdfast::native;
+using namespace holdfast::internal::native;
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include "random.hpp"
 #include "same_bits.hpp"
 
-using namespace holdfast;
-using namespace holdfast::native;
+using namespace holdfast::internal;
+using namespace holdfast::internal::native;
 
 namespace {
 

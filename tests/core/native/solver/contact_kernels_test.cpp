@@ -10,8 +10,8 @@
 #include "core/native/solver/random_contacts.hpp"
 #include "same_bits.hpp"
 
-using namespace holdfast;
-using namespace holdfast::native;
+using namespace holdfast::internal;
+using namespace holdfast::internal::native;
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "core/native/solver/instruction_sets.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 /// Calls `test(set)` with the kernels restricted to each instruction set of this machine in turn.
 template <class Test>
@@ -24,4 +24,4 @@ void for_each_instruction_set(Test test) {
   }
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

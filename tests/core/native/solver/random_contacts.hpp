@@ -6,7 +6,7 @@
 #include "core/native/solver/body_block.hpp"
 #include "random.hpp"
 
-namespace holdfast::native {
+namespace holdfast::internal::native {
 
 inline constexpr std::size_t kBodies = 7;
 inline constexpr std::size_t kPatches = 40;
@@ -58,4 +58,4 @@ inline Contacts random_contacts(std::uint32_t seed) {
   return contacts;
 }
 
-}  // namespace holdfast::native
+}  // namespace holdfast::internal::native

@@ -1,0 +1,25 @@
+# What `cmake --install` puts where: the program with its plug-ins and page, the library with its header, and what lets
+# other projects find it.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS holdfast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS holdfast_library EXPORT holdfastTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/holdfast)
+foreach(plugin holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
+  if(TARGET ${plugin})
+    install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
+endforeach()
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/holdfast)
+install(EXPORT holdfastTargets NAMESPACE holdfast:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/holdfastConfig.cmake.in ${PROJECT_BINARY_DIR}/holdfastConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/holdfastConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/holdfastConfig.cmake ${PROJECT_BINARY_DIR}/holdfastConfigVersion.cmake
+  DESTINATION ${package_folder})
+
+configure_file(cmake/holdfast.pc.in ${PROJECT_BINARY_DIR}/holdfast.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/holdfast.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(docs/holdfast.1.in ${PROJECT_BINARY_DIR}/holdfast.1 @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/holdfast.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -1,0 +1,266 @@
+#pragma once
+
+/// holdfast: what becomes of a container loading when the container brakes, corners or changes lane.
+///
+/// A `Screen` is made once from settings and accelerations, and then evaluates layouts, thousands of times: arrays in,
+/// verdicts out. It gives the same bits as `holdfast screen` does on the same layouts, whatever the number of threads,
+/// the batch and the order.
+///
+///     holdfast::Screen screen({holdfast::read_acceleration("road_brake_0g8.txt")});
+///     for (const holdfast::WorldOutcome& world : screen.evaluate(layouts))
+///       if (world.verdict != holdfast::Verdict::stayed) reject(layouts[world.layout]);
+///
+/// Frame: that of the container, right-handed; x along its length from the front wall to the door, y across, z up; the
+/// origin is the lower corner at the front wall with the smallest coordinates. SI units throughout, unless stated.
+///
+/// Compatibility: versions follow semantic versioning. Before 1.0 a minor version may change what is declared here, and
+/// a patch version may not; from 1.0 on only a major version may. Types that cross the border are from the C++ standard
+/// library, so that program and library must be built with the same one. Bits of results may change with a minor
+/// version; the changelog says so.
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch.
+#define HOLDFAST_VERSION 200
+
+#if defined(__GNUC__)
+#define HOLDFAST_API __attribute__((visibility("default")))
+#else
+#define HOLDFAST_API
+#endif
+
+namespace holdfast {
+
+/// Version of the library that is linked, such as "0.2.0". May be called from any thread.
+HOLDFAST_API const char* version() noexcept;
+
+/// One thing that is wrong with an input, in the parts that a message needs. What does not apply is empty or 0.
+struct Problem {
+  std::string file;      ///< path of the file, or name of the layout or acceleration
+  long line = 0;         ///< in the file, from 1
+  long column = 0;       ///< in the line, from 1
+  std::string what;      ///< what is wrong
+  std::string value;     ///< the offending value
+  std::string accepted;  ///< what would be accepted
+  std::string message;   ///< all of it in one line: `file:line:column: what: value; accepted`
+};
+
+/// The one exception that the library throws: input that cannot be used, a file that cannot be written, memory that has
+/// run out.
+class HOLDFAST_API Error : public std::exception {
+ public:
+  explicit Error(std::vector<Problem> problems);
+  ~Error() override;
+  Error(const Error&);
+  Error& operator=(const Error&);
+
+  /// The message of the first problem, and how many more there are.
+  const char* what() const noexcept override;
+
+  /// All problems, in the order of the input; never empty.
+  const std::vector<Problem>& problems() const noexcept { return problems_; }
+
+ private:
+  std::vector<Problem> problems_;
+  std::string text_;
+};
+
+/// A box of a layout as it is loaded, its edges along the axes of the container.
+struct Box {
+  std::array<double, 3> corner_min = {};  ///< corner with the smallest coordinates, in `ScreenOptions::unit`
+  std::array<double, 3> corner_max = {};  ///< corner with the largest coordinates, in `ScreenOptions::unit`
+  int material = 0;                       ///< id, from 0; `[Material N]` of the settings says what it means
+};
+
+/// A candidate loading. Boxes may touch; they overlap each other, or protrude from the container, by 0.1 mm at most.
+struct Layout {
+  std::string name;  ///< labels results and messages; need not be unique
+  std::vector<Box> boxes;
+};
+
+/// A stretch of time in which the container has one acceleration.
+struct Segment {
+  double start = 0.0;                       ///< s, from the beginning of the simulated time
+  double duration = 0.0;                    ///< s, positive
+  std::array<double, 3> acceleration = {};  ///< of the container, m/s²; a vehicle that brakes has +x
+};
+
+/// What the container does: segments by rising time, without overlap; between and after them it has no acceleration.
+struct Acceleration {
+  std::string name;  ///< labels results and messages; need not be unique
+  std::vector<Segment> segments;
+};
+
+/// Reads an acceleration file: a header line, then one segment per line, `start duration x y z`.
+/// Throws `Error`. May be called from any thread.
+HOLDFAST_API Acceleration read_acceleration(const std::string& path);
+
+/// What became of a world as a whole, by the worst that happened in it.
+enum class Verdict : std::uint8_t {
+  stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
+  moved = 1,     ///< a box moved or tilted at the end, and none fell
+  fell = 2,      ///< a box had fallen at the end
+  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and all stayed since
+  failed = 4,    ///< `WorldOutcome::status` is not 0: nothing can be said
+};
+
+/// Bits of `WorldOutcome::status`: what went wrong with a world.
+namespace status {
+inline constexpr std::uint32_t ok = 0;
+inline constexpr std::uint32_t bad_layout = 1;        ///< the layout cannot be used; not simulated
+inline constexpr std::uint32_t bad_acceleration = 2;  ///< the acceleration cannot be used; not simulated
+inline constexpr std::uint32_t non_finite = 4;        ///< a state became infinite or undefined
+inline constexpr std::uint32_t not_converged = 8;     ///< the solver's residual stayed above its bound
+inline constexpr std::uint32_t capacity = 16;         ///< a device had no room for all contacts, or failed
+inline constexpr std::uint32_t too_large = 32;        ///< its series would take too much memory; not simulated
+}  // namespace status
+
+/// Why a world ended.
+enum class StopReason : std::uint8_t {
+  not_run = 0,   ///< it was not simulated: a bad input, or `Screen::cancel`
+  timeout = 1,   ///< the simulated time was up
+  sleeping = 2,  ///< all boxes had come to rest
+  failed = 3,    ///< the status says why
+};
+
+/// How one box ended.
+struct BoxOutcome {
+  std::array<float, 3> displacement = {};  ///< of the centre of mass, from the layout's pose, at the end, m
+  float tilt = 0;                          ///< angle of the rotation from the layout's pose, at the end, degrees
+  float kinetic_energy = 0;                ///< at the end, J
+  float peak_displacement = 0;             ///< largest over all steps, m
+  float peak_kinetic_energy = 0;           ///< largest over all steps, J
+  bool fallen = false;                     ///< its centre of mass sank by more than `DropThreshold`
+  bool moved = false;                      ///< displaced by more than `MoveThreshold`
+  bool tilted = false;                     ///< rotated by more than `TiltThreshold`
+  bool unstable = false;                   ///< fell or moved while settling
+};
+
+/// Time series of a world, one sample every `ResultsIntervalInSeconds`, and at the end. Columns of boxes hold sample
+/// after sample: entry = sample * number of boxes + box.
+struct Series {
+  std::vector<double> time;                            ///< one per sample, s
+  std::vector<std::array<float, 3>> displacement;      ///< per sample and box, of the centre of mass, m
+  std::vector<std::array<float, 4>> orientation;       ///< per sample and box, quaternion w x y z, container from body
+  std::vector<std::array<float, 3>> angular_velocity;  ///< per sample and box, rad/s
+};
+
+/// What became of a world: one layout under one acceleration.
+struct WorldOutcome {
+  std::size_t layout = 0;        ///< index into the layouts of the call
+  std::size_t acceleration = 0;  ///< index into the accelerations of the screen
+  Verdict verdict = Verdict::failed;
+  std::uint32_t status = status::ok;  ///< bits, see `status`
+  std::string message;                ///< what the status means here, and what to do; empty when it is `ok`
+  StopReason stop_reason = StopReason::not_run;
+  std::uint32_t boxes = 0;   ///< number of boxes; 0 in a world that was not simulated, as are all that follow
+  std::uint32_t fallen = 0;  ///< number of boxes, as are the next three
+  std::uint32_t moved = 0;
+  std::uint32_t tilted = 0;
+  std::uint32_t unstable = 0;
+  float max_displacement = 0;            ///< largest of all boxes at the end, m
+  float peak_displacement = 0;           ///< largest of all boxes and steps, m
+  double total_kinetic_energy = 0;       ///< at the end, J
+  double peak_kinetic_energy = 0;        ///< of all boxes together, largest over all steps, J
+  double end_time = 0;                   ///< s
+  std::uint64_t steps = 0;               ///< steps that the simulated time was cut into
+  std::uint64_t steps_skipped = 0;       ///< of these, those in which nothing moves, which are not computed
+  double max_residual = 0;               ///< of the contact solver, see docs/physics.md
+  double max_penetration = 0;            ///< deepest overlap of any step, m; 0 where the engine does not measure it
+  double cpu_seconds = 0;                ///< processor time of building and simulating, s
+  std::uint64_t state_hash = 0;          ///< of the final poses and velocities: equal bits, equal hash
+  std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
+  Series series;                         ///< with `ScreenOptions::keep_series`, else empty
+};
+
+/// Unit of the corners of boxes.
+enum class LengthUnit : std::uint8_t { metre, centimetre };
+
+/// What a layout does that cannot be used.
+enum class BadLayouts : std::uint8_t {
+  raise,  ///< `evaluate` throws an `Error` with every problem of every layout, before anything is simulated
+  mark,   ///< its worlds have `status::bad_layout` and a message; the others are simulated
+};
+
+/// How a `Screen` works. What is absent is as `config` says.
+struct ScreenOptions {
+  std::string config;                    ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::optional<std::string> engine;     ///< such as "native"; see `engines`
+  std::optional<std::string> accuracy;   ///< of the native engine: "screening", "standard", "reference"
+  std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
+  std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
+  LengthUnit unit = LengthUnit::metre;   ///< of the corners of boxes; layout files have centimetres
+  BadLayouts bad_layouts = BadLayouts::raise;
+  bool keep_boxes = false;   ///< fill `WorldOutcome::box_outcomes`
+  bool keep_series = false;  ///< fill `WorldOutcome::series`
+};
+
+/// How `Screen::record` treats its file.
+struct RecordOptions {
+  bool series = true;        ///< write time series too
+  bool resume = false;       ///< continue a run of the same layouts that was stopped or killed
+  bool overwrite = false;    ///< replace the results of an earlier run; not together with `resume`
+  std::string command_line;  ///< noted in the file; may be empty
+};
+
+/// Evaluates layouts under a fixed set of accelerations.
+///
+/// Construction reads the settings, loads the engine and may throw `Error`; it starts no thread. A screen may be used
+/// by one thread at a time, and only `cancel` may be called by others meanwhile. Screens are independent of each other.
+/// An object that was moved from may only be destroyed or assigned to.
+class HOLDFAST_API Screen {
+ public:
+  /// @param accelerations at least one; a bad one is an `Error`
+  explicit Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options = {});
+  ~Screen();
+  Screen(Screen&&) noexcept;
+  Screen& operator=(Screen&&) noexcept;
+
+  /// Reads a layout file by the settings of this screen: a header line, then one box per line. Its boxes are in the
+  /// unit of this screen. Throws `Error`.
+  Layout read_layout(const std::string& path) const;
+
+  /// Every layout under every acceleration: one world each, layout by layout, acceleration fastest. Layouts need to
+  /// live until the call returns. Throws `Error`; worlds that are lost to `cancel` have `StopReason::not_run`.
+  std::vector<WorldOutcome> evaluate(std::span<const Layout> layouts);
+
+  /// The same into memory of the caller, whose capacity is used again.
+  void evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>& worlds);
+
+  /// The same into a results file, as `holdfast screen` writes it, with everything that a later analysis needs. What is
+  /// finished survives whatever ends the process. Throws `Error`; an existing file is one, unless told otherwise.
+  /// @return false when `cancel` ended it: the finished worlds are kept for `RecordOptions::resume`
+  bool record(std::span<const Layout> layouts, const std::string& path, const RecordOptions& options = {});
+
+  /// Ends the running call early. May be called from any thread; without a running call it does nothing.
+  void cancel() noexcept;
+
+  /// The accelerations that the screen was made with.
+  std::span<const Acceleration> accelerations() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// An engine that moves boxes.
+struct EngineInfo {
+  std::string name;      ///< as `ScreenOptions::engine` takes it
+  std::string sentence;  ///< what it is
+  std::string missing;   ///< why it cannot be used here; empty when it can
+};
+
+/// All engines that this build knows, the default first. Loads their plug-ins. May be called from any thread.
+HOLDFAST_API std::vector<EngineInfo> engines();
+
+}  // namespace holdfast

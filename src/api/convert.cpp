@@ -1,0 +1,205 @@
+#include "api/convert.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/model/acceleration_check.hpp"
+#include "core/model/layout_check.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+double metres(double length, holdfast::LengthUnit unit) {
+  // Divided as the reader of layout files does it, so that equal numbers give equal bits.
+  return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;
+}
+
+Vec3 corner(const std::array<double, 3>& numbers, holdfast::LengthUnit unit) {
+  return {metres(numbers[0], unit), metres(numbers[1], unit), metres(numbers[2], unit)};
+}
+
+/// True when the layout leaves the container, and would not if its numbers were centimetres.
+bool looks_like_centimetres(const Layout& layout, const Settings& settings) {
+  Vec3 largest = Vec3::Zero();
+  for (const Box& box : layout.boxes) largest = largest.cwiseMax(box.corner_max);
+  const Vec3& size = settings.container.size;
+  return (largest.array() > 10.0 * size.array()).any() &&
+         (largest.array() / 100.0 <= size.array() + kLayoutTolerance).all();
+}
+
+/// What is wrong with a layout beyond its geometry.
+std::vector<Error> check_numbers(const Layout& layout, holdfast::LengthUnit unit, const Settings& settings) {
+  if (layout.boxes.size() > kMostBoxes)
+    return {{.file = layout.name,
+             .what = "too many boxes",
+             .value = std::to_string(layout.boxes.size()),
+             .accepted = "at most " + std::to_string(kMostBoxes)}};
+  std::vector<Error> errors;
+  for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
+    if (layout.boxes[i].material < 0)
+      errors.push_back({.file = layout.name,
+                        .what = "the material of box " + std::to_string(i + 1) + " is not an id",
+                        .value = std::to_string(layout.boxes[i].material),
+                        .accepted = "a whole number from 0"});
+  }
+  if (unit == holdfast::LengthUnit::metre && looks_like_centimetres(layout, settings))
+    errors.push_back({.file = layout.name,
+                      .what = "the numbers seem to be centimetres, and metres are expected",
+                      .accepted = "LengthUnit::centimetre for numbers as in layout files"});
+  return errors;
+}
+
+Vec3 vector_of(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+template <class To, class From>
+std::vector<To> copied(const std::vector<From>& from, To (*convert)(const From&)) {
+  std::vector<To> to;
+  to.reserve(from.size());
+  for (const From& entry : from) to.push_back(convert(entry));
+  return to;
+}
+
+std::array<float, 3> array_of(const Float3& v) { return {v.x, v.y, v.z}; }
+std::array<float, 4> array_of(const Float4& q) { return {q.w, q.x, q.y, q.z}; }
+
+holdfast::BoxOutcome outcome_of(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
+  const BoxVerdict verdict = judge_box(end, i, thresholds);
+  return {.displacement = array_of(end.displacement[i]),
+          .tilt = end.tilt[i],
+          .kinetic_energy = end.kinetic_energy[i],
+          .peak_displacement = end.peak_displacement[i],
+          .peak_kinetic_energy = end.peak_kinetic_energy[i],
+          .fallen = verdict.fallen,
+          .moved = verdict.moved,
+          .tilted = verdict.tilted,
+          .unstable = verdict.unstable};
+}
+
+static_assert(static_cast<int>(holdfast::Verdict::failed) == static_cast<int>(Verdict::failed));
+static_assert(static_cast<int>(holdfast::Verdict::unstable) == static_cast<int>(Verdict::unstable));
+static_assert(static_cast<int>(holdfast::Verdict::fell) == static_cast<int>(Verdict::fell));
+static_assert(static_cast<int>(holdfast::Verdict::moved) == static_cast<int>(Verdict::moved));
+static_assert(static_cast<int>(holdfast::StopReason::failed) == static_cast<int>(StopReason::failed));
+static_assert(static_cast<int>(holdfast::StopReason::sleeping) == static_cast<int>(StopReason::sleeping));
+static_assert(holdfast::status::bad_layout == static_cast<std::uint32_t>(Status::bad_layout));
+static_assert(holdfast::status::bad_acceleration == static_cast<std::uint32_t>(Status::bad_acceleration));
+static_assert(holdfast::status::non_finite == static_cast<std::uint32_t>(Status::non_finite));
+static_assert(holdfast::status::not_converged == static_cast<std::uint32_t>(Status::not_converged));
+static_assert(holdfast::status::capacity == static_cast<std::uint32_t>(Status::capacity));
+static_assert(holdfast::status::too_large == static_cast<std::uint32_t>(Status::too_large));
+
+}  // namespace
+
+holdfast::Error exception_of(const std::vector<Error>& errors) {
+  return holdfast::Error(copied<holdfast::Problem, Error>(errors, [](const Error& error) {
+    return holdfast::Problem{error.file,  error.line,     error.column,   error.what,
+                             error.value, error.accepted, error.message()};
+  }));
+}
+
+ReadLayout read_layout(const holdfast::Layout& layout, holdfast::LengthUnit unit, const Settings& settings,
+                       std::vector<Error>& all) {
+  ReadLayout read;
+  read.layout.name = layout.name;
+  read.layout.boxes.reserve(layout.boxes.size());
+  for (const holdfast::Box& box : layout.boxes)
+    read.layout.boxes.push_back({corner(box.corner_min, unit), corner(box.corner_max, unit), box.material});
+  std::vector<Error> errors = check_numbers(read.layout, unit, settings);
+  if (errors.empty()) errors = check_layout(read.layout, settings, layout.name, read.warnings);
+  if (errors.empty()) return read;
+  read.layout.boxes.clear();
+  read.error = summary_of(errors);
+  all.insert(all.end(), errors.begin(), errors.end());
+  return read;
+}
+
+Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration) {
+  Acceleration read;
+  read.name = acceleration.name;
+  for (std::size_t i = 0; i < acceleration.segments.size(); ++i) {
+    const holdfast::Segment& given = acceleration.segments[i];
+    const Segment segment{given.start, given.duration, vector_of(given.acceleration)};
+    std::optional<Error> error;
+    if (const auto fault = check_segment(segment))
+      error = fault->error;
+    else
+      error = append_segment(read.segments, segment);
+    if (!error) continue;
+    error->file = acceleration.name;
+    error->what = "segment " + std::to_string(i + 1) + ": " + error->what;
+    return *error;
+  }
+  if (read.segments.empty()) return Error{.file = acceleration.name, .what = "the acceleration has no segments"};
+  return read;
+}
+
+/// The number of centimetres that gives exactly these metres when it is divided by 100, where there is one.
+static double centimetres(double metres) {
+  const double rounded = std::round(metres * 1e11) / 1e9;
+  return rounded / 100.0 == metres ? rounded : metres * 100.0;
+}
+
+holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) {
+  holdfast::Layout converted{.name = layout.name};
+  const auto number = [&](double length) {
+    return unit == holdfast::LengthUnit::centimetre ? centimetres(length) : length;
+  };
+  const auto numbers = [&](const Vec3& v) { return std::array{number(v.x()), number(v.y()), number(v.z())}; };
+  for (const Box& box : layout.boxes)
+    converted.boxes.push_back({numbers(box.corner_min), numbers(box.corner_max), box.material});
+  return converted;
+}
+
+holdfast::Acceleration public_acceleration(const Acceleration& acceleration) {
+  holdfast::Acceleration converted{.name = acceleration.name};
+  for (const Segment& segment : acceleration.segments) {
+    const Vec3& a = segment.acceleration;
+    converted.segments.push_back({segment.start, segment.duration, {a.x(), a.y(), a.z()}});
+  }
+  return converted;
+}
+
+void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool keep_boxes,
+                holdfast::WorldOutcome& world) {
+  const Outcome& outcome = record.outcome;
+  const WorldVerdict verdict =
+      judge_world(outcome.status, outcome.stop_reason, record.peak_total_kinetic_energy, record.end, thresholds);
+  const bool was_run = outcome.stop_reason != StopReason::not_run;
+  world.layout = record.layout;
+  world.acceleration = record.acceleration;
+  world.verdict = static_cast<holdfast::Verdict>(verdict.verdict);
+  world.status = static_cast<std::uint32_t>(outcome.status);
+  world.message = record.status_text;
+  world.stop_reason = static_cast<holdfast::StopReason>(outcome.stop_reason);
+  world.boxes = static_cast<std::uint32_t>(record.end.displacement.size());
+  world.fallen = was_run ? verdict.fallen_boxes : 0;
+  world.moved = was_run ? verdict.moved_boxes : 0;
+  world.tilted = was_run ? verdict.tilted_boxes : 0;
+  world.unstable = was_run ? verdict.unstable_boxes : 0;
+  world.max_displacement = was_run ? verdict.max_displacement : 0.0F;
+  world.peak_displacement = was_run ? verdict.peak_displacement : 0.0F;
+  world.total_kinetic_energy = was_run ? verdict.total_kinetic_energy : 0.0;
+  world.peak_kinetic_energy = was_run ? verdict.peak_kinetic_energy : 0.0;
+  world.end_time = outcome.end_time;
+  world.steps = outcome.counters.steps;
+  world.steps_skipped = outcome.counters.steps_skipped;
+  world.max_residual = outcome.counters.max_residual;
+  world.max_penetration = outcome.counters.max_penetration;
+  world.cpu_seconds = record.cpu_seconds;
+  world.state_hash = record.state_hash;
+  world.box_outcomes.clear();
+  for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
+    world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
+}
+
+void move_series(internal::Series&& series, holdfast::Series& to) {
+  to.time = std::move(series.time);
+  to.displacement = copied<std::array<float, 3>, Float3>(series.displacement, array_of);
+  to.orientation = copied<std::array<float, 4>, Float4>(series.orientation, array_of);
+  to.angular_velocity = copied<std::array<float, 3>, Float3>(series.angular_velocity, array_of);
+}
+
+}  // namespace holdfast::internal

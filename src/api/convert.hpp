@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/engine/run_inputs.hpp"
+#include "core/engine/world_record.hpp"
+#include "core/model/settings.hpp"
+#include "core/model/verdict.hpp"
+#include "holdfast/holdfast.hpp"
+
+/// Between the types of the public header and those inside.
+namespace holdfast::internal {
+
+/// The exception that says what these errors say.
+holdfast::Error exception_of(const std::vector<Error>& errors);
+
+/// The value, or its errors as an exception.
+template <class T>
+T value_or_throw(Result<T> result) {
+  if (!result) throw exception_of(result.errors());
+  return std::move(*result);
+}
+
+/// A layout of the caller, checked as a layout file is.
+/// @param errors gets all that is wrong with it
+ReadLayout read_layout(const holdfast::Layout& layout, holdfast::LengthUnit unit, const Settings& settings,
+                       std::vector<Error>& errors);
+
+/// An acceleration of the caller, checked as an acceleration file is.
+Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration);
+
+holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit);
+holdfast::Acceleration public_acceleration(const Acceleration& acceleration);
+
+/// Fills a world of the caller, whose memory is used again.
+void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool keep_boxes,
+                holdfast::WorldOutcome& world);
+
+/// Moves the series into a world of the caller.
+void move_series(internal::Series&& series, holdfast::Series& to);
+
+}  // namespace holdfast::internal

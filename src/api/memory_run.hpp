@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/engine/result_sink.hpp"
+#include "core/engine/run_inputs.hpp"
+#include "core/model/verdict.hpp"
+#include "holdfast/holdfast.hpp"
+
+namespace holdfast::internal {
+
+/// Layouts of a call, in memory.
+class MemoryLayouts final : public LayoutSource {
+ public:
+  explicit MemoryLayouts(std::vector<ReadLayout> layouts) : layouts_(std::move(layouts)) {}
+
+  std::size_t count() const override { return layouts_.size(); }
+  const std::string& label(std::size_t layout) const override { return layouts_[layout].layout.name; }
+  std::shared_ptr<const ReadLayout> take(std::size_t layout, std::size_t /*takers*/) override {
+    return {std::shared_ptr<void>(), &layouts_[layout]};  // owned by this, which outlives the run
+  }
+
+ private:
+  std::vector<ReadLayout> layouts_;
+};
+
+/// Puts what becomes of worlds into memory of the caller.
+class MemorySink final : public ResultSink {
+ public:
+  /// @param worlds one per world of the run, in its order
+  MemorySink(std::span<holdfast::WorldOutcome> worlds, std::size_t acceleration_count, const Thresholds& thresholds,
+             bool keep_boxes)
+      : worlds_(worlds), acceleration_count_(acceleration_count), thresholds_(thresholds), keep_boxes_(keep_boxes) {}
+
+  std::unique_ptr<SinkUnit> place(UnitRecord& unit) override;
+
+ private:
+  std::span<holdfast::WorldOutcome> worlds_;
+  std::size_t acceleration_count_;
+  Thresholds thresholds_;
+  bool keep_boxes_;
+};
+
+}  // namespace holdfast::internal

@@ -1,0 +1,179 @@
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "holdfast/holdfast.hpp"
+#include "io/results/results_reader.hpp"
+
+namespace {
+
+using holdfast::Layout;
+using holdfast::LengthUnit;
+using holdfast::Screen;
+using holdfast::Verdict;
+using holdfast::WorldOutcome;
+
+/// A container at constant acceleration along x for a second, m/s².
+holdfast::Acceleration constant(double acceleration, const char* name = "constant") {
+  return {name, {{0.0, 1.0, {acceleration, 0.0, 0.0}}}};
+}
+
+/// One box of 0.5 m a side in the middle of the floor.
+Layout one_box(const char* name = "one") { return {name, {{{2.0, 1.0, 0.0}, {2.5, 1.5, 0.5}, 1}}}; }
+
+Layout sample() { return Screen({constant(1.0)}).read_layout(HOLDFAST_SOURCE_DIR "/configs/layouts/seed_example.txt"); }
+
+}  // namespace
+
+TEST_CASE("screen: a box stays below its limit of friction and slides by Coulomb's law above it", "[api][screen]") {
+  Screen screen({constant(4.8, "below"), constant(7.0, "above")});
+  const std::vector<Layout> layouts = {one_box()};
+  const std::vector<WorldOutcome> worlds = screen.evaluate(layouts);
+  REQUIRE(worlds.size() == 2);
+  CHECK(worlds[0].verdict == Verdict::stayed);
+  CHECK(worlds[0].max_displacement == 0.0F);
+  CHECK(worlds[0].stop_reason == holdfast::StopReason::timeout);
+  CHECK(worlds[1].acceleration == 1);
+  CHECK(worlds[1].verdict == Verdict::moved);
+  // The friction coefficient of a box on the floor is 0.5: (7 − 0.5 · 9.81) / 2 · 1 s².
+  CHECK(worlds[1].max_displacement == Approx(0.5 * (7.0 - 0.5 * 9.81)).epsilon(1e-3));
+  CHECK(worlds[1].boxes == 1);
+  CHECK(worlds[1].moved == 1);
+}
+
+TEST_CASE("screen: results depend neither on threads, nor on the batch, nor on earlier calls", "[api][screen]") {
+  const std::vector<Layout> layouts = {sample(), one_box(), sample()};
+  const std::vector<holdfast::Acceleration> accelerations = {constant(3.0), constant(8.0)};
+  Screen serial(accelerations, {.accuracy = "screening", .scheduler = "serial"});
+  Screen parallel(accelerations, {.accuracy = "screening", .threads = 3});
+  const std::vector<WorldOutcome> expected = serial.evaluate(layouts);
+  REQUIRE(expected.size() == 6);
+  CHECK(expected[0].state_hash == expected[4].state_hash);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const std::vector<WorldOutcome> worlds = parallel.evaluate(layouts);
+    for (std::size_t i = 0; i < worlds.size(); ++i) CHECK(worlds[i].state_hash == expected[i].state_hash);
+  }
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    const std::vector<WorldOutcome> alone = parallel.evaluate({&layouts[i], 1});
+    for (std::size_t j = 0; j < 2; ++j) CHECK(alone[j].state_hash == expected[2 * i + j].state_hash);
+  }
+}
+
+TEST_CASE("screen: boxes and series are there on request, and agree with the verdict", "[api][screen]") {
+  Screen screen({constant(7.0)}, {.keep_boxes = true, .keep_series = true});
+  const std::vector<Layout> layouts = {sample()};
+  const WorldOutcome world = screen.evaluate(layouts)[0];
+  REQUIRE(world.box_outcomes.size() == world.boxes);
+  std::uint32_t moved = 0;
+  for (const holdfast::BoxOutcome& box : world.box_outcomes) moved += box.moved ? 1U : 0U;
+  CHECK(moved == world.moved);
+  REQUIRE(world.series.time.size() > 2);
+  CHECK(world.series.time.front() == 0.0);
+  CHECK(world.series.time.back() == world.end_time);
+  const std::size_t rows = world.series.time.size() * world.boxes;
+  REQUIRE(world.series.displacement.size() == rows);
+  REQUIRE(world.series.orientation.size() == rows);
+  for (std::size_t box = 0; box < world.boxes; ++box)
+    CHECK(world.series.displacement[rows - world.boxes + box] == world.box_outcomes[box].displacement);
+}
+
+TEST_CASE("screen: centimetres give the bits of a layout file, and metres that look like them are refused",
+          "[api][screen]") {
+  const char* const path = HOLDFAST_SOURCE_DIR "/configs/layouts/seed_example.txt";
+  Screen metres({constant(8.0)});
+  Screen centimetres({constant(8.0)}, {.unit = LengthUnit::centimetre});
+  const std::vector<Layout> in_metres = {metres.read_layout(path)};
+  const std::vector<Layout> in_centimetres = {centimetres.read_layout(path)};
+  CHECK(in_centimetres[0].boxes[0].corner_max[0] == std::round(in_centimetres[0].boxes[0].corner_max[0]));
+  CHECK(metres.evaluate(in_metres)[0].state_hash == centimetres.evaluate(in_centimetres)[0].state_hash);
+  CHECK_THROWS_WITH(metres.evaluate(in_centimetres), Catch::Contains("seem to be centimetres"));
+}
+
+TEST_CASE("screen: a bad layout raises with layout, box and value, or is marked and leaves the others alone",
+          "[api][screen]") {
+  Layout bad = one_box("bad one");
+  bad.boxes.push_back(bad.boxes[0]);
+  const std::vector<Layout> layouts = {one_box(), bad};
+  Screen strict({constant(1.0)});
+  try {
+    strict.evaluate(layouts);
+    FAIL("nothing was thrown");
+  } catch (const holdfast::Error& error) {
+    REQUIRE(error.problems().size() == 1);
+    CHECK(error.problems()[0].file == "bad one");
+    CHECK(error.problems()[0].what == "box 2 overlaps box 1");
+    CHECK(error.problems()[0].value == "500 mm deep");
+  }
+  Screen tolerant({constant(1.0)}, {.bad_layouts = holdfast::BadLayouts::mark});
+  const std::vector<WorldOutcome> worlds = tolerant.evaluate(layouts);
+  CHECK(worlds[0].verdict == Verdict::stayed);
+  CHECK(worlds[1].verdict == Verdict::failed);
+  CHECK(worlds[1].status == holdfast::status::bad_layout);
+  CHECK(worlds[1].stop_reason == holdfast::StopReason::not_run);
+  CHECK(worlds[1].fallen == 0);
+  CHECK_THAT(worlds[1].message, Catch::Contains("overlaps"));
+}
+
+TEST_CASE("screen: what cannot be used is an error when the screen is made", "[api][screen]") {
+  CHECK_THROWS_WITH(Screen(std::vector<holdfast::Acceleration>()), Catch::Contains("at least one acceleration"));
+  CHECK_THROWS_WITH(Screen({holdfast::Acceleration{"none", {}}}),
+                    Catch::Contains("none: the acceleration has no segments"));
+  CHECK_THROWS_WITH(Screen({constant(1e5)}), Catch::Contains("segment 1: ax is too large"));
+  CHECK_THROWS_WITH(Screen({constant(1.0)}, {.engine = "warp"}), Catch::Contains("accepted are native, bullet"));
+  CHECK_THROWS_WITH(Screen({constant(1.0)}, {.accuracy = "perfect"}), Catch::Contains("unknown accuracy: perfect"));
+  CHECK_THROWS_WITH(Screen({constant(1.0)}, {.config = "[Container]\nLenght = 3\n"}), Catch::Contains("config:2"));
+  CHECK_THROWS_WITH(holdfast::read_acceleration("/nowhere.txt"), Catch::Contains("/nowhere.txt: cannot be read"));
+}
+
+TEST_CASE("screen: cancel ends a call from another thread, and the next call is whole", "[api][screen]") {
+  Screen screen({constant(8.0)}, {.accuracy = "reference", .threads = 2});
+  const std::vector<Layout> layouts(20, sample());
+  std::atomic<bool> done = false;
+  std::thread canceller([&] {
+    while (!done) screen.cancel();
+  });
+  const std::vector<WorldOutcome> worlds = screen.evaluate(layouts);
+  done = true;
+  canceller.join();
+  REQUIRE(worlds.size() == 20);
+  CHECK(worlds.back().stop_reason == holdfast::StopReason::not_run);
+  CHECK(worlds.back().verdict == Verdict::failed);
+  const std::vector<Layout> one = {one_box()};
+  CHECK(screen.evaluate(one)[0].stop_reason == holdfast::StopReason::timeout);
+}
+
+TEST_CASE("screen: a record is the results file of the same verdicts, resumed or refused when it is there",
+          "[api][screen]") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "holdfast_screen_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "results.h5").string();
+  Screen screen({constant(3.0), constant(8.0)}, {.accuracy = "screening"});
+  const std::vector<Layout> layouts = {sample(), one_box()};
+  CHECK(screen.record(layouts, path));
+  const std::vector<WorldOutcome> expected = screen.evaluate(layouts);
+  auto results = holdfast::internal::ResultsReader::open(path);
+  REQUIRE(results);
+  const auto rows = results->worlds(0, 4);
+  REQUIRE(rows);
+  for (std::size_t i = 0; i < 4; ++i) CHECK((*rows)[i].state_hash == expected[i].state_hash);
+  CHECK(results->info().layouts == std::vector<std::string>{"seed_example.txt", "one"});
+  CHECK_THROWS_WITH(screen.record(layouts, path), Catch::Contains("exists already"));
+  CHECK(screen.record(layouts, path, {.resume = true}));
+  CHECK_THROWS_WITH(screen.record({&layouts[1], 1}, path, {.resume = true}), Catch::Contains("layouts"));
+  CHECK(screen.record({&layouts[1], 1}, path, {.overwrite = true}));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("screen: engines are listed, the default first, and the version is that of the header", "[api][screen]") {
+  CHECK(holdfast::engines().front().name == "native");
+  CHECK(holdfast::engines().front().missing.empty());
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  REQUIRE(std::sscanf(holdfast::version(), "%d.%d.%d", &major, &minor, &patch) == 3);
+  CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
+}

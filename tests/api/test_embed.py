@@ -1,0 +1,78 @@
+"""The installed package from outside: another project finds the library, builds against it, and gets the bits that the
+program gets."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ["HOLDFAST_BUILD"])
+ACCELERATION = SOURCE / "configs/accelerations/road_brake_0g8.txt"
+LAYOUTS = sorted((SOURCE / "configs/layouts").glob("*.txt"))
+
+
+def done(*words, **options):
+    """Output of a command that must succeed."""
+    result = subprocess.run([str(word) for word in words], capture_output=True, text=True, **options)
+    if result.returncode != 0:
+        raise AssertionError(f"{words}\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+class InstalledTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="holdfast_embed_"))
+        cls.prefix = cls.folder / "prefix"
+        done("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        cls.library = next(cls.prefix.rglob("libholdfast.so")).parent
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def screened(self):
+        """Verdicts and hashes by the installed program."""
+        lines = done(self.prefix / "bin/holdfast", "screen", "--quiet", "--json", "--accuracy", "screening", "--no-series",
+                     "--layouts", *LAYOUTS, "--accelerations", ACCELERATION, "-o", "results.h5", "--overwrite",
+                     cwd=self.folder).splitlines()
+        worlds = map(json.loads, lines)
+        return [f"{w['layout']} {w['acceleration']} {w['verdict']} {w['state_hash']}" for w in worlds]
+
+    def test_an_embedding_project_gets_the_bits_of_the_program(self):
+        build = self.folder / "embed"
+        done("cmake", "-S", SOURCE / "examples/embed", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        done("cmake", "--build", build)
+        self.assertEqual(done(build / "embed", ACCELERATION, *LAYOUTS).splitlines(), self.screened())
+
+    def test_pkg_config_tells_how_to_build(self):
+        environment = dict(os.environ, PKG_CONFIG_PATH=str(self.library / "pkgconfig"))
+        # The package is configured for the prefix of the build; here it lies elsewhere.
+        flags = done("pkg-config", f"--define-variable=prefix={self.prefix}",
+                     f"--define-variable=libdir={self.library}", f"--define-variable=includedir={self.prefix}/include",
+                     "--cflags", "--libs", "holdfast", env=environment).split()
+        program = self.folder / "embed_by_pkg_config"
+        done("c++", "-std=c++20", SOURCE / "examples/embed/main.cpp", *flags, f"-Wl,-rpath,{self.library}", "-o", program)
+        self.assertEqual(len(done(program, ACCELERATION, LAYOUTS[0]).splitlines()), 1)
+
+    def test_only_the_header_is_installed_and_shown(self):
+        headers = [path.name for path in (self.prefix / "include").rglob("*") if path.is_file()]
+        self.assertEqual(headers, ["holdfast.hpp"])
+        names = done("nm", "-DC", "--defined-only", self.library / "libholdfast.so").splitlines()
+        own = [name.split(" ", 2)[2] for name in names if "holdfast" in name]
+        self.assertTrue(own)
+        self.assertEqual([name for name in own if "holdfast::internal" in name], [])
+
+    def test_plugins_are_found_beside_the_library(self):
+        listed = done(self.prefix / "bin/holdfast", "engines")
+        for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
+            line = next(line for line in listed.splitlines() if line.startswith(name))
+            self.assertNotIn("missing", line)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])
