@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format dependencies build program
+.PHONY: help demo test bench fuzz lint format docs dependencies build program
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -23,6 +23,8 @@ test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)
 
 bench: program  ## Measure throughput on this machine
+	@$(INSTALL) --test
+	cmake --build --preset release -j $(JOBS) --target holdfast_plugins
 	$(PYTHON) bench/candidates.py 64 build/bench/candidates --boxes 20 150
 	build/release/bin/holdfast bench --layouts build/bench/candidates --accelerations configs/accelerations/road_brake_0g8.txt \
 	  --engine bullet-stock --classes 50 100 --csv build/bench/measured.csv
@@ -52,13 +54,19 @@ format:  ## Format all sources in place
 	@$(INSTALL) --dev
 	git ls-files -z --cached --others --exclude-standard '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
 
-dependencies:  ## Install the packages that building and running need
-	@$(INSTALL)
+docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
+	build/release/bin/holdfast --config-page > docs/config.md
+	build/release/bin/holdfast --results-page > docs/results_file.md
+	! command -v dot > /dev/null || dot -Tsvg docs/world_flow.dot -o docs/world_flow.svg
+
+dependencies:  ## Install the packages that building, tests, examples and benchmarks need
+	@$(INSTALL) --test
 
 build: dependencies  ## Build everything into build/release
 	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
 	cmake --build --preset release -j $(JOBS)
 
-program: dependencies  ## Build the program and its plug-ins alone, without the tests, into build/release
-	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
+program:  ## Build the program alone, without plug-ins and tests, into build/release
+	@$(INSTALL)
+	@cmake --preset release -DBUILD_TESTING=OFF > /dev/null
 	cmake --build --preset release -j $(JOBS) --target holdfast

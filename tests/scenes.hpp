@@ -72,6 +72,13 @@ struct Run {
   Vec3 displacement(std::size_t i = 0) const { return state.position[i] - start[i]; }
 };
 
+/// Takes a world forward by what the engine does at once towards the end of the phase; returns the time reached, s.
+inline double advance(Simulation& simulation, std::size_t world, const Phase& phase) {
+  AdvanceRequest request{world, phase, phase.end};
+  simulation.advance({&request, 1});
+  return request.reached;
+}
+
 /// The worlds of every pair.
 inline WorldBatch batch_of(std::span<const Layout> layouts, std::span<const Acceleration* const> accelerations,
                            const Settings& settings) {

@@ -36,14 +36,14 @@ class ScriptedEngine final : public Engine {
   }
 
  private:
-  class ScriptedSimulation final : public Simulation {
+  class ScriptedSimulation final : public SteppedSimulation {
    public:
     ScriptedSimulation(const WorldBatch& batch, const Script& script)
         : worlds_(batch.worlds), state_(batch.state), script_(script), counters_(batch.worlds.size()) {
       time_.resize(batch.worlds.size());
     }
 
-    double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
+    double step(std::size_t world, const Phase& phase) override {
       const StepPlan plan(phase, script_.steps_per_second);
       double& time = time_[world];
       if (counters_[world].steps == 0) time = phase.begin;

@@ -43,6 +43,7 @@ RULES = {
 # Libraries that are kept to the files that match, so that they can be replaced there.
 KEPT_TO = {
     "Highway": r"src/core/native/solver/(\w+_kernels\.cpp|instruction_sets\.cpp|pack-inl\.hpp)",
+    "CLI11": r"src/app/command_line\.cpp",
     "Bullet3OpenCL": r"src/parallel/opencl/bullet3_pipeline\.cpp",
     "ThreadSanitizer": r"src/parallel/schedulers/tsan_annotations\.hpp",
 }

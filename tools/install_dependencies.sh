@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what holdfast needs from the packages of Debian 12: only what is missing, nothing when all is there.
-#   tools/install_dependencies.sh          to build, run and test
-#   tools/install_dependencies.sh --dev    and what lint and the Clang build need
+#   tools/install_dependencies.sh           to build and run
+#   tools/install_dependencies.sh --test    and what tests, examples and benchmarks need
+#   tools/install_dependencies.sh --dev     and what lint and the Clang build need
 set -euo pipefail
 
 packages=(
@@ -11,12 +12,10 @@ packages=(
   pkg-config         # finds the libraries that bring no CMake files
   libbullet-dev      # Bullet, the rigid-body engine behind the plug-ins, in single and double precision
   ocl-icd-opencl-dev # OpenCL's headers and loader, for Bullet's OpenCL pipeline (in libbullet-dev)
-  pocl-opencl-icd    # PoCL, the processor as an OpenCL device where there is no GPU
   libtbb-dev         # oneTBB, spreads worlds over cores
   libeigen3-dev      # Eigen, vectors and rotations
   libhwy-dev         # Highway, SIMD of the native engine, chosen for the CPU at run time
   libhdf5-dev        # HDF5, the format of the results file
-  hdf5-tools         # h5dump and h5ls, to look into a results file; tests read with them
   libfmt-dev         # fmt, messages and text files (GCC 12 has no <format>)
   libinih-dev        # inih, reads config.ini
   libcli11-dev       # CLI11, the command line
@@ -24,7 +23,11 @@ packages=(
   libssl-dev         # SHA-256 of the inputs
   libdeflate-dev     # compresses chunks of the results file on the workers
   zlib1g-dev         # compresses chunks that are nearly empty
+)
+test_packages=(
   catch2             # Catch2 2.13, the tests
+  pocl-opencl-icd    # PoCL, the processor as an OpenCL device where there is no GPU
+  hdf5-tools         # h5dump and h5ls, to look into a results file; tests read with them
   python3            # the checks in tools/, benchmarks and examples
   python3-h5py       # the tests read results files as a user would
   python3-scipy      # the linear programs that tests compare the proof of rest with
@@ -42,9 +45,10 @@ dev_packages=(
 
 case "${1-}" in
   '') ;;
-  --dev) packages+=("${dev_packages[@]}") ;;
-  -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
-  *) echo "$0: unknown option: $1; accepted: --dev, --help" >&2; exit 2 ;;
+  --test) packages+=("${test_packages[@]}") ;;
+  --dev) packages+=("${test_packages[@]}" "${dev_packages[@]}") ;;
+  -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
+  *) echo "$0: unknown option: $1; accepted: --test, --dev, --help" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then

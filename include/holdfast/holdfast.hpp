@@ -19,11 +19,9 @@
 /// version; the changelog says so.
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -247,6 +245,50 @@ class HOLDFAST_API Screen {
 
   /// The accelerations that the screen was made with.
   std::span<const Acceleration> accelerations() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Where a box is.
+struct Pose {
+  std::array<double, 3> position = {};               ///< of the centre of mass, m
+  std::array<double, 4> orientation = {1, 0, 0, 0};  ///< quaternion w x y z, container from body
+};
+
+/// A key of config.ini and its value, such as {"Native", "Accuracy", "screening"}.
+struct Setting {
+  std::string section, key, value;
+};
+
+/// One layout under one acceleration, taken forward as far as the caller wants: for pictures, and for analyses of one's
+/// own. It needs neither files nor threads and is part of `holdfast::core` too, which has the engines that are no
+/// plug-ins. Objects are independent of each other; one is used by one thread at a time. At the end its hash is that of
+/// the same world of a `Screen`.
+class HOLDFAST_API World {
+ public:
+  /// Throws `Error` when a setting, the layout or the acceleration cannot be used.
+  /// @param layout corners in `unit`
+  World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
+        LengthUnit unit = LengthUnit::metre);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Takes the world forward until it has reached `time`, s, or its end. Times that have passed change nothing.
+  void advance(double time);
+
+  /// The time that `advance` was asked for last, or the end, s. It starts at 0, after settling.
+  double time() const noexcept;
+  /// Time at which the world ends, s.
+  double end_time() const noexcept;
+
+  /// Where the boxes are at `time()`, in the order of the layout: interpolated between the steps around it.
+  std::vector<Pose> poses() const;
+
+  /// Of poses and velocities at the last step end: equal bits, equal hash.
+  std::uint64_t state_hash() const;
 
  private:
   struct State;

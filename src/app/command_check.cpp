@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -14,11 +13,6 @@
 namespace holdfast::internal {
 
 namespace {
-
-struct CheckOptions {
-  std::optional<std::string> config_path;
-  std::vector<std::string> paths;
-};
 
 /// What is wrong with a file, and in a few words what it is.
 struct Finding {
@@ -62,7 +56,9 @@ Finding check_file(const InputFile& input, const Settings& settings) {
   return finding;
 }
 
-ExitCode check(const CheckOptions& options) {
+}  // namespace
+
+ExitCode run_check_command(const CheckOptions& options) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   std::vector<Error> warnings;
@@ -80,23 +76,6 @@ ExitCode check(const CheckOptions& options) {
   }
   if (bad > 0) print_to(stderr, "{} of {} files are bad\n", bad, inputs->size());
   return bad == 0 ? ExitCode::done : ExitCode::bad_usage;
-}
-
-}  // namespace
-
-void add_check_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command =
-      program.add_subcommand("check", "Check inputs without simulating: layouts, accelerations, configs");
-  command->footer(
-      "Example:\n"
-      "  holdfast check configs/layouts configs/accelerations configs/demo.ini");
-  auto options = std::make_shared<CheckOptions>();
-  command->add_option("paths", options->paths, "Files, folders, or - for a list on standard input")
-      ->required()
-      ->type_name("PATH");
-  command->add_option("-c,--config", options->config_path, "Configuration that gives container and axes")
-      ->type_name("FILE");
-  command->callback([options, &chosen] { chosen.run = [options] { return check(*options); }; });
 }
 
 }  // namespace holdfast::internal

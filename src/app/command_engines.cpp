@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +19,9 @@ std::optional<Error> why_missing(const EngineEntry& entry, bool devices) {
   return engine ? std::nullopt : std::optional(engine.error());
 }
 
-ExitCode list_engines(bool devices) {
+}  // namespace
+
+ExitCode run_engines_command(bool devices) {
   for (const EngineEntry& entry : engine_registry()) {
     const std::optional<Error> missing = why_missing(entry, devices);
     print_to(stdout, "{:<14} {}\n", entry.name, missing ? "missing: " + missing->message() : entry.sentence);
@@ -30,16 +31,6 @@ ExitCode list_engines(bool devices) {
     for (const std::string& line : lines) print_to(stdout, "{:<14}   {}\n", "", line);
   }
   return ExitCode::done;
-}
-
-}  // namespace
-
-void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("engines", "List the engines, and why one cannot be used");
-  command->footer("Example:\n  holdfast engines --devices");
-  auto devices = std::make_shared<bool>(false);
-  command->add_flag("--devices", *devices, "Also list the devices of engines that run on some; can take seconds");
-  command->callback([devices, &chosen] { chosen.run = [devices] { return list_engines(*devices); }; });
 }
 
 }  // namespace holdfast::internal

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
@@ -11,11 +10,6 @@
 namespace holdfast::internal {
 
 namespace {
-
-struct ConfigRunOptions {
-  std::string config_path;
-  RunOptions run;
-};
 
 /// The inputs that a configuration names: its batch folder, or its single pair.
 Result<BatchFolder> inputs_of(const Config& config, std::vector<Error>& warnings) {
@@ -33,7 +27,9 @@ Result<BatchFolder> inputs_of(const Config& config, std::vector<Error>& warnings
   return BatchFolder{*layouts, *accelerations};
 }
 
-ExitCode run(const ConfigRunOptions& options, const std::string& command_line) {
+}  // namespace
+
+ExitCode run_run_command(const ConfigRunOptions& options, const std::string& command_line) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   std::vector<Error> warnings;
@@ -62,21 +58,6 @@ ExitCode run(const ConfigRunOptions& options, const std::string& command_line) {
   if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   if (!job.text_folder && job.record_series) job.text_folder = folder.string();
   return run_screening(job);
-}
-
-}  // namespace
-
-void add_run_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("run", "Do what a config.ini says: a batch folder or a single pair");
-  command->footer(
-      "Results and text files go to SavePath.\n\n"
-      "Example:\n"
-      "  holdfast run configs/free_container.ini");
-  auto options = std::make_shared<ConfigRunOptions>();
-  command->add_option("config", options->config_path, "Configuration")->required()->type_name("FILE");
-  options->run.add_to(*command);
-  command->callback(
-      [options, &chosen] { chosen.run = [options, &chosen] { return run(*options, chosen.command_line); }; });
 }
 
 }  // namespace holdfast::internal

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -13,19 +12,13 @@ namespace holdfast::internal {
 
 namespace {
 
-struct ScreenOptions {
-  std::optional<std::string> config_path;
-  std::vector<std::string> layouts;
-  std::vector<std::string> accelerations;
-  std::string results_path = "results.h5";
-  RunOptions run;
-};
-
 bool is_listed(const std::vector<std::string>& paths) {
   return std::find(paths.begin(), paths.end(), "-") != paths.end();
 }
 
-ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
+}  // namespace
+
+ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   if (options.results_path.empty())
@@ -51,26 +44,6 @@ ExitCode screen(const ScreenOptions& options, const std::string& command_line) {
   job.command_line = command_line;
   if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   return run_screening(job);
-}
-
-}  // namespace
-
-void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("screen", "Simulate every layout under every acceleration");
-  command->footer(
-      "PATH is a regular file, a folder, or - for a list of paths on standard input.\n\n"
-      "Example:\n"
-      "  holdfast screen -c configs/demo.ini --layouts configs/layouts --accelerations configs/accelerations "
-      "-o results.h5");
-  auto options = std::make_shared<ScreenOptions>();
-  command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
-      ->type_name("FILE");
-  command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
-  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
-  command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
-  options->run.add_to(*command);
-  command->callback(
-      [options, &chosen] { chosen.run = [options, &chosen] { return screen(*options, chosen.command_line); }; });
 }
 
 }  // namespace holdfast::internal

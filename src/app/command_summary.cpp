@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -15,23 +14,6 @@
 namespace holdfast::internal {
 
 namespace {
-
-struct SummaryOptions {
-  std::string results_path;
-  std::optional<double> drop, move, tilt;
-  std::optional<std::string> csv_folder;
-  std::optional<std::string> output_path;
-};
-
-/// Has an option take what the configuration's key takes.
-CLI::Validator as_in_config(const char* section, const char* name) {
-  const SettingKey& key = *find_setting(section, name);
-  return {[&key](const std::string& text) {
-            Settings ignored;
-            return key.set(ignored, 0, text) ? "" : fmt::format("{}; accepted is {}", text, key.accepted);
-          },
-          ""};
-}
 
 ExitCode summarise(const SummaryOptions& options) {
   const Result<ResultsReader> results = ResultsReader::open(options.results_path);
@@ -71,30 +53,9 @@ ExitCode summarise(const SummaryOptions& options) {
 
 }  // namespace
 
-void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("summary", "Judge a results file again, with other thresholds if given");
-  command->footer(
-      "The results file itself is never changed.\n\n"
-      "Example:\n"
-      "  holdfast summary results.h5 --move-threshold 0.05 --csv tables/");
-  auto options = std::make_shared<SummaryOptions>();
-  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
-  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")
-      ->check(as_in_config("Simulation Settings", "DropThreshold"));
-  command->add_option("--move-threshold", options->move, "Moved when displaced by more, m")
-      ->check(as_in_config("Screening", "MoveThreshold"));
-  command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
-      ->check(as_in_config("Screening", "TiltThreshold"));
-  command->add_option("--csv", options->csv_folder, "Write worlds.csv and boxes.csv into this folder")
-      ->type_name("DIR");
-  command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
-      ->type_name("FILE");
-  command->callback([options, &chosen] {
-    chosen.run = [options] {
-      return guard_reading(
-          options->results_path, [&] { return summarise(*options); }, "simulate again");
-    };
-  });
+ExitCode run_summary_command(const SummaryOptions& options) {
+  return guard_reading(
+      options.results_path, [&] { return summarise(options); }, "simulate again");
 }
 
 }  // namespace holdfast::internal

@@ -1,27 +1,74 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/exit_code.hpp"
+#include "app/run_options.hpp"
 
+/// What each command takes from the command line, and what does it; one source file per command.
 namespace holdfast::internal {
 
-/// What the chosen command does, once the command line is read. Set by the command's callback.
-struct ChosenCommand {
-  std::function<ExitCode()> run;
-  std::string command_line;  ///< as typed
+struct ScreenOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> layouts;
+  std::vector<std::string> accelerations;
+  std::string results_path = "results.h5";
+  RunOptions run;
 };
+/// @param command_line as typed; the results file keeps it
+ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line);
 
-/// Each adds one command to the program's command line; a file a command. The options live as long as the
-/// program's callback.
-void add_screen_command(CLI::App& program, ChosenCommand& chosen);
-void add_run_command(CLI::App& program, ChosenCommand& chosen);
-void add_summary_command(CLI::App& program, ChosenCommand& chosen);
-void add_check_command(CLI::App& program, ChosenCommand& chosen);
-void add_bench_command(CLI::App& program, ChosenCommand& chosen);
-void add_validate_command(CLI::App& program, ChosenCommand& chosen);
-void add_engines_command(CLI::App& program, ChosenCommand& chosen);
+struct ConfigRunOptions {
+  std::string config_path;
+  RunOptions run;
+};
+ExitCode run_run_command(const ConfigRunOptions& options, const std::string& command_line);
+
+struct SummaryOptions {
+  std::string results_path;
+  std::optional<double> drop, move, tilt;  ///< thresholds, m, m and degrees; absent: those of the file
+  std::optional<std::string> csv_folder;
+  std::optional<std::string> output_path;
+};
+ExitCode run_summary_command(const SummaryOptions& options);
+
+struct CheckOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> paths;
+};
+ExitCode run_check_command(const CheckOptions& options);
+
+struct BenchOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> layouts;
+  std::vector<std::string> accelerations;
+  std::vector<std::string> engines;
+  std::vector<int> threads;
+  std::vector<std::size_t> classes;  ///< numbers of boxes at which layouts are divided into classes
+  int repeats = 3;
+  std::optional<std::string> folder;
+  std::optional<std::string> csv_path;
+};
+ExitCode run_bench_command(const BenchOptions& options);
+
+struct ValidateOptions {
+  std::vector<std::string> engines;  ///< empty: all, as are suites
+  std::vector<std::string> suites;
+  std::optional<std::string> case_name;
+  std::vector<std::string> layouts = {"configs/layouts"};
+  bool quick = false;
+  bool json = false;
+  int threads = 0;  ///< 0: one per core
+  std::optional<std::string> folder;
+  std::optional<std::string> bounds_path;
+  std::optional<std::string> record_path;
+};
+ExitCode run_validate_command(const ValidateOptions& options);
+
+/// @param devices also look for the devices of engines that run on some
+ExitCode run_engines_command(bool devices);
 
 }  // namespace holdfast::internal

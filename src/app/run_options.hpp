@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -22,8 +21,6 @@ struct RunOptions {
   bool overwrite = false;
   bool json = false;
   bool quiet = false;
-
-  void add_to(CLI::App& command);
 
   /// Puts what was given into the job, or says what is wrong with it.
   std::optional<Error> apply_to(ScreeningJob& job) const;

@@ -8,20 +8,19 @@ namespace holdfast::internal {
 namespace {
 
 /// Worlds are built when they are first advanced and share nothing.
-class BulletSimulation final : public Simulation {
+class BulletSimulation final : public SteppedSimulation {
  public:
   BulletSimulation(const WorldBatch& batch, const Settings& settings, const BulletPreset& preset) {
     for (const World& world : batch.worlds)
       worlds_.push_back(std::make_unique<BulletWorld>(batch, world, settings, preset));
   }
 
-  double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
-    return worlds_[world]->advance(phase);
-  }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
 
  private:
+  double step(std::size_t world, const Phase& phase) override { return worlds_[world]->advance(phase); }
+
   std::vector<std::unique_ptr<BulletWorld>> worlds_;
 };
 

@@ -105,7 +105,7 @@ inline void watch(const Engine& engine, const Layout& layout, const Acceleration
   for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     if (begin) begin(batch, phase);
     for (double time = phase.begin; time < phase.end;) {
-      time = simulation->advance(0, phase, phase.end);
+      time = scenes::advance(*simulation, 0, phase);
       simulation->read_back(0, batch.state);
       look(batch, phase);
     }

@@ -113,7 +113,7 @@ TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each 
   while (time[0] < phase.end || time[1] < phase.end) {
     for (std::size_t world = 0; world < 2; ++world) {
       if (time[world] >= phase.end) continue;
-      time[world] = simulation->advance(world, phase, phase.end);
+      time[world] = scenes::advance(*simulation, world, phase);
     }
   }
   for (std::size_t world = 0; world < 2; ++world) {

@@ -18,11 +18,11 @@ class Drifting final : public Engine {
   }
 
  private:
-  class Drift final : public Simulation {
+  class Drift final : public SteppedSimulation {
    public:
     Drift(const WorldBatch& batch, double step)
         : worlds_(batch.worlds), state_(batch.state), time_(batch.worlds.size(), 0.0), step_(step) {}
-    double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
+    double step(std::size_t world, const Phase& phase) override {
       const double end = std::min(time_[world] + step_, phase.end);
       const World& range = worlds_[world];
       for (std::size_t i = range.box_begin; i < range.box_begin + range.box_count; ++i)

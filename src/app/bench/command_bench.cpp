@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "api/engine_loader.hpp"
@@ -22,18 +21,6 @@
 namespace holdfast::internal {
 
 namespace {
-
-struct BenchOptions {
-  std::optional<std::string> config_path;
-  std::vector<std::string> layouts;
-  std::vector<std::string> accelerations;
-  std::vector<std::string> engines;
-  std::vector<int> threads;
-  std::vector<std::size_t> classes;
-  int repeats = 3;
-  std::optional<std::string> folder;
-  std::optional<std::string> csv_path;
-};
 
 /// A folder for results, gone when the benchmark ends.
 class ScratchFolder {
@@ -103,7 +90,9 @@ std::vector<BenchRow> all_rows(const BenchOptions& options, const std::vector<st
   return rows;
 }
 
-ExitCode bench(const BenchOptions& options) {
+}  // namespace
+
+ExitCode run_bench_command(const BenchOptions& options) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   std::vector<Error> warnings;
@@ -151,43 +140,6 @@ ExitCode bench(const BenchOptions& options) {
       return fail(ExitCode::some_failed, *error);
   }
   return ExitCode::done;
-}
-
-}  // namespace
-
-void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("bench", "Measure how fast this machine screens");
-  command->footer(
-      "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
-      "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
-      "Example:\n"
-      "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
-      "--engine native bullet --threads 1 2");
-  auto options = std::make_shared<BenchOptions>();
-  const int cores = thread_count(0);
-  options->engines = {Settings{}.screening.engine};
-  options->threads = cores > 1 ? std::vector{1, cores} : std::vector{1};
-  command->add_option("-c,--config", options->config_path, "Configuration of all runs")->type_name("FILE");
-  command->add_option("--layouts", options->layouts, "Layouts, all of them good")->required()->type_name("PATH");
-  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
-  command->add_option("--engine", options->engines, "Engines to compare")->capture_default_str()->type_name("NAME");
-  command->add_option("--threads", options->threads, "Numbers of threads to compare")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command
-      ->add_option("--classes", options->classes, "Numbers of boxes at which layouts are cut into classes of their own")
-      ->type_name("N");
-  command->add_option("--repeats", options->repeats, "Runs of each kind")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  command
-      ->add_option("--folder", options->folder,
-                   "Where the results are written, and removed again (default: TMPDIR, or else /tmp)")
-      ->type_name("DIR");
-  command->add_option("--csv", options->csv_path, "Write a line a run there")->type_name("FILE");
-  command->callback([options, &chosen] { chosen.run = [options] { return bench(*options); }; });
 }
 
 }  // namespace holdfast::internal

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "api/engine_loader.hpp"
@@ -30,19 +29,6 @@ const std::vector<std::string> kSuites = {"slide", "tip", "rebound", "manoeuvre"
 
 /// Measurements up to which each is printed; above, a table of how many pass.
 constexpr std::size_t kRowsShown = 60;
-
-struct ValidateOptions {
-  std::vector<std::string> engines;
-  std::vector<std::string> suites;
-  std::optional<std::string> case_name;
-  std::vector<std::string> layouts = {"configs/layouts"};
-  bool quick = false;
-  bool json = false;
-  int threads = 0;
-  std::optional<std::string> folder;
-  std::optional<std::string> bounds_path;
-  std::optional<std::string> record_path;
-};
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
@@ -213,7 +199,9 @@ ExitCode judge_bounds(const ValidateOptions& options, const ValidationResult& re
   return ExitCode::some_failed;
 }
 
-ExitCode validate(const ValidateOptions& options) {
+}  // namespace
+
+ExitCode run_validate_command(const ValidateOptions& options) {
   const StopSignal& stop = watch_stop_signals();
   const Result<ValidationPlan> plan = plan_of(options);
   if (!plan) return fail(ExitCode::bad_usage, plan.errors());
@@ -242,40 +230,6 @@ ExitCode validate(const ValidateOptions& options) {
     return ExitCode::done;
   }
   return judge_bounds(options, result);
-}
-
-}  // namespace
-
-void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("validate", "Measure engines against known answers: error and cost");
-  command->footer(
-      "A case passes when its error is within the tolerance of its class, the same for every engine. The exit code is "
-      "1\n"
-      "when an error is above what that engine and setting has reached before (its recorded bound).\n\n"
-      "Example:\n"
-      "  holdfast validate --quick\n"
-      "  holdfast validate --suite slide,tip --engine bullet -o validation");
-  auto options = std::make_shared<ValidateOptions>();
-  command->add_option("--engine", options->engines, "Engines to measure (default: all)")->type_name("NAME");
-  command->add_option("--suite", options->suites, "slide, tip, rebound, manoeuvre, hard, load (default: all)")
-      ->delimiter(',')
-      ->type_name("NAME");
-  command->add_option("--case", options->case_name, "One case by name")->type_name("NAME");
-  command->add_option("--layouts", options->layouts, "Layouts of the load suite")
-      ->capture_default_str()
-      ->type_name("PATH");
-  command->add_flag("--quick", options->quick, "Quick settings and cases, no loads: a minute");
-  command->add_flag("--json", options->json, "Print the measurements as JSON, and nothing else");
-  command->add_option("--threads", options->threads, "Threads; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
-  command->add_option("-o,--output", options->folder, "Write tables, pictures and an HTML report into this folder")
-      ->type_name("DIR");
-  command->add_option("--bounds", options->bounds_path, "Recorded bounds (default: those of this version)")
-      ->type_name("FILE");
-  command->add_option("--record-bounds", options->record_path, "Record what is reached now as bounds into this file")
-      ->type_name("FILE");
-  command->callback([options, &chosen] { chosen.run = [options] { return validate(*options); }; });
 }
 
 }  // namespace holdfast::internal

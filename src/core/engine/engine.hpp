@@ -35,16 +35,16 @@ struct EngineTraits {
   /// Most layouts to hand out as one unit of work: 1 for an engine that shares nothing between worlds, which then gets
   /// one world at a time; many for a device, which gets them with all their accelerations.
   std::size_t layouts_per_unit = 1;
-  /// True when all worlds of a batch advance together, whatever their accelerations: by `Simulation::advance_all`.
+  /// True when all worlds of a batch advance together, whatever their accelerations: by one call of `advance`.
   bool all_together = false;
 };
 
-/// A world that is to be taken forward, inside a phase of its own.
-struct Stride {
-  std::size_t world = 0;  ///< index into the batch
-  Phase phase;            ///< stretch of constant acceleration that contains the world's time
-  double watch = 0.0;     ///< next time the caller wants to see, s
-  double time = 0.0;      ///< what the engine answers: the time reached, s
+/// Asks to take a world forward inside a phase, and tells how far it came.
+struct AdvanceRequest {
+  std::size_t world = 0;     ///< index into the batch
+  Phase phase;               ///< stretch of constant acceleration that contains the world's time
+  double output_time = 0.0;  ///< next time that the caller needs a state for, s; not before the world's time
+  double reached = 0.0;  ///< the engine's answer: the world's time now, s; exactly `phase.end` at the end of the phase
 };
 
 /// Worlds inside an engine. Made by `Engine::build`; used by one thread at a time.
@@ -57,22 +57,13 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  /// Takes a world forward from where it is by one step or more, never past `phase.end`.
+  /// Takes each world forward from where it is by one step or more, never past the end of its phase. The worlds' times
+  /// differ; there is one request unless `EngineTraits::all_together`.
   ///
-  /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at
-  /// the last step end not after `watch` and at the first one after it: between these two the caller
-  /// interpolates. Steps that provably change nothing may be taken at once, past `watch`.
-  /// @param world  index into the batch
-  /// @param phase  stretch of constant acceleration that contains the world's time, s
-  /// @param watch  next time the caller wants to see, s; not before the world's time
-  /// @return the time reached, s; exactly `phase.end` at the end of the phase
-  virtual double advance(std::size_t world, const Phase& phase, double watch) = 0;
-
-  /// `advance` by the same rules for each world in its own phase and towards its own `watch`. The worlds' times differ;
-  /// one world unless `EngineTraits::all_together`.
-  virtual void advance_all(std::span<Stride> strides) {
-    for (Stride& stride : strides) stride.time = advance(stride.world, stride.phase, stride.watch);
-  }
+  /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at the
+  /// last step end not after `output_time` and at the first one after it: between these two the caller interpolates.
+  /// Steps that provably change nothing may be taken at once, past `output_time`.
+  virtual void advance(std::span<AdvanceRequest> requests) = 0;
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;
@@ -82,6 +73,18 @@ class Simulation {
 
   /// What the engine itself found wrong with the world so far.
   virtual Status status(std::size_t /*world*/) const { return Status::ok; }
+};
+
+/// A simulation that takes worlds forward one at a time, and returns after every step.
+class SteppedSimulation : public Simulation {
+ public:
+  void advance(std::span<AdvanceRequest> requests) final {
+    for (AdvanceRequest& request : requests) request.reached = step(request.world, request.phase);
+  }
+
+ private:
+  /// Takes the next step of a world, or several in which nothing moves; returns the time reached, s.
+  virtual double step(std::size_t world, const Phase& phase) = 0;
 };
 
 /// A way of moving boxes: the seam behind which Bullet, the native engine and device pipelines stand. Constant

@@ -38,7 +38,7 @@ class Recorder {
   virtual void start(const BoxView& boxes, const StateView& layout, const StateView& settled) = 0;
 
   /// The next time that must lie between two neighbouring step ends, s; infinity when there is none.
-  virtual double watch() const = 0;
+  virtual double output_time() const = 0;
 
   /// Called for every step from t = 0 on, in order.
   virtual void step(const Step& step) = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/engine/interpolation.hpp"
+
 namespace holdfast::internal {
 
 namespace {
@@ -13,20 +15,6 @@ namespace {
 float to_float(double number) { return static_cast<float>(number) + 0.0F; }
 Float3 to_float(const Vec3& v) { return {to_float(v.x()), to_float(v.y()), to_float(v.z())}; }
 Float4 to_float(const Rotation& q) { return {to_float(q.w()), to_float(q.x()), to_float(q.y()), to_float(q.z())}; }
-
-/// Linear between `a` and `b`; exactly `b` at share 1, so that samples at step ends are the states themselves.
-Vec3 between(const Vec3& a, const Vec3& b, double share) { return share == 1.0 ? b : Vec3(a + share * (b - a)); }
-
-/// Normalised linear interpolation along the shorter arc: for the small turn of one step as good as along the
-/// great circle, and without trigonometric functions.
-Rotation between(const Rotation& a, const Rotation& b, double share) {
-  if (share == 1.0) return b;
-  const double sign = a.coeffs().dot(b.coeffs()) < 0.0 ? -1.0 : 1.0;
-  Rotation q;
-  q.coeffs() = (1.0 - share) * a.coeffs() + sign * share * b.coeffs();
-  q.normalize();
-  return q;
-}
 
 }  // namespace
 
@@ -79,7 +67,7 @@ void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
   series.kinetic_energy.reserve(rows);
 }
 
-double SeriesRecorder::watch() const {
+double SeriesRecorder::output_time() const {
   if (!plan_.series) return std::numeric_limits<double>::infinity();
   return static_cast<double>(sample_count_) * plan_.interval;
 }
@@ -90,9 +78,9 @@ void SeriesRecorder::step(const Step& step) {
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
   update_peaks(step.after);
-  while (watch() <= step.end + kSameInstant) {
-    const bool at_end = std::abs(watch() - step.end) <= kSameInstant;
-    add_sample({watch(), at_end ? 1.0 : (watch() - step.begin) / duration, step});
+  while (output_time() <= step.end + kSameInstant) {
+    const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
+    add_sample({output_time(), at_end ? 1.0 : (output_time() - step.begin) / duration, step});
   }
 }
 

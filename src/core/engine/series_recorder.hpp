@@ -28,7 +28,7 @@ class SeriesRecorder final : public Recorder {
   explicit SeriesRecorder(const RecordingPlan& plan) : plan_(plan) {}
 
   void start(const BoxView& boxes, const StateView& layout, const StateView& settled) override;
-  double watch() const override;
+  double output_time() const override;
   void step(const Step& step) override;
   void finish(const Outcome& outcome, const StateView& end) override;
 

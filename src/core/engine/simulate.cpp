@@ -53,7 +53,7 @@ class Group {
     while (!running_.empty()) {
       if (abort_.load(std::memory_order_relaxed)) return false;
       for (const std::size_t world : running_) clocks_[world].begin = clocks_[world].time;
-      advance([&](std::size_t world) { return recorders_[world]->watch(); });
+      advance([&](std::size_t world) { return recorders_[world]->output_time(); });
       std::erase_if(running_, [&](std::size_t world) { return record_step(world); });
     }
     return true;
@@ -145,14 +145,14 @@ class Group {
     return false;
   }
 
-  /// Takes all running worlds forward, each towards `watch(world)`.
-  template <class Watch>
-  void advance(const Watch& watch) {
+  /// Takes all running worlds forward, each towards `output_time(world)`.
+  template <class OutputTime>
+  void advance(const OutputTime& output_time) {
     for (const std::size_t world : running_) copy_state(batch_.state, before_, world_of(world));
-    strides_.clear();
-    for (const std::size_t world : running_) strides_.push_back({world, clocks_[world].now(), watch(world)});
-    simulation_.advance_all(strides_);
-    for (const Stride& stride : strides_) clocks_[stride.world].time = stride.time;
+    requests_.clear();
+    for (const std::size_t world : running_) requests_.push_back({world, clocks_[world].now(), output_time(world)});
+    simulation_.advance(requests_);
+    for (const AdvanceRequest& request : requests_) clocks_[request.world].time = request.reached;
     for (const std::size_t world : running_) simulation_.read_back(world, batch_.state);
   }
 
@@ -170,7 +170,7 @@ class Group {
   std::vector<std::size_t> running_;
   StateColumns before_;
   std::vector<Clock> clocks_;  ///< a world of the batch
-  std::vector<Stride> strides_;
+  std::vector<AdvanceRequest> requests_;
 };
 
 /// All worlds together where the engine wants them so; else each for itself.

@@ -6,21 +6,20 @@ namespace holdfast::internal {
 
 namespace {
 
-class NativeSimulation final : public Simulation {
+class NativeSimulation final : public SteppedSimulation {
  public:
   NativeSimulation(const WorldBatch& batch, const Settings& settings, const native::NativeOptions& options) {
     for (const World& world : batch.worlds)
       worlds_.push_back(std::make_unique<native::NativeWorld>(batch, world, settings, options));
   }
 
-  double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
-    return worlds_[world]->advance(phase);
-  }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
   Status status(std::size_t world) const override { return worlds_[world]->status(); }
 
  private:
+  double step(std::size_t world, const Phase& phase) override { return worlds_[world]->advance(phase); }
+
   std::vector<std::unique_ptr<native::NativeWorld>> worlds_;
 };
 

@@ -6,20 +6,19 @@ namespace holdfast::internal {
 
 namespace {
 
-class PlainSimulation final : public Simulation {
+class PlainSimulation final : public SteppedSimulation {
  public:
   PlainSimulation(const WorldBatch& batch, const Settings& settings) {
     for (const World& world : batch.worlds) worlds_.emplace_back(batch, world, settings);
   }
 
-  double advance(std::size_t world, const Phase& phase, double /*watch*/) override {
-    return worlds_[world].advance(phase);
-  }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world].read_back(state); }
   Counters counters(std::size_t world) const override { return worlds_[world].counters(); }
   Status status(std::size_t world) const override { return worlds_[world].status(); }
 
  private:
+  double step(std::size_t world, const Phase& phase) override { return worlds_[world].advance(phase); }
+
   std::vector<plain::PlainWorld> worlds_;
 };
 

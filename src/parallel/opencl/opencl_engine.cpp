@@ -61,26 +61,20 @@ class OpenClSimulation final : public Simulation {
     for (ClockedWorld& world : worlds_) world.lost = !ready;
   }
 
-  double advance(std::size_t world, const Phase& phase, double watch) override {
-    Stride stride{world, phase, watch};
-    advance_all({&stride, 1});
-    return stride.time;
-  }
-
-  void advance_all(std::span<Stride> strides) override {
+  void advance(std::span<AdvanceRequest> requests) override {
     std::uint64_t count = std::numeric_limits<std::uint64_t>::max();
     for (WorldStep& step : steps_) step = {};
     for (BodyRange& range : device_.ranges) range.stepping = false;
-    for (const Stride& stride : strides) {
-      ClockedWorld& world = worlds_[stride.world];
-      if (!world.begun || stride.phase.begin != world.phase_begin)
-        world = {true, world.lost, stride.phase.begin, 0, world.counters};
-      const StepPlan plan(stride.phase, steps_per_second_);
-      count = std::min(count, steps_to_stop(plan, world.step, stride.watch));
-      const Vec3 field = gravity_ - stride.phase.acceleration;
-      steps_[stride.world].field_and_step = {static_cast<float>(field.x()), static_cast<float>(field.y()),
-                                             static_cast<float>(field.z()), static_cast<float>(plan.step())};
-      device_.ranges[stride.world].stepping = !world.lost;
+    for (const AdvanceRequest& request : requests) {
+      ClockedWorld& world = worlds_[request.world];
+      if (!world.begun || request.phase.begin != world.phase_begin)
+        world = {true, world.lost, request.phase.begin, 0, world.counters};
+      const StepPlan plan(request.phase, steps_per_second_);
+      count = std::min(count, steps_to_stop(plan, world.step, request.output_time));
+      const Vec3 field = gravity_ - request.phase.acceleration;
+      steps_[request.world].field_and_step = {static_cast<float>(field.x()), static_cast<float>(field.y()),
+                                              static_cast<float>(field.z()), static_cast<float>(plan.step())};
+      device_.ranges[request.world].stepping = !world.lost;
     }
 
     const auto begin = std::chrono::steady_clock::now();
@@ -89,13 +83,13 @@ class OpenClSimulation final : public Simulation {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     const double waited = std::max(0.0, wall.count() - (processor_seconds() - cpu_begin));
 
-    for (Stride& stride : strides) {
-      ClockedWorld& world = worlds_[stride.world];
+    for (AdvanceRequest& request : requests) {
+      ClockedWorld& world = worlds_[request.world];
       world.step += count;
-      stride.time = StepPlan(stride.phase, steps_per_second_).end_of(world.step - 1);
+      request.reached = StepPlan(request.phase, steps_per_second_).end_of(world.step - 1);
       world.counters.steps += count;
       world.counters.solve_iterations += count * sweeps_;
-      world.counters.device_seconds += waited / static_cast<double>(strides.size());
+      world.counters.device_seconds += waited / static_cast<double>(requests.size());
     }
   }
 
@@ -128,12 +122,12 @@ class OpenClSimulation final : public Simulation {
 
   static Vec3 vector_of(const Float4Column& v) { return {v[0], v[1], v[2]}; }
 
-  /// Steps up to the last end not after `watch`, at least one, never past the phase.
-  static std::uint64_t steps_to_stop(const StepPlan& plan, std::uint64_t taken, double watch) {
+  /// Steps up to the last end not after `output_time`, at least one, never past the phase.
+  static std::uint64_t steps_to_stop(const StepPlan& plan, std::uint64_t taken, double output_time) {
     const std::uint64_t left = plan.step_count() - taken;
-    if (plan.end_of(plan.step_count() - 1) <= watch) return left;
+    if (plan.end_of(plan.step_count() - 1) <= output_time) return left;
     std::uint64_t count = 1;
-    while (count < left && plan.end_of(taken + count) <= watch) ++count;
+    while (count < left && plan.end_of(taken + count) <= output_time) ++count;
     return count;
   }
 

@@ -24,7 +24,7 @@ class ObservingRecorder final : public Recorder {
     tell({0.0, 0.0, settled});
   }
   /// Every step end is wanted: the next one after the last.
-  double watch() const override { return enough_ ? std::numeric_limits<double>::infinity() : outcome_.end_time; }
+  double output_time() const override { return enough_ ? std::numeric_limits<double>::infinity() : outcome_.end_time; }
   void step(const Step& step) override { tell({step.end, step.end - step.begin, step.after}); }
   void finish(const Outcome& outcome, const StateView& /*end*/) override { outcome_ = outcome; }
 

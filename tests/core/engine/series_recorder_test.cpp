@@ -59,10 +59,10 @@ bool is_positive_zero(float number) { return same_bits(number, 0.0F); }
 TEST_CASE("series_recorder: samples lie at 0, at every interval and at the end", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1});
   world.start();
-  CHECK(world.recorder.watch() == 0.1);
+  CHECK(world.recorder.output_time() == 0.1);
   world.step(0.08);
   world.step(0.13);
-  CHECK(world.recorder.watch() == 0.2);
+  CHECK(world.recorder.output_time() == 0.2);
   world.step(0.45);
   const Series series = world.finish().series;
   REQUIRE(series.time.size() == 6);
@@ -270,7 +270,7 @@ TEST_CASE("series_recorder: displacement and tilt from the layout's or the settl
 TEST_CASE("series_recorder: without series peaks and ends are kept all the same", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1, .series = false});
   world.start();
-  CHECK(world.recorder.watch() == std::numeric_limits<double>::infinity());
+  CHECK(world.recorder.output_time() == std::numeric_limits<double>::infinity());
   world.now.position[0] += Vec3(1, 0, 0);
   world.step(0.5);
   const WorldRecord record = world.finish();

@@ -41,7 +41,7 @@ class Listener final : public Recorder {
     ++heard.starts;
     heard.settled_position = settled.position[0];
   }
-  double watch() const override { return std::numeric_limits<double>::infinity(); }
+  double output_time() const override { return std::numeric_limits<double>::infinity(); }
   void step(const Step& step) override { heard.steps.push_back({step.begin, step.end, step.acceleration}); }
   void finish(const Outcome& outcome, const StateView&) override {
     ++heard.finishes;
@@ -263,7 +263,7 @@ TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
    public:
     explicit Aborting(std::atomic<bool>& flag) : flag_(flag) {}
     void start(const BoxView&, const StateView&, const StateView&) override {}
-    double watch() const override { return 0.0; }
+    double output_time() const override { return 0.0; }
     void step(const Step&) override { flag_ = ++steps == 3; }
     void finish(const Outcome&, const StateView&) override { finished = true; }
     int steps = 0;

@@ -57,7 +57,7 @@ void watch(const Layout& layout, const Settings& settings, const Phase& phase,
   const PlainEngine engine(settings);
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (double time = phase.begin; time < phase.end;) {
-    time = simulation->advance(0, phase, phase.end);
+    time = scenes::advance(*simulation, 0, phase);
     simulation->read_back(0, batch.state);
     look(batch);
   }

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "api/convert.hpp"
+#include "core/engine/engine_registry.hpp"
+#include "core/engine/interpolation.hpp"
+#include "core/engine/simulate.hpp"
+#include "core/model/setting_table.hpp"
+#include "holdfast/holdfast.hpp"
+
+namespace holdfast {
+
+using internal::StateColumns;
+using internal::value_or_throw;
+
+namespace {
+
+internal::Settings settings_of(std::span<const Setting> given) {
+  internal::Settings settings;
+  for (const Setting& setting : given) {
+    const std::string name = '[' + setting.section + "] " + setting.key;
+    const internal::SettingKey* key = internal::find_setting(setting.section, setting.key);
+    if (key == nullptr || key->section == internal::kMaterialSection)
+      throw internal::exception_of({{.what = "unknown key", .value = name}});
+    if (!key->set(settings, 0, setting.value))
+      throw internal::exception_of({{.what = "not a value of " + name,
+                                     .value = setting.value,
+                                     .accepted = "accepted are " + std::string(key->accepted)}});
+  }
+  return settings;
+}
+
+std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) {
+  const internal::EngineEntry* entry = internal::find_engine(settings.screening.engine);
+  if (entry == nullptr) throw internal::exception_of({internal::unknown_engine(settings.screening.engine)});
+  if (entry->make == nullptr)
+    throw internal::exception_of({{.what = "a single world cannot be simulated by a plug-in",
+                                   .value = settings.screening.engine,
+                                   .accepted = "native or native-plain"}});
+  return value_or_throw(entry->make(settings));
+}
+
+}  // namespace
+
+struct World::State {
+  State(const Layout& given, const Acceleration& given_acceleration, std::span<const Setting> given_settings,
+        LengthUnit unit)
+      : settings(settings_of(given_settings)),
+        acceleration(value_or_throw(internal::read_acceleration(given_acceleration))),
+        engine(engine_of(settings)) {
+    std::vector<internal::Error> errors;
+    layout = internal::read_layout(given, unit, settings, errors).layout;
+    if (!errors.empty()) throw internal::exception_of(errors);
+    const internal::Layout* const layouts[] = {&layout};
+    const internal::Acceleration* const accelerations[] = {&acceleration};
+    batch = internal::make_batch(layouts, accelerations, settings);
+    before = batch.state;
+    simulation = engine->build(batch);
+    settle();
+    end = internal::latest_end(acceleration, settings);
+    phases = internal::phases_of(acceleration, end);
+  }
+
+  /// Gravity alone until t = 0.
+  void settle() {
+    const internal::Phase gravity_alone{0.0 - settings.screening.settle_seconds, 0.0, internal::Vec3::Zero()};
+    double settled = gravity_alone.begin;
+    while (settled < gravity_alone.end) settled = step(gravity_alone, gravity_alone.end);
+    before = batch.state;
+  }
+
+  /// Takes a step, or several of those that nothing is seen of; returns the time reached, s.
+  double step(const internal::Phase& now, double output_time) {
+    before = batch.state;
+    internal::AdvanceRequest request{0, now, output_time};
+    simulation->advance({&request, 1});
+    simulation->read_back(0, batch.state);
+    return request.reached;
+  }
+
+  void advance(double wanted) {
+    wanted = std::clamp(wanted, time, end);
+    while (reached < wanted && phase < phases.size()) {
+      begin = reached;
+      reached = step(phases[phase], wanted);
+      if (reached >= phases[phase].end) ++phase;
+    }
+    time = wanted;
+  }
+
+  internal::Settings settings;
+  internal::Acceleration acceleration;
+  std::unique_ptr<internal::Engine> engine;
+  internal::Layout layout;
+  internal::WorldBatch batch;  ///< of this world alone; its state is that at `reached`
+  StateColumns before;         ///< at `begin`
+  std::unique_ptr<internal::Simulation> simulation;
+  std::vector<internal::Phase> phases;
+  std::size_t phase = 0;              ///< index of the phase that the next step is in
+  double begin = 0.0, reached = 0.0;  ///< of the last step, s
+  double time = 0.0, end = 0.0;       ///< that the caller sees, and at which all ends, s
+};
+
+World::World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings,
+             LengthUnit unit) try
+    : state_(std::make_unique<State>(layout, acceleration, settings, unit)) {
+} catch (const std::bad_alloc&) {
+  throw internal::exception_of({internal::out_of_memory("")});
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::advance(double time) { state_->advance(time); }
+double World::time() const noexcept { return state_->time; }
+double World::end_time() const noexcept { return state_->end; }
+
+std::vector<Pose> World::poses() const {
+  const State& state = *state_;
+  const double duration = state.reached - state.begin;
+  const double share = duration > 0.0 ? (state.time - state.begin) / duration : 1.0;
+  std::vector<Pose> poses;
+  for (std::size_t box = 0; box < state.layout.boxes.size(); ++box) {
+    const StateColumns& after = state.batch.state;
+    const internal::Vec3 p = internal::between(state.before.position[box], after.position[box], share);
+    const internal::Rotation q = internal::between(state.before.orientation[box], after.orientation[box], share);
+    poses.push_back({{p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()}});
+  }
+  return poses;
+}
+
+std::uint64_t World::state_hash() const {
+  return internal::state_hash(internal::view(state_->batch.state, state_->batch.worlds.front()));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,317 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "api/version.hpp"
+#include "app/commands.hpp"
+#include "app/report.hpp"
+#include "core/base/closest_word.hpp"
+#include "core/model/setting_table.hpp"
+#include "core/model/settings_page.hpp"
+#include "io/results/results_page.hpp"
+#include "parallel/schedulers/scheduler.hpp"
+
+// The one file that knows CLI11, which takes seconds to compile wherever it is included.
+
+namespace holdfast::internal {
+
+namespace {
+
+/// What the chosen command does, once the command line is read. Set by the command's callback, which owns its options.
+struct ChosenCommand {
+  std::function<ExitCode()> run;
+  std::string command_line;  ///< as typed
+};
+
+/// Has an option take what the configuration's key takes.
+CLI::Validator as_in_config(const char* section, const char* name) {
+  const SettingKey& key = *find_setting(section, name);
+  return {[&key](const std::string& text) {
+            Settings ignored;
+            return key.set(ignored, 0, text) ? "" : fmt::format("{}; accepted is {}", text, key.accepted);
+          },
+          ""};
+}
+
+/// Adds the options that `screen` and `run` share.
+void add_run_options(CLI::App& command, RunOptions& options) {
+  command.add_option("--engine", options.engine, "Engine that moves the boxes; see `holdfast engines`")
+      ->type_name("NAME");
+  command
+      .add_option("--accuracy", options.accuracy,
+                  "How far the native engine goes: screening, standard or reference; stands in for [Native] Accuracy")
+      ->type_name("NAME");
+  command.add_option("--threads", options.threads, "Threads; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
+      ->type_name("NAME");
+  command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
+      ->type_name("DIR");
+  command
+      .add_option("--costs", options.costs_path,
+                  "Write the processor seconds of reading, simulating, writing, ... as JSON")
+      ->type_name("FILE");
+  command.add_flag("--no-series", options.no_series, "Keep end states and peaks only, no time series");
+  auto* go_on = command.add_flag("--resume", options.resume, "Go on with a run that was stopped or killed");
+  command.add_flag("--overwrite", options.overwrite, "Replace the results of an earlier run")->excludes(go_on);
+  command.add_flag(
+      "--json", options.json,
+      "Print one JSON object per world, with its verdict, as it finishes; with --resume the finished ones first");
+  command.add_flag("--quiet", options.quiet, "No progress, no table; errors only");
+}
+
+void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("screen", "Simulate every layout under every acceleration");
+  command->footer(
+      "PATH is a regular file, a folder, or - for a list of paths on standard input.\n\n"
+      "Example:\n"
+      "  holdfast screen -c configs/demo.ini --layouts configs/layouts --accelerations configs/accelerations "
+      "-o results.h5");
+  auto options = std::make_shared<ScreenOptions>();
+  command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
+      ->type_name("FILE");
+  command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
+  add_run_options(*command, options->run);
+  command->callback([options, &chosen] {
+    chosen.run = [options, &chosen] { return run_screen_command(*options, chosen.command_line); };
+  });
+}
+
+void add_run_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("run", "Do what a config.ini says: a batch folder or a single pair");
+  command->footer(
+      "Results and text files go to SavePath.\n\n"
+      "Example:\n"
+      "  holdfast run configs/free_container.ini");
+  auto options = std::make_shared<ConfigRunOptions>();
+  command->add_option("config", options->config_path, "Configuration")->required()->type_name("FILE");
+  add_run_options(*command, options->run);
+  command->callback([options, &chosen] {
+    chosen.run = [options, &chosen] { return run_run_command(*options, chosen.command_line); };
+  });
+}
+
+void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("summary", "Judge a results file again, with other thresholds if given");
+  command->footer(
+      "The results file itself is never changed.\n\n"
+      "Example:\n"
+      "  holdfast summary results.h5 --move-threshold 0.05 --csv tables/");
+  auto options = std::make_shared<SummaryOptions>();
+  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
+  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")
+      ->check(as_in_config("Simulation Settings", "DropThreshold"));
+  command->add_option("--move-threshold", options->move, "Moved when displaced by more, m")
+      ->check(as_in_config("Screening", "MoveThreshold"));
+  command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
+      ->check(as_in_config("Screening", "TiltThreshold"));
+  command->add_option("--csv", options->csv_folder, "Write worlds.csv and boxes.csv into this folder")
+      ->type_name("DIR");
+  command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
+      ->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_summary_command(*options); }; });
+}
+
+void add_check_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command =
+      program.add_subcommand("check", "Check inputs without simulating: layouts, accelerations, configs");
+  command->footer(
+      "Example:\n"
+      "  holdfast check configs/layouts configs/accelerations configs/demo.ini");
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("paths", options->paths, "Files, folders, or - for a list on standard input")
+      ->required()
+      ->type_name("PATH");
+  command->add_option("-c,--config", options->config_path, "Configuration that gives container and axes")
+      ->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_check_command(*options); }; });
+}
+
+void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("bench", "Measure how fast this machine screens");
+  command->footer(
+      "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
+      "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
+      "Example:\n"
+      "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
+      "--engine native bullet --threads 1 2");
+  auto options = std::make_shared<BenchOptions>();
+  const int cores = thread_count(0);
+  options->engines = {Settings{}.screening.engine};
+  options->threads = cores > 1 ? std::vector{1, cores} : std::vector{1};
+  command->add_option("-c,--config", options->config_path, "Configuration of all runs")->type_name("FILE");
+  command->add_option("--layouts", options->layouts, "Layouts, all of them good")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  command->add_option("--engine", options->engines, "Engines to compare")->capture_default_str()->type_name("NAME");
+  command->add_option("--threads", options->threads, "Numbers of threads to compare")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command
+      ->add_option("--classes", options->classes, "Numbers of boxes at which layouts are cut into classes of their own")
+      ->type_name("N");
+  command->add_option("--repeats", options->repeats, "Runs of each kind")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command
+      ->add_option("--folder", options->folder,
+                   "Where the results are written, and removed again (default: TMPDIR, or else /tmp)")
+      ->type_name("DIR");
+  command->add_option("--csv", options->csv_path, "Write a line a run there")->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_bench_command(*options); }; });
+}
+
+void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("validate", "Measure engines against known answers: error and cost");
+  command->footer(
+      "A case passes when its error is within the tolerance of its class, the same for every engine. The exit code is "
+      "1\n"
+      "when an error is above what that engine and setting has reached before (its recorded bound).\n\n"
+      "Example:\n"
+      "  holdfast validate --quick\n"
+      "  holdfast validate --suite slide,tip --engine bullet -o validation");
+  auto options = std::make_shared<ValidateOptions>();
+  command->add_option("--engine", options->engines, "Engines to measure (default: all)")->type_name("NAME");
+  command->add_option("--suite", options->suites, "slide, tip, rebound, manoeuvre, hard, load (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME");
+  command->add_option("--case", options->case_name, "One case by name")->type_name("NAME");
+  command->add_option("--layouts", options->layouts, "Layouts of the load suite")
+      ->capture_default_str()
+      ->type_name("PATH");
+  command->add_flag("--quick", options->quick, "Quick settings and cases, no loads: a minute");
+  command->add_flag("--json", options->json, "Print the measurements as JSON, and nothing else");
+  command->add_option("--threads", options->threads, "Threads; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command->add_option("-o,--output", options->folder, "Write tables, pictures and an HTML report into this folder")
+      ->type_name("DIR");
+  command->add_option("--bounds", options->bounds_path, "Recorded bounds (default: those of this version)")
+      ->type_name("FILE");
+  command->add_option("--record-bounds", options->record_path, "Record what is reached now as bounds into this file")
+      ->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_validate_command(*options); }; });
+}
+
+void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("engines", "List the engines, and why one cannot be used");
+  command->footer("Example:\n  holdfast engines --devices");
+  auto devices = std::make_shared<bool>(false);
+  command->add_flag("--devices", *devices, "Also list the devices of engines that run on some; can take seconds");
+  command->callback([devices, &chosen] { chosen.run = [devices] { return run_engines_command(*devices); }; });
+}
+
+/// An option that prints a page and ends the program.
+CLI::Option* add_page(CLI::App& program, const std::string& name, const std::string& description,
+                      std::string (*page)()) {
+  return program.add_flag_callback(
+      name,
+      [page] {
+        print_to(stdout, "{}", page());
+        throw CLI::Success();
+      },
+      description);
+}
+
+std::string words_of(int argc, char** argv) {
+  std::string line;
+  for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + std::string(argv[i]);
+  return line;
+}
+
+/// The first word of a command line that should be a command and is none. CLI11 itself would only say that a
+/// command is required.
+std::optional<Error> unknown_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return std::nullopt;
+  const auto meant = closest_word(argv[1], std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown command",
+               .value = argv[1],
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant)
+                                 : fmt::format("accepted are {}", fmt::join(names, ", "))};
+}
+
+/// The first word behind a command that belongs nowhere: an unknown option, or one word too many. It is told before
+/// all else, since what else CLI11 finds wrong mostly follows from it.
+std::optional<Error> unknown_word(const CLI::App& program) {
+  const std::vector<std::string> left = program.remaining(true);
+  if (left.empty()) return std::nullopt;
+  if (!left.front().starts_with("-")) return Error{.what = "a word too many", .value = left.front()};
+  const std::string option = left.front().substr(0, left.front().find('='));
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const auto meant = closest_word(option, std::vector<std::string_view>(names.begin(), names.end()));
+  return Error{.what = "unknown option",
+               .value = option,
+               .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
+}
+
+/// Runs the command; what it cannot have, memory or a thread, becomes a message.
+ExitCode run_within_memory(const ChosenCommand& chosen) {
+  try {
+    return chosen.run();
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::some_failed, out_of_memory(""));
+  } catch (const std::system_error& error) {
+    return fail(ExitCode::some_failed, {.what = "the system refused", .value = error.what()});
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
+  program.footer(
+      "Example:\n"
+      "  holdfast screen --layouts configs/layouts --accelerations configs/accelerations -o results.h5\n\n"
+      "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal (Ctrl-C, kill),\n"
+      "141 ended by the shell's pipe, whose reader took no more.");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
+  add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
+  // For `make docs` alone, and not listed.
+  add_page(program, "--config-page", "Print docs/config.md and exit", settings_page)->group("");
+  add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
+
+  ChosenCommand chosen;
+  chosen.command_line = words_of(argc, argv);
+  add_screen_command(program, chosen);
+  add_run_command(program, chosen);
+  add_summary_command(program, chosen);
+  add_check_command(program, chosen);
+  add_bench_command(program, chosen);
+  add_validate_command(program, chosen);
+  add_engines_command(program, chosen);
+  if (const auto error = unknown_command(program, argc, argv))
+    return static_cast<int>(fail(ExitCode::bad_usage, *error));
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const auto unknown = error.get_exit_code() == 0 ? std::nullopt : unknown_word(program);
+    if (unknown) return static_cast<int>(fail(ExitCode::bad_usage, *unknown));
+    return static_cast<int>(checked_output(program.exit(error) == 0 ? ExitCode::done : ExitCode::bad_usage));
+  }
+  return static_cast<int>(checked_output(run_within_memory(chosen)));
+}
+
+}  // namespace holdfast::internal
