@@ -173,7 +173,8 @@ struct WorldOutcome {
   double end_time = 0;                   ///< s
   std::uint64_t steps = 0;               ///< steps that the simulated time was cut into
   std::uint64_t steps_skipped = 0;       ///< of these, those in which nothing moves, which are not computed
-  double max_residual = 0;               ///< of the contact solver, see docs/physics.md
+  double max_residual = 0;               ///< change of a contact velocity in a last iteration, worst step, m/s
+  double residual_scale = 0;             ///< velocity that the effective gravity adds in that step, m/s
   double max_penetration = 0;            ///< deepest overlap of any step, m; 0 where the engine does not measure it
   double cpu_seconds = 0;                ///< processor time of building and simulating, s
   std::uint64_t state_hash = 0;          ///< of the final poses and velocities: equal bits, equal hash

@@ -1,8 +1,7 @@
 // Inserted into Bullet's program that turns contacts into constraints (patch "contact setup" of kernel_patches.cpp).
-// It gives a constraint this project's contact law in place of the constants that stand there.
+// It gives a constraint the contact law of this project instead of Bullet's constants.
 
-// Gap between two boxes along a unit axis, m; negative where they overlap. Rows of a rotation times an axis would be
-// its columns; half extents are about the centres.
+// Gap between two boxes along a unit axis, m; negative: they overlap. The half extents are relative to the centres.
 float holdfast_gap_along(b3Float4 axis, b3Float4 offset, b3Mat3x3 a, b3Float4 half_a, b3Mat3x3 b, b3Float4 half_b) {
   b3Float4 in_a = mtMul3(axis, a);
   b3Float4 in_b = mtMul3(axis, b);
@@ -16,8 +15,8 @@ b3Float4 holdfast_column(b3Mat3x3 m, int i) {
   return mtMul1(m, unit);
 }
 
-// True when two boxes are side by side along an axis of theirs that lies across the contact's normal: then they touch
-// at an edge by their margins alone, and the contact would be a step in a floor that has none.
+// True when two boxes do not overlap along one of their axes that is perpendicular to the contact normal. Then only their
+// margins touch, at an edge, and the contact would be an internal edge in a flat floor.
 bool holdfast_is_phantom(b3Float4 normal, b3Float4 offset, b3Mat3x3 a, b3Float4 half_a, b3Mat3x3 b, b3Float4 half_b) {
   if (half_a.x <= 0.f || half_b.x <= 0.f) return false;
   for (int i = 0; i < 6; ++i) {
@@ -34,7 +33,7 @@ b3Float4 holdfast_nearest(b3Float4 point, b3Float4 centre, b3Mat3x3 rotation, b3
   return centre + mtMul1(rotation, clamp(mtMul3(point - centre, rotation), -half_extents, half_extents));
 }
 
-// How far the margin reaches along a direction, over its thickness: 1 at a face, √2 and more at edges and corners.
+// Extent of the margin along a direction, relative to its thickness: 1 at a face, √2 and more at edges and corners.
 float holdfast_margin_along(b3Float4 direction, b3Mat3x3 rotation) {
   b3Float4 inside = fabs(mtMul3(direction, rotation));
   return inside.x + inside.y + inside.z;
@@ -72,14 +71,14 @@ void holdfast_prepare_contact(b3ContactConstraint4_t* cs, __global const struct 
     b3Float4 velocity_a = bodies[a].m_linVel + b3Cross3(bodies[a].m_angVel, point - position_a);
     b3Float4 velocity_b = bodies[b].m_linVel + b3Cross3(bodies[b].m_angVel, point - position_b);
     float speed = b3Dot3F4(normal, velocity_a - velocity_b);
-    // A gap may close within the step and no faster; of an overlap a share is undone.
+    // A gap may close within the step, and no faster; a fraction of a penetration is corrected.
     float bias = (gap > 0.f ? gap : HOLDFAST_ERP * gap) * steps_per_second;
     bool meet = gap * steps_per_second + speed <= 0.f;
     if (meet && speed < -HOLDFAST_REBOUND_SPEED) bias = min(bias, restitution * speed);
     cs->m_b[i] = bias;
   }
   cs->m_linear.w = one.m_row[2].w * other.m_row[2].w;  // friction of the pair
-  cs->m_center.w = 0.f;                                // impulse against spin, so far
+  cs->m_center.w = 0.f;                                // accumulated impulse against spin
 
   if (holdfast_is_phantom(normal, position_b - position_a, rotation_a, half_a, rotation_b, half_b)) {
     for (int i = 0; i < 4; ++i) cs->m_jacCoeffInv[i] = 0.f;

@@ -1,5 +1,5 @@
 // Inserted into Bullet's program that solves contacts (patch "contact solve" of kernel_patches.cpp). One sweep over one
-// manifold: its points along the normal, then friction under the pressure that they found.
+// manifold: first the normal impulses of its points, then friction with these normal impulses.
 
 void holdfast_push(float4* velocity, float4* spin, float inverse_mass, Matrix3x3 inverse_inertia, float4 direction,
                    float4 turn, float impulse) {
@@ -23,7 +23,7 @@ void holdfast_solve_contact(__global Body* bodies, __global Shape* shapes, __glo
   float4 normal = mymake_float4(cs->m_linear.xyz, 0.f);
   float4 centre = mymake_float4(cs->m_center.xyz, 0.f);
 
-  // The coefficients are minus one over the mass that the row feels; impulses act on A along the direction.
+  // The coefficients are -1 / effective mass of the row; impulses act on A along the direction.
   float pressure = 0.f;
   float lever = 0.f;
   for (int i = 0; i < 4; ++i) {
@@ -43,7 +43,7 @@ void holdfast_solve_contact(__global Body* bodies, __global Shape* shapes, __glo
 
   float friction = cs->m_linear.w;
   if (cs->m_fJacCoeffInv[0] != 0.f && friction > 0.f) {
-    // Coulomb's law holds for the force as a vector: both directions are bounded together.
+    // Coulomb's law limits the force as a vector: both directions are limited together.
     float4 tangent[2];
     btPlaneSpace1(&normal, &tangent[0], &tangent[1]);
     float4 arm_a = centre - position_a;
@@ -67,7 +67,7 @@ void holdfast_solve_contact(__global Body* bodies, __global Shape* shapes, __glo
       holdfast_push(&velocity_b, &spin_b, inverse_mass_b, inertia_b, -tangent[i], turn_b[i], impulse);
     }
 
-    // Spin about the normal is resisted by the points around the centre, each as far as its own pressure allows.
+    // The points around the centre resist spin about the normal, each up to the limit of its own normal impulse.
     float compliance = dot3F4(mtMul1(inertia_a, normal), normal) + dot3F4(mtMul1(inertia_b, normal), normal);
     if (compliance > 0.f) {
       float limit = friction * lever;

@@ -1,7 +1,7 @@
-// What holdfast does around each step of Bullet's pipeline, one work-item a body: before it, the forces of the body's
-// world and its inertia as it stands now; after it, the motion over the world's own step.
+// The parts of a step outside Bullet's pipeline, with one work-item per body: before it, the forces of the body's world
+// and the inertia in its current orientation; after it, the integration of positions over the world's own step.
 
-// Bullet's columns; body_columns.hpp has them for the host.
+// Bullet's structures; body_columns.hpp has those of the host.
 typedef struct {
   float4 position;
   float4 orientation;  // x, y, z, w; container_from_body
@@ -15,7 +15,7 @@ typedef struct {
 
 typedef struct {
   float4 now[3];    // rows in the container's axes; fourth column: half extents, m
-  float4 setup[3];  // the same rows, read by the setup of contacts; fourth column: 1/step, restitution, friction
+  float4 setup[3];  // the same rows, for the contact setup; fourth column: 1/step, restitution, friction
 } InverseInertia;
 
 float4 rotate(float4 q, float4 v) {
@@ -30,8 +30,8 @@ float4 product(float4 p, float4 q) {
   return (float4)((p.w * v + q.w * u + cross(u, v)).xyz, p.w * q.w - dot(u, v));
 }
 
-// Change of the body's angular velocity by its own spin over a step h, in its axes: one step of Newton's method on the
-// implicit equation (Catto, Numerical methods, GDC 2015), as Bullet on the CPU does it.
+// Change of the body's angular velocity by the gyroscopic term over a step h, in body axes: one Newton step on the
+// implicit equation (Catto, Numerical methods, GDC 2015), as in Bullet on the CPU.
 float4 gyroscopic_change(float4 spin, float4 inertia, float h) {
   float4 momentum = inertia * spin;
   float4 residual = h * cross(spin, momentum);
@@ -44,7 +44,7 @@ float4 gyroscopic_change(float4 spin, float4 inertia, float h) {
   return -solution / determinant;
 }
 
-// worlds: x, y, z what every box of the world feels, m/s²; w its step, s, 0 for a world that stands still.
+// worlds: x, y, z: effective gravity of the world, m/s²; w: its step, s, 0 for a world that is not moved.
 __kernel void begin_step(__global Body* bodies, __global InverseInertia* inertias, __global const float4* body_inertia,
                          __global float4* kept, __global const float4* worlds, int count) {
   int i = get_global_id(0);
@@ -87,7 +87,7 @@ __kernel void end_step(__global Body* bodies, __global const float4* kept, __glo
   bodies[i].position += (float4)(h * bodies[i].velocity.xyz, 0.f);
   float4 spin = (float4)(bodies[i].angular_velocity.xyz, 0.f);
   float rate = length(spin);
-  // A body turns by a quarter of half a turn a step at most, as on Bullet's CPU.
+  // A body rotates by at most 45° per step, as in Bullet on the CPU.
   float angle = min(rate * h, 0.785398163f);
   float4 axis = rate > 1e-6f ? spin / rate : (float4)(0.f);
   float4 turn = (float4)((sin(0.5f * angle) * axis).xyz, cos(0.5f * angle));

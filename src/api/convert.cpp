@@ -187,6 +187,7 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   world.steps = outcome.counters.steps;
   world.steps_skipped = outcome.counters.steps_skipped;
   world.max_residual = outcome.counters.max_residual;
+  world.residual_scale = outcome.counters.residual_scale;
   world.max_penetration = outcome.counters.max_penetration;
   world.cpu_seconds = record.cpu_seconds;
   world.state_hash = record.state_hash;

@@ -41,6 +41,7 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   json["steps"] = outcome.counters.steps;
   json["steps_skipped"] = outcome.counters.steps_skipped;
   json["max_residual"] = outcome.counters.max_residual;
+  json["residual_scale"] = outcome.counters.residual_scale;
   json["max_penetration_m"] = outcome.counters.max_penetration;
   json["cpu_seconds"] = world.cpu_seconds;
   json["state_hash"] = fmt::format("{:016x}", world.state_hash);

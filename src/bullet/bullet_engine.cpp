@@ -41,7 +41,7 @@ std::vector<Error> unsupported_by_bullet(const Settings& settings) {
   const ContactSettings& contact = settings.contact;
   if (settings.container.motion == ContainerMotion::free && contact.friction_model == FrictionModel::pairs &&
       contact.box_floor != contact.box_wall) {
-    errors.push_back({.what = "a free container is one body for Bullet, with one friction",
+    errors.push_back({.what = "a free container is one body in Bullet, with one friction coefficient",
                       .accepted = "BoxFloor and BoxWall must be equal, or Motion = prescribed"});
   }
   return errors;

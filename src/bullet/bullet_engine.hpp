@@ -10,7 +10,7 @@
 
 namespace holdfast::internal {
 
-/// Bullet's rigid bodies on the CPU behind the `Engine` seam; float or double as the plug-in was built.
+/// The `Engine` that uses Bullet's rigid bodies on the CPU, in the precision of the plug-in: float or double.
 class BulletEngine final : public Engine {
  public:
   BulletEngine(std::string_view name, const Settings& settings);
@@ -24,7 +24,7 @@ class BulletEngine final : public Engine {
   BulletPreset preset_;
 };
 
-/// What Bullet cannot model of the settings, or nothing.
+/// One error per setting that Bullet cannot model; empty if it can model all.
 std::vector<Error> unsupported_by_bullet(const Settings& settings);
 
 }  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 
 #include "core/base/vector.hpp"
 
-// The adapter is compiled once against each of Bullet's two builds; a mix-up would read every vector wrongly.
+// The adapter is compiled once for each of Bullet's two builds; with the wrong headers it would misread every vector.
 static_assert(sizeof(btScalar) == HOLDFAST_BULLET_SCALAR_BYTES, "Bullet's headers and libraries differ in precision");
 
 namespace holdfast::internal {

@@ -9,8 +9,8 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Pools sized for the boxes: Bullet's default takes megabytes a world. A pool that runs out falls back to the
-/// heap, with the same results.
+/// Memory pools sized for the number of boxes: Bullet's default takes megabytes per world. When a pool is full, Bullet
+/// uses the heap, with the same results.
 btDefaultCollisionConstructionInfo pool_sizes(std::size_t box_count) {
   btDefaultCollisionConstructionInfo info;
   const int manifolds = static_cast<int>(16 * box_count + 64);
@@ -68,7 +68,7 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
     box.offset_shape->addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(Vec3(-centre_of_mass))), shape);
     shape = box.offset_shape.get();
   }
-  // Bullet's sign for a body that nothing moves is a mass of zero.
+  // In Bullet a mass of zero means a fixed body.
   const bool fixed = !std::isfinite(batch.boxes.mass[i]);
   box.body = std::make_unique<btRigidBody>(to_bullet(fixed ? 0.0 : batch.boxes.mass[i]), nullptr, shape,
                                            to_bullet(fixed ? Vec3(Vec3::Zero()) : batch.boxes.inertia[i]));
@@ -89,7 +89,7 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
 void BulletWorld::set_acceleration(const Vec3& acceleration) {
   const btVector3 field = container_->set_acceleration(acceleration);
   for (BoxBody& box : boxes_) {
-    // A sleeping body would not notice the change.
+    // The change would not wake a sleeping body.
     box.body->activate(true);
     box.body->setGravity(field);
   }
@@ -111,7 +111,7 @@ double BulletWorld::advance(const Phase& phase) {
   counters_.solve_iterations = solver_.iterations();
   const double residual = solver_.take_residual();
   const double gained = settings_.gravity * plan.step();
-  if (gained > 0.0) counters_.max_residual = std::max(counters_.max_residual, residual / gained);
+  if (gained > 0.0) counters_.note_residual(residual, gained);
   return plan.end_of(phase_step_++);
 }
 

@@ -18,20 +18,20 @@
 
 namespace holdfast::internal {
 
-/// One container world as bodies of Bullet, with everything of Bullet's that must not be shared between worlds.
+/// One container world as bodies of Bullet, with all objects of Bullet that worlds must not share.
 class BulletWorld {
  public:
-  /// The batch's columns give the poses at the start.
+  /// The columns of the batch give the poses at the start.
   BulletWorld(const WorldBatch& batch, const World& world, const Settings& settings, const BulletPreset& preset);
   ~BulletWorld();
   BulletWorld(const BulletWorld&) = delete;
   BulletWorld& operator=(const BulletWorld&) = delete;
 
-  /// Takes the next step inside the phase. Returns the time reached, s.
+  /// Takes the next step within the phase. Returns the time reached, s.
   double advance(const Phase& phase);
 
-  /// Writes the world's range of the columns. A body that Bullet has not moved has exactly the position it was
-  /// given, whatever Bullet's precision.
+  /// Writes the world's range of the columns. A body that Bullet has not moved has exactly its given position, in
+  /// either precision.
   void read_back(StateColumns& state) const;
 
   const Counters& counters() const { return counters_; }
@@ -61,7 +61,7 @@ class BulletWorld {
   std::unique_ptr<ContainerBody> container_;
   std::vector<BoxBody> boxes_;
 
-  double phase_begin_;            ///< begin of the phase whose acceleration is set, s
+  double phase_begin_;            ///< start of the phase whose acceleration is set, s
   std::uint64_t phase_step_ = 0;  ///< steps taken in that phase
   bool phase_set_ = false;
   Vec3 acceleration_ = Vec3::Zero();

@@ -11,7 +11,7 @@
 
 namespace holdfast::internal {
 
-/// The container inside a Bullet world: where the boxes are, and what holds them.
+/// The bodies of the container in a Bullet world.
 class ContainerBody {
  public:
   ContainerBody() = default;
@@ -19,11 +19,11 @@ class ContainerBody {
   ContainerBody& operator=(const ContainerBody&) = delete;
   virtual ~ContainerBody() = default;
 
-  /// Takes the container's acceleration, m/s²; called at every change.
-  /// @return what every box feels, m/s² in Bullet's world
+  /// Sets the container's acceleration, m/s²; called at every change.
+  /// @return acceleration by external forces on every box in Bullet's world, m/s²
   virtual btVector3 set_acceleration(const Vec3& acceleration) = 0;
 
-  /// Called before every step, with forces of Bullet's world cleared.
+  /// Called before every step, after the forces of Bullet's world are cleared.
   virtual void push() {}
 
   /// Pose and velocities of the container's frame in Bullet's world.
@@ -35,12 +35,12 @@ class ContainerBody {
   virtual Frame frame() const { return {}; }
 };
 
-/// The container at rest in its own frame: six static boxes (less the open sides), thick enough that nothing
-/// passes through in a step. Boxes feel gravity minus a(t).
+/// The container at rest in its own frame: a static box for each side that is not open, thick enough that no box passes
+/// through it in a step. Boxes feel the effective gravity g − a(t).
 std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings);
 
-/// The container as the tool of Ramos et al. had it: one free compound of six panels on a ground with friction,
-/// pushed by the force (container + cargo mass) a(t) at its centre of mass; nothing else drives the boxes.
+/// The container of StableCargo (Ramos et al.): one free compound body of six panels on a ground with friction. The
+/// force (container + cargo mass) a(t) acts at its centre of mass; no other force drives the boxes.
 /// @param cargo_mass of all boxes, kg
 std::unique_ptr<ContainerBody> make_free_container(btDiscreteDynamicsWorld& world, const Settings& settings,
                                                    double cargo_mass);

@@ -9,11 +9,11 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Thickness of the panels of a free container, m: thin enough for the inertia of a shell, thick enough for the
-/// speeds of a pushed container. Not given in the source.
+/// Thickness of the panels of a free container, m: thin enough for the inertia of a shell, thick enough for the speeds
+/// of a pushed container. The paper does not give it.
 constexpr double kPanelThickness = 0.1;
 
-/// The ground reaches this far, m: a container pushed at 1 g for 15 s stays on it.
+/// Half extent of the ground, m: a container pushed with 1 g for 15 s stays on it.
 constexpr double kGroundReach = 2000.0;
 constexpr double kGroundThickness = 10.0;
 
@@ -60,7 +60,8 @@ class FreeContainer final : public ContainerBody {
     world_.addRigidBody(ground_.get());
   }
 
-  /// The panels share the container's mass by volume; the compound's frame is that of its principal axes.
+  /// The mass of the container is distributed over the panels by volume; the frame of the compound body is that of its
+  /// principal axes.
   void add_shell(const ContainerSettings& container) {
     btCompoundShape panels;
     std::vector<btScalar> masses;

@@ -9,7 +9,7 @@
 
 namespace holdfast::internal {
 
-/// Bullet's solver, with a record of what its iterations reached. It is called once a group of islands.
+/// Bullet's solver, which also records its iterations and residuals. It is called once per group of islands.
 class MeasuringSolver final : public btSequentialImpulseConstraintSolver {
  public:
   /// Iterations over all calls.

@@ -11,8 +11,8 @@ using namespace holdfast::internal;
 
 namespace {
 
-/// Bullet writes to what malloc returns without a look at it, and its lists are no longer whole after an exception:
-/// their destructors would crash. So a failure ends the program, which may say why in its terminate handler.
+/// Bullet does not check the result of malloc, and after an exception its lists are inconsistent: their destructors
+/// would crash. Therefore a failed allocation ends the program, whose terminate handler can print the reason.
 void* allocate_or_end(std::size_t size) {
   void* memory = std::malloc(size);
   if (memory != nullptr) return memory;

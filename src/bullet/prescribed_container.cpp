@@ -8,7 +8,8 @@ namespace holdfast::internal {
 
 namespace {
 
-/// A 2 cm box at 10 m/s passes a wall of 10 cm within a step of 1/240 s; nothing passes a metre.
+/// Thickness of the walls, m. A box of 2 cm at 10 m/s can tunnel through a wall of 10 cm within a step of 1/240 s; no
+/// box tunnels through a metre.
 constexpr double kWallThickness = 1.0;
 
 class PrescribedContainer final : public ContainerBody {

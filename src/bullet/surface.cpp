@@ -26,7 +26,7 @@ btScalar pair_restitution(const btCollisionObject* first, const btCollisionObjec
 }  // namespace
 
 void install_contact_laws() {
-  // Once a plug-in: other engines may be at work when one more is made.
+  // Once per plug-in: other engines may be in use when another one is created.
   static std::once_flag installed;
   std::call_once(installed, [] {
     gCalculateCombinedFrictionCallback = pair_friction;

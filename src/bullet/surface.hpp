@@ -4,14 +4,13 @@
 
 namespace holdfast::internal {
 
-/// The surface of a body, hung on it as its user pointer: what Bullet's contact callbacks need. Belongs to the
-/// world of the body.
+/// The surface of a body, for Bullet's contact callbacks: the user pointer of the body. The world of the body owns it.
 struct BodySurface : Surface {
   const ContactSettings* contact = nullptr;
 };
 
-/// Makes Bullet ask the contact laws of `contact_law.hpp` for the friction and restitution of every pair (its
-/// callbacks are global to the library).
+/// Makes Bullet use the contact laws of `contact_law.hpp` for the friction and restitution of every pair. The callbacks
+/// are global in the library.
 void install_contact_laws();
 
 }  // namespace holdfast::internal

@@ -49,7 +49,7 @@ TEST_CASE("engine_loader: an engine refuses what it cannot model", "[api][engine
     const Result<std::unique_ptr<Engine>> engine = make_engine(name, settings);
     REQUIRE_FALSE(engine);
     CHECK(engine.error().message() ==
-          "a free container is one body for Bullet, with one friction; "
+          "a free container is one body in Bullet, with one friction coefficient; "
           "BoxFloor and BoxWall must be equal, or Motion = prescribed");
   }
   settings.contact.box_wall = 0.5;

@@ -49,7 +49,7 @@ class Sizes(CliTest):
     def test_ten_million_boxes(self):
         self.write_inputs()
         path = self.write("boxes.txt", "1 1\n" + "0 0 0 5 5 5 1\n" * 9_000_000)
-        self.assert_bad_layout(path, "boxes.txt:20002: a box too many; at most 20000 boxes")
+        self.assert_bad_layout(path, "boxes.txt:20002: too many boxes; at most 20000 boxes")
 
     def test_as_many_boxes_as_there_may_be_all_in_one_place(self):
         self.write_inputs()

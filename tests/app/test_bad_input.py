@@ -37,7 +37,7 @@ BAD_ACCELERATIONS = [
     ("infinite", "0 1 inf 0 0\n", "1:5", "ax is not a number: inf"),
     ("negative_time", "-1 1 0 0 0\n", "1:1", "the initial time is negative"),
     ("no_duration", "0 0 0 0 0\n", "1:3", "the duration is too short"),
-    ("endless", "0 1e300 0 0 0\n", "1:3", "a time that no run would reach: 1e300; times of at most 1e6 s"),
+    ("endless", "0 1e300 0 0 0\n", "1:3", "the time is too large: 1e300; times of at most 1e6 s"),
     ("absurd", "0 1 0 -1e300 0\n", "1:7", "ay is too large: -1e300; accelerations from -10000 to 10000 m/s²"),
     ("overlap", "0 1 1 0 0\n0.5 1 2 0 0\n", "2:1", "the segment overlaps that of line 1"),
     ("unsorted", "1 1 1 0 0\n0 1 2 0 0\n", "2:1", "the segment is before that of line 1"),
@@ -106,7 +106,7 @@ class Check(CliTest):
         self.write("whole.txt", text)
         self.write("cut.txt", "".join(text.splitlines(keepends=True)[:-1]))
         self.write("shove.txt", SHOVE)
-        warning = "warning: cut.txt:1: the header announces 3 boxes and the file has 2, as a copy that was cut off would\n"
+        warning = "warning: cut.txt:1: the header announces 3 boxes and the file has 2, as in a truncated copy\n"
         done = self.run_here("check", "whole.txt", "cut.txt")
         self.assert_exit(done, 0)
         self.assertEqual(done.stderr, warning)
@@ -316,7 +316,7 @@ class NoRegularFiles(CliTest):
                           ("screen", "--layouts", layout, "--accelerations", acceleration, "-o", path, "--resume"),
                           ("run", path), ("check", path), ("summary", path)):
                 with self.subTest(path=path, words=words[:2]):
-                    self.assert_refused(self.run_here(*words), f"{path}: is {kind}, not a file; save what it gives in a file")
+                    self.assert_refused(self.run_here(*words), f"{path}: is {kind}, not a file; save its output in a file")
 
     def test_a_pipe_in_a_folder_is_told(self):
         self.write("layouts/seed.txt", layout_text(SEED))

@@ -67,9 +67,9 @@ class Bench(CliTest):
         for arguments, words in ((("--engine", "bullet-stock", "bulet"), ("unknown engine: bulet", "'bullet'")),
                                  (("-c", "odd.ini"), ("odd.ini:5:13: Scheduler has a wrong value: none",)),
                                  (("--accelerations", "none.txt"), ("none.txt: no such file",)),
-                                 (("--csv", "tower.txt"), ("tower.txt: holds something else",)),
+                                 (("--csv", "tower.txt"), ("tower.txt: is a file of another kind",)),
                                  (("--csv", "scratch"), ("scratch: is a folder",)),
-                                 (("--csv", "pipe"), ("pipe: is no file",)),
+                                 (("--csv", "pipe"), ("pipe: is not a regular file",)),
                                  (("--csv", "none/bench.csv"), ("none/bench.csv: cannot be written",)),
                                  (("--folder", "none"), ("none: no folder can be made in it",))):
             with self.subTest(arguments=arguments):
@@ -118,7 +118,7 @@ class Bench(CliTest):
         self.assertEqual(list(costs.index), list(STAGES))
         self.assertGreater(costs["simulate"], 0)
         self.screen("--costs", "costs.json", "--overwrite")
-        for path, words in (("config.ini", "holds something else"), ("/dev/null", "is no file"), ("scratch", "is a folder"),
+        for path, words in (("config.ini", "is a file of another kind"), ("/dev/null", "is not a regular file"), ("scratch", "is a folder"),
                             ("none/costs.json", "cannot be written"), ("./other.h5", "is the results file")):
             with self.subTest(path=path):
                 _, done = self.screen("--costs", path, output="other.h5", expect=2)

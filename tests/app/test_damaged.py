@@ -44,7 +44,7 @@ VALUES = {
     "infinite or zero": lambda data: np.full_like(data, 0 if data.dtype.kind in "ui" else np.nan),
 }
 
-CURE = "remove this part and any behind it, and --resume simulates their worlds again"
+CURE = "remove this part and all later ones; --resume then simulates their worlds again"
 
 # Datasets of a part that nothing but the results file needs.
 NEEDED_AT_THE_END = ("/inputs/layouts/box_begin", "/inputs/layouts/box_count", "/inputs/layouts/header")

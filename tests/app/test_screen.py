@@ -277,7 +277,8 @@ class Output(CliTest):
                                  ("total_kinetic_energy_J", "total_kinetic_energy"),
                                  ("peak_kinetic_energy_J", "peak_kinetic_energy")):
                 self.assertAlmostEqual(world[name], float(data[f"/summary/worlds/{column}"][w]), 6, name)
-            for name, column in (("max_residual", "max_residual"), ("max_penetration_m", "max_penetration")):
+            for name, column in (("max_residual", "max_residual"), ("residual_scale", "residual_scale"),
+                                 ("max_penetration_m", "max_penetration")):
                 self.assertEqual(world[name], data[f"/worlds/{column}"][w], name)
             self.assertEqual(world["layout"], self.layouts[w // 2].name)
             self.assertEqual(world["acceleration"], self.accelerations[w % 2].name)
@@ -351,7 +352,7 @@ class Output(CliTest):
 
     def test_text_files_that_cannot_be_are_told_before(self):
         self.layouts.append(self.write(f"{'l' * 240}.txt", layout_text(SEED)))
-        for folder, words in (("text", ("text: takes no text file of so long a name: [SOLUTION_RESUMED]$lll", "at most 255 bytes")),
+        for folder, words in (("text", ("text: cannot have a text file with such a long name: [SOLUTION_RESUMED]$lll", "at most 255 bytes")),
                               ("seed.txt/text", ("seed.txt/text: cannot be made",))):
             with self.subTest(folder=folder):
                 _, done = self.screen("--text", folder, expect=2)

@@ -109,8 +109,9 @@ class Summary(CliTest):
         for i, axis in enumerate("xyz"):
             np.testing.assert_array_equal(boxes[f"displacement_{axis}_m"].to_numpy(np.float32),
                                           data["/summary/boxes/displacement"][:, i])
-        for column, name in (("max_residual", "max_residual"), ("max_penetration_m", "max_penetration")):
-            np.testing.assert_allclose(worlds[column], data[f"/worlds/{name}"], 1e-14, 0, err_msg=column)
+        for column, name in (("max_residual", "max_residual"), ("residual_scale", "residual_scale"),
+                             ("max_penetration_m", "max_penetration")):
+            np.testing.assert_allclose(worlds[column], data[f"/worlds/{name}"], 1e-13, 0, err_msg=column)
         np.testing.assert_array_equal(boxes["mass_kg"].to_numpy(np.float32), data["/boxes/mass"])
         self.assertEqual(list(worlds["status"]), ["ok"] * 6 + ["bad_layout"] * 2)
         self.assertEqual(worlds["status_text"][6], data["/worlds/status_text"][6].decode())

@@ -103,7 +103,7 @@ class Validate(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             layout = pathlib.Path(folder, "layout.txt")
             layout.write_text("1 1\n0 0 0 80 60 100 1\n")
-            for path, words in ((layout, "holds something else"), (folder, "is a folder"), ("/dev/null", "is no file"),
+            for path, words in ((layout, "is a file of another kind"), (folder, "is a folder"), ("/dev/null", "is not a regular file"),
                                 (pathlib.Path(folder, "none/bounds.tsv"), "cannot be written")):
                 with self.subTest(path=path):
                     done = run("validate", "--case", "slide_path", "--engine", "bullet", "--record-bounds", path)

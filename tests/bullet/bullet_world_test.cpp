@@ -1,4 +1,4 @@
-// A world's result depends on its own inputs alone.
+// The result of a world depends only on its own inputs.
 
 #include <filesystem>
 #include <thread>
@@ -13,7 +13,7 @@ namespace {
 
 std::string any_engine() { return GENERATE(as<std::string>{}, "bullet", "bullet-f64", "bullet-stock"); }
 
-/// A pile that falls over: many contacts, of which some are lost and others made.
+/// A pile that falls over: many contacts, some of which open and others close.
 Layout pile() {
   Layout layout = stack(4, {2.1, 0.9, 0}, {0.4, 0.5, 0.5});
   for (const Box& more : stack(3, {2.5, 0.7, 0}, {0.3, 0.8, 0.4}).boxes) layout.boxes.push_back(more);
@@ -50,7 +50,7 @@ TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][
   const std::string engine = any_engine();
   CAPTURE(engine);
   const std::uint64_t expected = hash_alone(engine, pile());
-  // One engine, shared by all threads; Catch's assertions are for this thread alone.
+  // One engine, shared by all threads; Catch's assertions may be used in this thread only.
   const std::unique_ptr<Engine> shared = engine_of(engine, {});
   std::vector<std::uint64_t> hashes(4);
   std::vector<std::thread> threads;
@@ -85,7 +85,7 @@ TEST_CASE("bullet_world: sampling does not change the motion", "[bullet][bullet_
   CHECK(run("bullet", pile(), swerve(), settings).record.state_hash == hash_alone("bullet", pile()));
 }
 
-TEST_CASE("bullet_world: a change of the motion wakes sleeping boxes", "[bullet][bullet_world]") {
+TEST_CASE("bullet_world: a change of the acceleration wakes sleeping boxes", "[bullet][bullet_world]") {
   const std::string engine = any_engine();
   CAPTURE(engine);
   const Layout layout = layout_of({box({10, 10, 0}, {1.1, 1.1, 0.25})});
@@ -95,7 +95,7 @@ TEST_CASE("bullet_world: a change of the motion wakes sleeping boxes", "[bullet]
   settings.bullet.sleeping = BulletSleeping::wake_on_change;
   const Run one = run(engine, layout, acceleration, settings);
   CHECK(one.displacement().x() == Approx(-0.25 * limit * (1 + 1.0 / 240)).epsilon(1e-3));
-  // It did sleep: Bullet puts bodies to sleep after 2 s.
+  // The box was asleep: Bullet puts bodies to sleep after 2 s.
   const Counters awake = run(engine, layout, acceleration, open_floor(0.5)).record.outcome.counters;
   const Counters& asleep = one.record.outcome.counters;
   CHECK(asleep.steps == awake.steps);
@@ -118,7 +118,7 @@ TEST_CASE("bullet_world: the layouts that come with the program stay finite", "[
     const Run one = run(*engine, *layout, constant(0.8 * kGravity, 0.2), settings);
     CHECK(one.record.outcome.status == Status::ok);
     CHECK(one.record.outcome.end_time == 0.2);
-    // ½ · 0.8 g · 0.2² is 16 cm; nothing can have gone much further.
+    // ½ · 0.8 g · 0.2² is 16 cm; no box can have moved much farther.
     for (const Float3& moved : one.record.end.displacement) CHECK(length(moved) < 0.3F);
     ++count;
   }

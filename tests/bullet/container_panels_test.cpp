@@ -1,4 +1,4 @@
-// What the sides of a prescribed container hold back, and what their absence lets go.
+// The sides of a prescribed container hold boxes; open sides do not.
 
 #include "scenes.hpp"
 
@@ -21,7 +21,7 @@ Layout box_inside() { return layout_of({box({2.5, 0.9, 0}, {0.6, 0.5, 0.4})}); }
 
 struct Side {
   const char* name;
-  Vec3 push;     ///< acceleration of the container that sends boxes there, m/s²
+  Vec3 push;     ///< acceleration of the container that moves boxes to that side, m/s²
   Vec3 reached;  ///< displacement of the box at that side, m
 };
 
@@ -62,7 +62,7 @@ TEST_CASE("container_panels: the floor ends where a side is open", "[bullet][con
   Settings settings;
   settings.container.open_sides = {"rear"};
   const Vec3 size(0.5, 0.5, 0.2);
-  // The centre of mass 5 cm before the sill, and 5 cm behind it.
+  // The centre of mass is 5 cm in front of the sill, and 5 cm beyond it.
   const Run stays = run(engine, layout_of({box({5.57, 1, 0}, size)}), constant(0, 2), settings);
   CHECK(stays.displacement().norm() < 1e-3);
   const Run falls = run(engine, layout_of({box({5.67, 1, 0}, size)}), constant(0, 2), settings);
@@ -74,7 +74,7 @@ TEST_CASE("container_panels: the walls end where the roof is open", "[bullet][co
   CAPTURE(engine);
   Settings settings = frictionless_container({"roof"});
   const double wall = settings.container.size.z();
-  // On a block as high as the walls, a box meets no wall.
+  // A box on a block as high as the walls touches no wall.
   const Layout layout = layout_of({box({0, 0, 0}, {5.87, 2.33, wall}), box({1, 1, wall}, {0.5, 0.5, 0.2})});
   const Run one = run(engine, layout, constant(5, 1), settings);
   CHECK(one.displacement(0).norm() < 0.01);

@@ -1,4 +1,4 @@
-// A free container feels its force alone: (container + cargo mass) a(t), less friction of the ground.
+// The forces on a free container are (container + cargo mass) a(t) and the friction of the ground.
 
 #include "scenes.hpp"
 
@@ -23,7 +23,7 @@ Settings free_container(double box_friction, double ground_friction) {
 /// One box of 250 kg.
 Layout cargo() { return layout_of({box({3, 0.6, 0}, {1, 1, 1})}); }
 
-/// Force on the container over its own mass, m/s² per m/s² of the file.
+/// Force on the container divided by its own mass, relative to the acceleration in the file.
 const double kDrive = (3700.0 + 250.0) / 3700.0;
 
 }  // namespace
@@ -35,7 +35,7 @@ TEST_CASE("free_container: nothing moves at rest", "[bullet][free_container]") {
   CHECK(one.displacement().norm() < 1e-4);
 }
 
-TEST_CASE("free_container: a frictionless box stays behind the container", "[bullet][free_container]") {
+TEST_CASE("free_container: a frictionless box does not move with the container", "[bullet][free_container]") {
   const std::string engine = any_engine();
   const Run one = run(engine, cargo(), constant(2, 1), free_container(0.0, 0.0));
   const double expected = -0.5 * kDrive * 2 * (1 + kStep);
@@ -46,7 +46,7 @@ TEST_CASE("free_container: a frictionless box stays behind the container", "[bul
   CHECK(std::abs(one.displacement().z()) < 1e-3);
 }
 
-TEST_CASE("free_container: a box with friction moves along", "[bullet][free_container]") {
+TEST_CASE("free_container: a box with friction moves with the container", "[bullet][free_container]") {
   const std::string engine = any_engine();
   const Run one = run(engine, cargo(), constant(2, 1), free_container(0.5, 0.0));
   CAPTURE(engine, one.displacement().norm());
@@ -60,16 +60,16 @@ TEST_CASE("free_container: the ground holds the container below its friction", "
   CHECK(one.displacement().norm() < 5e-3);
 }
 
-TEST_CASE("free_container: beyond that the ground takes its share", "[bullet][free_container]") {
+TEST_CASE("free_container: above its friction limit the ground slows the container", "[bullet][free_container]") {
   const std::string engine = any_engine();
   const Run one = run(engine, cargo(), constant(5, 0.8), free_container(0.0, 0.3));
-  // Friction of the ground acts under the weight of container and cargo.
+  // The normal force on the ground is the weight of container and cargo.
   const double expected = -0.5 * kDrive * (5 - 0.3 * kGravity) * 0.8 * (0.8 + kStep);
   CAPTURE(engine, one.displacement().x(), expected);
   CHECK(one.displacement().x() == Approx(expected).epsilon(0.02));
 }
 
-TEST_CASE("free_container: sideways as well", "[bullet][free_container]") {
+TEST_CASE("free_container: the container moves sideways too", "[bullet][free_container]") {
   const std::string engine = any_engine();
   const Run one = run(engine, cargo(), acceleration_of({{0.5, Vec3(0, -2, 0)}}), free_container(0.0, 0.0));
   const double expected = 0.5 * kDrive * 2 * 0.5 * (0.5 + kStep);

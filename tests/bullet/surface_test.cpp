@@ -29,7 +29,7 @@ Settings pairs(double box_box, double box_floor, double box_wall) {
   return settings;
 }
 
-/// Height that a box reaches again, over the height it is dropped from.
+/// Height of the rebound of a box, relative to the height from which it is dropped.
 double rebound(const std::string& engine, const Settings& given) {
   Settings settings = given;
   settings.bullet.split_impulse_threshold = 0.0;
@@ -57,10 +57,10 @@ TEST_CASE("surface: friction is the product of both sides", "[bullet][surface]")
   CHECK(friction_seen(engine, layout_of({box({10, 10, 0}, size, 2)}), {6, 0, 0}, settings) ==
         Approx(0.15 * kGravity).epsilon(1e-3));
 
-  // Of two boxes too: the lower one sticks to the floor.
+  // The same for two boxes: the lower one does not slide on the floor.
   settings.container.friction = 5.0;
   const Layout two = layout_of({box({8, 8, 0}, {4, 4, 0.2}), box({10, 10, 0.2}, size, 2)});
-  // Measured: 1.7 % low as shipped.
+  // Measured: 1.7 % too low with bullet-stock.
   CHECK(friction_seen(engine, two, {6, 0, 0}, settings, 1) == Approx(0.24 * kGravity).epsilon(0.025));
 }
 
@@ -77,9 +77,10 @@ TEST_CASE("surface: friction by the kind of pair", "[bullet][surface]") {
     CHECK(friction_seen(engine, two, {6, 0, 0}, pairs(0.3, 2.0, 0.7), 1) == Approx(0.3 * kGravity).epsilon(0.025));
   }
   SECTION("box and side wall") {
-    // Bullet lays its friction directions along the velocity with gravity's share of the step in it, g h downwards. On
-    // a wall they stand askew until v is much larger, and the limits of both add up: measured 2.75 of 2 m/s² in the
-    // first step, 2.04 after half a second with two directions; 1.04 and 2.00 with one, as shipped.
+    // Bullet aligns its friction directions with the velocity including that added by gravity in the step, g h
+    // downwards. At a wall they are oblique until v is much larger, and the limits of both add up: instead of 2 m/s²,
+    // measured 2.75 in the first step and 2.04 after half a second with two directions; 1.04 and 2.00 with one
+    // (bullet-stock).
     const Layout at_wall = layout_of({box({10, 0, 0}, {2, 0.5, 0.25})});
     const Run slide = run(engine, at_wall, acceleration_of({{kTime, Vec3(6, 5, 0)}}), pairs(0.9, 0.0, 0.4));
     const double seen = 6 + static_cast<double>(slide.record.series.linear_acceleration.back().x);
@@ -92,7 +93,7 @@ TEST_CASE("surface: friction by the kind of pair", "[bullet][surface]") {
   }
 }
 
-TEST_CASE("surface: materials have no say in friction by the kind of pair", "[bullet][surface]") {
+TEST_CASE("surface: materials do not affect friction by the kind of pair", "[bullet][surface]") {
   Settings settings = pairs(0.9, 0.3, 0.7);
   settings.materials[1].friction = 0.0;
   settings.container.friction = 0.0;
@@ -100,26 +101,26 @@ TEST_CASE("surface: materials have no say in friction by the kind of pair", "[bu
   CHECK(friction_seen("bullet", layout, {6, 0, 0}, settings) == Approx(0.3 * kGravity).epsilon(1e-3));
 }
 
-TEST_CASE("surface: the rebound of a box is its own restitution", "[bullet][surface]") {
+TEST_CASE("surface: a box rebounds with its own restitution", "[bullet][surface]") {
   const std::string engine = any_engine();
   Settings settings = open_floor(0.5);
   CAPTURE(engine, rebound(engine, settings));
   CHECK(rebound(engine, settings) < 1e-3);
-  // Measured 3.3 % low at e = 0.5: contact is made when a step has already overlapped.
+  // Measured 3.3 % too low at e = 0.5: the contact is found only after the boxes overlap.
   settings.contact.restitution = 0.5;
   CHECK(rebound(engine, settings) == Approx(0.25).epsilon(0.05));
   settings.materials[1].restitution = 0.8;
   CHECK(rebound(engine, settings) == Approx(0.64).epsilon(0.05));
 }
 
-TEST_CASE("surface: of two boxes the smaller restitution decides", "[bullet][surface]") {
+TEST_CASE("surface: two boxes have the smaller restitution", "[bullet][surface]") {
   const std::string engine = any_engine();
   Settings settings = open_floor(0.0);
-  // As shipped, the correction of the overlap adds a tenth to the rebound.
+  // With bullet-stock, the correction of the penetration adds a tenth to the rebound.
   settings.bullet.split_impulse_threshold = 0.0;
   settings.materials[1].restitution = 0.9;
   settings.materials[2].restitution = 0.4;
-  // Box 1 runs into box 2, which is at rest and of the same mass.
+  // Box 1 hits box 2, which is at rest and has the same mass.
   const auto after_impact = [&](int first, int second) {
     const Layout layout = layout_of({box({8, 10, 0}, {1, 1, 0.5}, first), box({9.1, 10, 0}, {1, 1, 0.5}, second)});
     return run(*engine_of(engine, settings), layout, constant(0, 0.5), settings,

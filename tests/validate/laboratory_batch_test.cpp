@@ -8,7 +8,7 @@ using namespace holdfast::internal;
 
 namespace {
 
-/// Moves every box with its velocity, one step of 1/steps_per_second at a time: enough to see who sees what.
+/// Moves every box with its velocity in steps of 1/steps_per_second: enough to test the observers.
 class Drifting final : public Engine {
  public:
   explicit Drifting(double step) : step_(step) { traits_.name = "drifting"; }
@@ -73,7 +73,7 @@ TEST_CASE("laboratory: every scene of a batch ends in its own state", "[validate
   CHECK(laboratory.cost().box_seconds == 4.0);
 }
 
-TEST_CASE("laboratory: an observer that has seen enough does not end the others", "[validate][laboratory]") {
+TEST_CASE("laboratory: an observer that has finished does not end the others", "[validate][laboratory]") {
   const std::atomic<bool> abort = false;
   Laboratory laboratory(make_drifting, kSetting, abort);
   const std::vector<Scene> scenes = {drifting_scene(1.0), drifting_scene(0.5)};
@@ -96,7 +96,7 @@ TEST_CASE("laboratory: a scene's step factor multiplies the step", "[validate][l
   CHECK(moments == 5);
 }
 
-TEST_CASE("departure: counts from a time on and ends once it is enough", "[validate][departure]") {
+TEST_CASE("departure: counts from a given time on and ends once it is large enough", "[validate][departure]") {
   const std::atomic<bool> abort = false;
   Laboratory laboratory(make_drifting, kSetting, abort);
   CHECK(departure(laboratory, drifting_scene(1.0), 1.5, 10.0) == Approx(0.5));

@@ -30,7 +30,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string_view> closest_word(std::string_view word, std::span<const std::string_view> candidates) {
-  // A third of the letters may be wrong; longer words than any of ours are no slips and would only cost time.
+  // A third of the letters may be wrong. A word much longer than all candidates is not a typing error; comparing it
+  // would only cost time.
   constexpr std::size_t kLongestWord = 100;
   if (word.size() > kLongestWord) return std::nullopt;
   std::optional<std::string_view> best;

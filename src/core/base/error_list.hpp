@@ -9,8 +9,8 @@
 
 namespace holdfast::internal {
 
-/// Errors of one file in the order they are found. The first ones are kept, the rest are counted: a file can be
-/// wrong in every line.
+/// Errors of one file in the order in which they are found. The first ones are kept, the rest are only counted: every
+/// line of a file can be wrong.
 class ErrorList {
  public:
   static constexpr std::size_t kMost = 20;
@@ -19,10 +19,10 @@ class ErrorList {
 
   bool empty() const { return errors_.empty(); }
 
-  /// Whether the next error will be counted only; its text need not be made then.
+  /// True when the next error will only be counted, so that its text is not needed.
   bool full() const { return errors_.size() == kMost; }
 
-  /// Adds an error and names the file in it.
+  /// Adds an error and sets its file.
   void add(Error error) {
     if (full()) return count_more();
     error.file = file_;
@@ -30,7 +30,7 @@ class ErrorList {
   }
   void count_more() { ++more_; }
 
-  /// The errors; a last one says how many more there are.
+  /// The errors; the last one says how many more there are.
   std::vector<Error> take() {
     if (more_ > 0) errors_.push_back({.file = file_, .what = "further errors", .value = std::to_string(more_)});
     more_ = 0;

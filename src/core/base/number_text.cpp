@@ -9,7 +9,7 @@ namespace {
 
 template <class Number>
 std::optional<Number> parse(std::string_view text) {
-  // from_chars knows no leading plus sign.
+  // from_chars does not accept a leading plus sign.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -6,12 +6,12 @@
 
 namespace holdfast::internal {
 
-/// The finite decimal number that the whole text stands for: `12`, `-0.5`, `+1e-3`. Nothing for anything else:
+/// The finite decimal number that the whole text represents: `12`, `-0.5`, `+1e-3`. Nothing for any other text:
 /// white space, hexadecimal, a decimal comma, `nan`, `inf`, a number too large or too small for a double.
 /// Does not depend on the locale.
 std::optional<double> parse_number(std::string_view text);
 
-/// The whole number that the whole text stands for: `12`, `-3`, `+4`; nothing for anything else.
+/// The integer that the whole text represents: `12`, `-3`, `+4`; nothing for any other text.
 std::optional<long> parse_integer(std::string_view text);
 
 /// The shortest text from which `parse_number` gives the same number.

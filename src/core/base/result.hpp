@@ -7,17 +7,17 @@
 
 namespace holdfast::internal {
 
-/// The text with `?` for control characters: a file's name may hold them, and must not garble a line.
+/// The text with `?` in place of control characters, which a file name may contain and which would garble a message.
 std::string printable(std::string text);
 
-/// One thing that is wrong with what a user gave us, in the parts that the message needs.
-/// Lines and columns count from 1; 0 means "not about one line" and is left out of the message.
+/// One error in a user's input, in the parts of which the message is made.
+/// Lines and columns count from 1; 0 means that the error is not about one line, and is left out of the message.
 struct Error {
   std::string file;      ///< path as the user wrote it; may be empty (a command-line value)
   long line = 0;         ///< line in `file`
   long column = 0;       ///< column of the value in that line
   std::string what;      ///< what is wrong, a clause without a full stop
-  std::string value;     ///< the offending value as it stands in the input; may be empty
+  std::string value;     ///< the wrong value as it is in the input; may be empty
   std::string accepted;  ///< what would be accepted; may be empty
 
   /// The message of one line: `file:line:column: what: value; accepted`.
@@ -27,11 +27,11 @@ struct Error {
 /// The message of the first error, and how many more there are.
 std::string summary_of(const std::vector<Error>& errors);
 
-/// What is told where memory runs out, with what to do about it.
-/// @param file  what it was needed for; may be empty
+/// The error that reports that memory ran out, and what to do about it.
+/// @param file  the file that the memory was needed for; may be empty
 Error out_of_memory(const std::string& file, std::string what = "memory ran out");
 
-/// A value, or what was wrong with the input it should have come from (at least one error).
+/// A value, or the errors (at least one) in the input from which it should have come.
 template <class T>
 class Result {
  public:

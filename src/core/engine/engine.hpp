@@ -14,32 +14,44 @@
 
 namespace holdfast::internal {
 
-/// What an engine spent on a world, and how well it did.
+/// What an engine computed for a world, and how accurate it was.
 struct Counters {
-  std::uint64_t steps = 0;             ///< steps that the simulated time was cut into
-  std::uint64_t steps_skipped = 0;     ///< of these, the ones proved to change nothing and not computed
+  std::uint64_t steps = 0;  ///< steps that the simulated time is divided into
+  std::uint64_t steps_skipped =
+      0;  ///< those of them that were not computed, because all islands were in static equilibrium
   std::uint64_t solve_iterations = 0;  ///< of the contact solver, over all steps
-  /// Largest change of a contact's velocity in the last iteration of a step, over what the pull adds in that step: the
-  /// native engine's is |g − a| times the whole step, and where that is zero the number is in m/s; that of the others
-  /// is g times the step, and without gravity the number stays 0. Worst of all steps.
+  /// Largest change of a contact's velocity in the last iteration of a step, m/s: of the step in which it is largest
+  /// relative to `residual_scale`.
   double max_residual = 0.0;
-  /// Deepest that a box was inside another or inside a side, m. Worst of all steps; 0 where the engine does not
+  /// Velocity that the effective gravity adds in that step, m/s: |g − a| h for the native engine, g h for the others. 0
+  /// as long as no step has a residual.
+  double residual_scale = 0.0;
+  /// Largest penetration of a box into another box or a side, m. Largest value over all steps; 0 if the engine does not
   /// measure it.
   double max_penetration = 0.0;
-  double device_seconds = 0.0;  ///< that the calling thread waited for a device on the world's behalf, s
+  double device_seconds = 0.0;  ///< for which the calling thread waited for a device on behalf of the world, s
+
+  /// Takes the residual of a step over if it is the largest so far, relative to its scale.
+  void note_residual(double residual, double scale) {
+    // residual / scale > max_residual / residual_scale, for scales that may be zero.
+    const bool first = max_residual == 0.0 && residual > 0.0;
+    if (!first && residual * residual_scale <= max_residual * scale) return;
+    max_residual = residual;
+    residual_scale = scale;
+  }
 };
 
-/// What the scheduler and the checks need to know of an engine.
+/// Properties of an engine that the scheduler and the checks need.
 struct EngineTraits {
   std::string name;
-  /// Most layouts to hand out as one unit of work: 1 for an engine that shares nothing between worlds, which then gets
-  /// one world at a time; many for a device, which gets them with all their accelerations.
+  /// Largest number of layouts in one unit of work. 1: the engine shares nothing between worlds, and gets one world at
+  /// a time. More: for a device, which gets the layouts with all their accelerations.
   std::size_t layouts_per_unit = 1;
-  /// True when all worlds of a batch advance together, whatever their accelerations: by one call of `advance`.
+  /// True when all worlds of a batch advance together, under any accelerations: by one call of `advance`.
   bool all_together = false;
 };
 
-/// Asks to take a world forward inside a phase, and tells how far it came.
+/// A request to advance one world within its current phase, and the answer.
 struct AdvanceRequest {
   std::size_t world = 0;     ///< index into the batch
   Phase phase;               ///< stretch of constant acceleration that contains the world's time
@@ -49,7 +61,7 @@ struct AdvanceRequest {
 
 /// Worlds inside an engine. Made by `Engine::build`; used by one thread at a time.
 ///
-/// A world's result depends on its own inputs alone: neither on its batch, nor on the order of calls for others.
+/// The result of a world depends on its own inputs only: not on its batch, nor on the order of calls for other worlds.
 class Simulation {
  public:
   Simulation() = default;
@@ -57,21 +69,21 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  /// Takes each world forward from where it is by one step or more, never past the end of its phase. The worlds' times
-  /// differ; there is one request unless `EngineTraits::all_together`.
+  /// Advances each world from its current time by one step or more, never past the end of its phase. The worlds may be
+  /// at different times. There is one request unless `EngineTraits::all_together`.
   ///
-  /// The engine cuts the phase into its own steps. It may take several before it returns as long as it stops at the
-  /// last step end not after `output_time` and at the first one after it: between these two the caller interpolates.
-  /// Steps that provably change nothing may be taken at once, past `output_time`.
+  /// The engine divides the phase into its own steps. It may take several of them before it returns, but must return at
+  /// the last end of a step that is not after `output_time`, and at the first one after it: the caller interpolates
+  /// between these two. Steps during which nothing moves may be taken all at once, past `output_time`.
   virtual void advance(std::span<AdvanceRequest> requests) = 0;
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;
 
-  /// What the world has cost so far.
+  /// The counters of the world up to its current time.
   virtual Counters counters(std::size_t world) const = 0;
 
-  /// What the engine itself found wrong with the world so far.
+  /// The problems that the engine itself has found with the world up to its current time.
   virtual Status status(std::size_t /*world*/) const { return Status::ok; }
 };
 
@@ -87,8 +99,8 @@ class SteppedSimulation : public Simulation {
   virtual double step(std::size_t world, const Phase& phase) = 0;
 };
 
-/// A way of moving boxes: the seam behind which Bullet, the native engine and device pipelines stand. Constant
-/// once made; shared by all threads.
+/// A method of simulating boxes: the interface that Bullet, the native engine and device pipelines implement. It does
+/// not change after it is made; all threads share it.
 class Engine {
  public:
   Engine() = default;
@@ -99,7 +111,7 @@ class Engine {
   virtual const EngineTraits& traits() const = 0;
 
   /// Builds the engine's state for all worlds of the batch, each at the start of its simulated time and in the
-  /// pose of the batch's columns. The batch must outlive the simulation.
+  /// pose that the batch's columns give. The batch must outlive the simulation.
   virtual std::unique_ptr<Simulation> build(const WorldBatch& batch) const = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace holdfast::internal {
 
-/// A stretch of a world's time between two stops of the engine, usually one step.
+/// The interval between two consecutive times at which the engine returns, usually one step.
 struct Step {
   double begin = 0.0;                ///< s
   double end = 0.0;                  ///< s
@@ -24,7 +24,7 @@ struct Outcome {
   Counters counters;
 };
 
-/// Watches one world while it runs. The drive loop (`simulate.hpp`) tells it every step; it keeps what it wants.
+/// Records one world while it is simulated. The loop in `simulate.hpp` passes it every step; it keeps what it needs.
 class Recorder {
  public:
   Recorder() = default;
@@ -37,7 +37,8 @@ class Recorder {
   /// @param settled state after gravity alone
   virtual void start(const BoxView& boxes, const StateView& layout, const StateView& settled) = 0;
 
-  /// The next time that must lie between two neighbouring step ends, s; infinity when there is none.
+  /// The next time at which the recorder needs the state, s: two consecutive ends of steps must enclose it. Infinity
+  /// when there is none.
   virtual double output_time() const = 0;
 
   /// Called for every step from t = 0 on, in order.

@@ -11,7 +11,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Adding 0 makes 0 of −0, which nobody wants to read.
+/// Adding 0 turns −0 into 0, which is easier to read.
 float to_float(double number) { return static_cast<float>(number) + 0.0F; }
 Float3 to_float(const Vec3& v) { return {to_float(v.x()), to_float(v.y()), to_float(v.z())}; }
 Float4 to_float(const Rotation& q) { return {to_float(q.w()), to_float(q.x()), to_float(q.y()), to_float(q.z())}; }

@@ -10,19 +10,19 @@
 
 namespace holdfast::internal {
 
-/// What a recorder needs to know of the run.
+/// Options of a recorder.
 struct RecordingPlan {
   double interval = 0.1;  ///< between samples, s
-  bool series = true;     ///< keep samples; peaks and ends are kept in any case
+  bool series = true;     ///< record samples; peaks and end values are always recorded
   ReferencePose reference_pose = ReferencePose::layout;
-  std::size_t samples = 0;     ///< room that is made for samples at once; more come as they may
+  std::size_t samples = 0;     ///< number of samples to reserve memory for; more may follow
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
 };
 RecordingPlan recording_plan(const Settings& settings, bool series);
 
-/// Records what the results file keeps of a world: samples at 0, every interval and the end, interpolated
-/// linearly between step ends; peaks over all steps; the ends of all boxes.
+/// Records what the results file contains of a world: samples at 0, after every interval and at the end, interpolated
+/// linearly between the ends of steps; peaks over all steps; end values of all boxes.
 class SeriesRecorder final : public Recorder {
  public:
   explicit SeriesRecorder(const RecordingPlan& plan) : plan_(plan) {}
@@ -32,18 +32,18 @@ class SeriesRecorder final : public Recorder {
   void step(const Step& step) override;
   void finish(const Outcome& outcome, const StateView& end) override;
 
-  /// The record, after `finish`; the caller adds what only it knows (indices, times). Empties the recorder.
+  /// Returns the record, after `finish`, and empties the recorder. The caller adds indices and times to the record.
   WorldRecord take() { return std::move(record_); }
 
  private:
-  /// A step seen at one instant: `share` is 0 at its begin and 1 at its end.
+  /// A point in time within a step: `share` is 0 at the start of the step and 1 at its end.
   struct Instant {
     double time;
     double share;
     const Step& step;
   };
 
-  /// Growing as samples come, the largest series would need twice their memory.
+  /// Reserves memory. If vectors grew sample by sample, the largest series would need twice their memory.
   void reserve_series(std::size_t samples, std::size_t boxes);
   void add_sample(const Instant& instant);
   void update_peaks(const StateView& state);
@@ -54,8 +54,8 @@ class SeriesRecorder final : public Recorder {
 
   RecordingPlan plan_;
   BoxView boxes_;
-  std::vector<Vec3> reference_position_;         ///< that displacement is measured from, m
-  std::vector<Rotation> reference_orientation_;  ///< that tilt is measured from
+  std::vector<Vec3> reference_position_;         ///< from which displacement is measured, m
+  std::vector<Rotation> reference_orientation_;  ///< from which tilt is measured
   std::size_t sample_count_ = 0;
   Vec3 last_acceleration_ = Vec3::Zero();       ///< of the container in the last step, m/s²
   std::vector<Vec3> last_linear_acceleration_;  ///< of the boxes in the last step, m/s²

@@ -25,7 +25,7 @@ bool is_quiet(const StateView& state, double threshold) {
          std::all_of(state.angular_velocity.begin(), state.angular_velocity.end(), slow);
 }
 
-/// Worlds that advance together, from settling to the end of the last one, each by a clock of its own.
+/// Worlds that advance together, from settling to the end of the last one; each has its own clock.
 class Group {
  public:
   Group(Simulation& simulation, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
@@ -60,14 +60,14 @@ class Group {
   }
 
  private:
-  /// Where a world is in its acceleration.
+  /// The position of a world in its acceleration.
   struct Clock {
     std::vector<Phase> phases;
     std::size_t phase = 0;     ///< index of the phase that contains `time`
     double time = 0.0;         ///< s
     double last_change = 0.0;  ///< time from which the acceleration is constant, s
-    double begin = 0.0;        ///< of the step last taken, s
-    double quiet_since = 0.0;  ///< end of the last step that was not quiet, s
+    double begin = 0.0;        ///< start of the last step, s
+    double quiet_since = 0.0;  ///< end of the last step in which a box was not slow, s
 
     const Phase& now() const { return phases[phase]; }
   };
@@ -75,10 +75,10 @@ class Group {
   const World& world_of(std::size_t world) const { return batch_.worlds[world]; }
   StateView state_of(const StateColumns& columns, std::size_t world) const { return view(columns, world_of(world)); }
 
-  /// Gravity alone until t = 0, then the recorders' start.
+  /// Simulates gravity alone until t = 0, then starts the recorders.
   bool settle() {
     const StateColumns layout = batch_.state;
-    // 0 − x: without settling time starts at 0, not at a negative zero.
+    // 0 − x, not −x: without settling, time starts at 0 and not at −0.
     const Phase gravity_alone{0.0 - settings_.screening.settle_seconds, 0.0, Vec3::Zero()};
     for (const std::size_t world : running_) clocks_[world] = {{gravity_alone}, 0, gravity_alone.begin};
     std::vector<std::size_t> settling;
@@ -112,13 +112,13 @@ class Group {
     return true;
   }
 
-  /// What makes the world's newest state worthless, if anything.
+  /// The reason why the newest state of the world is invalid; ok if it is valid.
   Status failure_of(std::size_t world) const {
     if (!is_finite(state_of(batch_.state, world))) return Status::non_finite;
     return has(simulation_.status(world), Status::capacity) ? Status::capacity : Status::ok;
   }
 
-  /// Tells the recorder of the step just taken. True when the world ends with it.
+  /// Passes the last step to the recorder. True when the world ends with this step.
   bool record_step(std::size_t world) {
     Clock& clock = clocks_[world];
     const Status failure = failure_of(world);
@@ -145,7 +145,7 @@ class Group {
     return false;
   }
 
-  /// Takes all running worlds forward, each towards `output_time(world)`.
+  /// Advances all running worlds, each towards `output_time(world)`.
   template <class OutputTime>
   void advance(const OutputTime& output_time) {
     for (const std::size_t world : running_) copy_state(batch_.state, before_, world_of(world));
@@ -169,11 +169,11 @@ class Group {
   const std::atomic<bool>& abort_;
   std::vector<std::size_t> running_;
   StateColumns before_;
-  std::vector<Clock> clocks_;  ///< a world of the batch
+  std::vector<Clock> clocks_;  ///< one per world of the batch
   std::vector<AdvanceRequest> requests_;
 };
 
-/// All worlds together where the engine wants them so; else each for itself.
+/// Simulates all worlds together if the engine does so, otherwise one after the other.
 std::vector<std::vector<std::size_t>> groups_of(const WorldBatch& batch, const EngineTraits& traits) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {

@@ -7,7 +7,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Share of a step by which rounding may lengthen a phase before another step is due.
+/// Fraction of a step by which a phase may exceed a whole number of steps through rounding without an additional step.
 constexpr double kStepSlack = 1e-6;
 
 }  // namespace

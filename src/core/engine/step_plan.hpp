@@ -6,11 +6,11 @@
 
 namespace holdfast::internal {
 
-/// Cuts a phase into equal steps, none longer than wanted, so that no step straddles a border of the phase.
+/// Divides a phase into equal steps, none longer than requested, so that no step crosses a boundary of the phase.
 class StepPlan {
  public:
-  /// @param phase            stretch of constant acceleration, s
-  /// @param steps_per_second wanted steps a second, 1/s; the longest step is its inverse
+  /// @param phase            interval of constant acceleration, s
+  /// @param steps_per_second requested steps per second, 1/s; the longest step is its inverse
   StepPlan(const Phase& phase, double steps_per_second);
 
   std::uint64_t step_count() const { return step_count_; }
@@ -21,7 +21,7 @@ class StepPlan {
   /// End of step `i`, counted from 0, s; exactly the phase's end for the last one.
   double end_of(std::uint64_t i) const;
 
-  /// Number of steps that end at or before `time`, s; the index of the step to take there.
+  /// Number of steps that end at or before `time`, s: the index of the next step at that time.
   std::uint64_t steps_before(double time) const;
 
  private:

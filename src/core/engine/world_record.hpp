@@ -17,13 +17,13 @@ struct Float4 {
   float w = 1, x = 0, y = 0, z = 0;
 };
 
-/// Time series of one world, sampled; float32 columns ready for the file. Container frame.
-/// Sample columns have an entry a sample; row columns one a sample and box: row = sample * box_count + box.
+/// Sampled time series of one world, as float32 columns that the file stores unchanged. Container frame. Sample columns
+/// have one entry per sample; row columns have one per sample and box: row = sample * box_count + box.
 struct Series {
   std::vector<double> time;                    ///< s
   std::vector<Float3> container_acceleration;  ///< m/s²; at a breakpoint the value before it
   std::vector<float> total_kinetic_energy;     ///< J
-  std::vector<std::uint32_t> fallen_count;     ///< boxes lower than in the reference pose by the drop threshold
+  std::vector<std::uint32_t> fallen_count;  ///< boxes lower than in the reference pose by more than the drop threshold
 
   std::vector<Float3> displacement;         ///< of the centre of mass from the reference pose, m
   std::vector<Float4> orientation;          ///< container_from_body
@@ -33,17 +33,17 @@ struct Series {
   std::vector<float> kinetic_energy;        ///< in the container's frame, J
 };
 
-/// Constant description of a world's boxes as the file stores it, an entry a box.
+/// Constant properties of a world's boxes as the file stores them, one entry per box.
 struct BoxTable {
-  std::vector<std::uint32_t> id;         ///< place among the boxes of the layout, from 1
+  std::vector<std::uint32_t> id;         ///< position among the boxes of the layout, from 1
   std::vector<std::int32_t> material;    ///< id of the layout file
   std::vector<float> mass;               ///< kg
   std::vector<Float3> size;              ///< m
   std::vector<Float3> initial_position;  ///< of the centre of mass in the layout's pose, m
 };
 
-/// How the boxes of a world ended, an entry a box: all that verdicts are judged by. The end values are those of
-/// the last sample, to the bit.
+/// End and peak values of the boxes of a world, one entry per box: everything that verdicts depend on. The end values
+/// have the same bits as those of the last sample.
 struct EndTable {
   std::vector<Float3> displacement;           ///< from the reference pose, m
   std::vector<float> tilt;                    ///< angle of the rotation from the reference pose, degrees
@@ -53,13 +53,13 @@ struct EndTable {
   std::vector<Float3> settling_displacement;  ///< of the settled pose from the layout's pose, m
 };
 
-/// Everything the results file keeps of one world.
+/// Everything that the results file contains of one world.
 struct WorldRecord {
   std::uint64_t layout = 0;        ///< index of the layout in the run
   std::uint64_t acceleration = 0;  ///< index of the acceleration in the run
   Outcome outcome;
   std::string status_text;                 ///< a sentence where the status is not ok
-  double cpu_seconds = 0.0;                ///< build and simulate
+  double cpu_seconds = 0.0;                ///< to build and simulate the world, s
   double peak_total_kinetic_energy = 0.0;  ///< over all steps, J
   std::uint64_t state_hash = 0;            ///< of the final state, see `state_hash`
   BoxTable boxes;

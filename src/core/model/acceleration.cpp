@@ -26,7 +26,7 @@ std::vector<Phase> phases_of(const Acceleration& acceleration, double end) {
 }
 
 double last_change(const Acceleration& acceleration) {
-  // The phase after the end of the file counts: it is at rest, the last segment may not be.
+  // The phase after the end of the file counts: its acceleration is zero, that of the last segment may not be.
   const std::vector<Phase> phases = phases_of(acceleration, acceleration.end_time() + 1.0);
   std::size_t last = phases.size() - 1;
   while (last > 0 && phases[last - 1].acceleration == phases[last].acceleration) --last;

@@ -7,7 +7,7 @@
 
 namespace holdfast::internal {
 
-/// A stretch of constant acceleration of the container, as the acceleration file declares it.
+/// An interval of constant acceleration of the container, as the acceleration file declares it.
 struct Segment {
   double start = 0.0;                ///< s
   double duration = 0.0;             ///< s, positive
@@ -15,8 +15,8 @@ struct Segment {
   long line = 0;                     ///< line of the acceleration file, from 1
 };
 
-/// What the container does: segments sorted by time, without overlap; zero acceleration in gaps and after
-/// the last one. Constant once read.
+/// The acceleration of the container over time: segments sorted by time, without overlap; zero in gaps and after the
+/// last segment. It does not change after it is read.
 struct Acceleration {
   std::string name;    ///< file name without the folder; labels the results
   std::string sha256;  ///< of the file's bytes, 64 hexadecimal digits
@@ -26,24 +26,24 @@ struct Acceleration {
   double end_time() const;
 };
 
-/// A stretch of simulated time with constant acceleration of the container. Phases follow each other without
-/// gap; steps never straddle their borders.
+/// An interval of simulated time with constant acceleration of the container. Phases follow each other without gaps;
+/// no step crosses the boundary between two phases.
 struct Phase {
   double begin = 0.0;                ///< s
   double end = 0.0;                  ///< s, after `begin`
   Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
 };
 
-/// Times closer than this are the same instant, s: adds of decimal times leave differences of 1e-15 s, and
-/// nothing a container does is faster than this.
+/// Times closer than this are the same instant, s: sums of decimal times have errors of about 1e-15 s, and no motion of
+/// a container is as fast as this.
 inline constexpr double kSameInstant = 1e-9;
 
-/// The acceleration cut into phases that cover [0, end) without gap; gaps and what follows the last segment have
-/// zero acceleration. Neighbours of equal acceleration stay apart, as the file has them.
-/// @param end end of the simulated time, s; phases are cut or a resting phase is added to reach it
+/// The acceleration divided into phases that cover [0, end) without gap; gaps and the time after the last segment have
+/// zero acceleration. Neighbouring segments of equal acceleration remain separate phases, as in the file.
+/// @param end end of the simulated time, s; phases are shortened or a phase of zero acceleration is added to reach it
 std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 
-/// Time of the last change of the acceleration, s: after it a(t) is constant for ever. 0 when it never changes.
+/// Time of the last change of the acceleration, s; after it a(t) is constant. 0 when it never changes.
 double last_change(const Acceleration& acceleration);
 
 }  // namespace holdfast::internal

@@ -22,7 +22,7 @@ std::optional<SegmentFault> check_segment(const Segment& segment) {
     return fault(std::isfinite(segment.start) ? 1 : 0, "a time is not a number", "a finite number of s");
   if (segment.start < 0.0) return fault(0, "the initial time is negative", "a time of at least 0 s");
   if (segment.start > kLatestSegment || segment.duration > kLatestSegment)
-    return fault(segment.start > kLatestSegment ? 0 : 1, "a time that no run would reach", "times of at most 1e6 s");
+    return fault(segment.start > kLatestSegment ? 0 : 1, "the time is too large", "times of at most 1e6 s");
   if (segment.duration < kSameInstant) return fault(1, "the duration is too short", "a duration of at least 1e-9 s");
   for (std::size_t i = 0; i < 3; ++i) {
     const double component = segment.acceleration[static_cast<Eigen::Index>(i)];

@@ -12,7 +12,7 @@ std::vector<Panel> container_panels(const ContainerSettings& container, double t
     return std::none_of(closed.begin(), closed.end(),
                         [&](const ContainerSide& side) { return side.axis == axis && side.far == far; });
   };
-  // Panels reach over the edges that they share with others; towards an open side they end where it begins.
+  // Panels extend over the edges that they have in common with others; at an open side they end at the edge.
   Vec3 from = Vec3::Constant(-thickness);
   Vec3 to = container.size + Vec3::Constant(thickness);
   for (int axis = 0; axis < 3; ++axis) {

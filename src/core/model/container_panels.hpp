@@ -14,8 +14,8 @@ struct Panel {
   SurfaceKind kind = SurfaceKind::wall;
 };
 
-/// The sides that are not open, floor first, each `thickness` (m) deep and reaching over the edges by as much where
-/// the neighbour is not open either.
+/// The sides that are not open, floor first. Each is `thickness` (m) thick, and extends over its edges by as much where
+/// the neighbouring side is not open either.
 std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
 
 }  // namespace holdfast::internal

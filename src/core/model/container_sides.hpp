@@ -17,12 +17,13 @@ struct ContainerSide {
   SurfaceKind kind = SurfaceKind::wall;
 };
 
-/// Play that every box has at least at every side but the floor when a world starts, m. A box that fits exactly is not
-/// clamped: hard contacts with friction would allow it to be, with any pressure, though nothing presses. With 1 µm
-/// some steps of a tilting column end clamped; ten times as much would show in results.
+/// Least clearance that every box has to every side except the floor when a world starts, m. It prevents a box that
+/// fits exactly from being clamped: hard contacts with friction have solutions with any pressure, although nothing
+/// presses. With 1 µm a tilting column ends clamped in some steps; with 100 µm the clearance would be visible in
+/// results.
 inline constexpr double kLeastPlay = 1e-5;
 
-/// How far behind its place a side stands for a box that begins at a distance `gap` of it, m.
+/// How far a side is moved back for a box that starts at a distance `gap` from it, m.
 double side_play(SurfaceKind kind, double gap);
 
 /// All sides: the one table of them. The floor is first, and is never open.

@@ -15,8 +15,8 @@ struct Box {
   long line = 0;     ///< line of the layout file that declares it, from 1
 };
 
-/// A candidate loading of the container: constant once read.
-/// A box's id is its place in `boxes`, counted from 1.
+/// A candidate loading of the container; it does not change after it is read.
+/// A box's id is its position in `boxes`, counted from 1.
 struct Layout {
   std::string name;        ///< file name without the folder; labels the results
   std::string sha256;      ///< of the file's bytes, 64 hexadecimal digits

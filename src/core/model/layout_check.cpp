@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kExtentNames{"length", "width", "height"};
 
-/// Differences of coordinates are exact up to this, m: decimal numbers of metres leave some 1e-15.
+/// Rounding of differences of coordinates, m; decimal numbers of metres have errors of about 1e-15.
 constexpr double kExact = 1e-9;
 
 std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
@@ -25,7 +25,7 @@ std::string centimetres(const Vec3& v) {
 }
 std::string box_name(std::size_t index) { return "box " + std::to_string(index + 1); }
 
-/// The check of one layout: looks at single boxes first, then at pairs of those that are boxes at all.
+/// The check of one layout: first of single boxes, then of pairs of the boxes that have positive extents.
 class LayoutCheck {
  public:
   LayoutCheck(const Layout& layout, const Settings& settings, const std::string& file)

@@ -14,16 +14,16 @@ namespace holdfast::internal {
 /// memory of a world, stay bounded.
 inline constexpr std::size_t kMostBoxes = 20'000;
 
-/// Overlaps and protrusions up to this are rounding of the program that made the layout, m.
+/// Overlaps and protrusions up to this length are taken as rounding of the program that made the layout, m.
 inline constexpr double kLayoutTolerance = 1e-4;
 
-/// What is geometrically wrong with a layout: non-finite corners, extents that are negative or no more than rounding,
-/// boxes outside the container (open sides do not bound it, the floor always does), boxes whose material puts the
-/// centre of mass outside them, boxes that overlap. Empty when it is sound.
+/// Geometric errors of a layout: corners that are not finite, extents that are negative or within rounding, boxes
+/// outside the container (it has no boundary at open sides, and always one at the floor), boxes whose material puts the
+/// centre of mass outside them, boxes that overlap. Empty when there are none.
 ///
-/// Costs n log n plus the number of pairs whose extents along x meet.
+/// The time is n log n plus the number of pairs whose extents along x overlap.
 /// @param file     named in the messages
-/// @param warnings gets one entry when there are overlaps or protrusions within the tolerance
+/// @param warnings receives one entry when there are overlaps or protrusions within the tolerance
 std::vector<Error> check_layout(const Layout& layout, const Settings& settings, const std::string& file,
                                 std::vector<Error>& warnings);
 

@@ -14,11 +14,11 @@
 #include "core/model/container_sides.hpp"
 #include "core/model/settings.hpp"
 
-/// What the text of a key may be. A kind has `kAccepted`, the clause for messages; `parse(text)`, an optional value;
-/// and `text(value)`, how one would write the value in the file.
+/// Kinds of values that a key may have. A kind has `kAccepted`, the clause for messages; `parse(text)`, which returns
+/// an optional value; and `text(value)`, the value as one would write it in the file.
 namespace holdfast::internal::setting_kinds {
 
-/// The words of a text, which any of the separators stand between.
+/// The words of a text; any of the characters in `separators` separates them.
 inline std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> words;
   while (true) {
@@ -41,7 +41,7 @@ struct Number : Range {
   static std::string text(double number) { return number_text(number); }
 };
 
-// What is beyond a million of any unit is a slip; a run would never end, or its products overflow.
+// A value above a million in any unit is a mistake: the run would never end, or products would overflow.
 struct AnyRange {
   static constexpr std::string_view kAccepted = "a number from -1000000 to 1000000";
   static bool holds(double number) { return std::abs(number) <= 1e6; }
@@ -79,7 +79,7 @@ using Angle = Number<AngleRange>;
 using Rate = Number<RateRange>;
 using Interval = Number<IntervalRange>;
 
-/// Text of a length in centimetres that gives exactly `metres` when it is read again.
+/// Text of a length in centimetres; reading it gives exactly `metres`.
 inline std::string centimetre_text(double metres) {
   const double rounded = std::round(metres * 1e11) / 1e9;
   return number_text(rounded / 100.0 == metres ? rounded : metres * 100.0);
@@ -146,7 +146,7 @@ struct DirectionRange {
   static constexpr int kMin = 1, kMax = 2;
 };
 
-/// true or false, as people write them.
+/// true or false, in the usual spellings.
 struct Truth {
   static constexpr std::string_view kAccepted = "true or false (also yes, no, 1, 0)";
   static std::optional<bool> parse(std::string_view text) {
@@ -251,7 +251,7 @@ struct Schedulers {
                                      Word{"serial", Scheduler::serial}};
 };
 
-/// Any of the container's sides, each once.
+/// Any of the container's sides, each at most once.
 struct Sides {
   static constexpr std::string_view kAccepted = "any of front, rear, left, right, roof, separated by spaces or commas";
   static std::optional<std::vector<std::string>> parse(std::string_view text) {
@@ -269,19 +269,19 @@ struct Sides {
   }
 };
 
-/// Any text, also none.
+/// Any text, also an empty one.
 struct Text {
   static constexpr std::string_view kAccepted = "any text";
   static std::optional<std::string> parse(std::string_view text) { return std::string(text); }
   static std::string text(const std::string& text) { return text; }
 };
 
-/// A path; nothing where there is no default.
+/// A path; it may be empty.
 struct Path : Text {
   static constexpr std::string_view kAccepted = "a path";
 };
 
-/// A path that cannot be missing.
+/// A path that must not be empty.
 struct NeededPath : Path {
   static std::optional<std::string> parse(std::string_view text) {
     return text.empty() ? std::nullopt : Path::parse(text);

@@ -20,39 +20,39 @@ struct SettingKey {
   std::string_view accepted;       ///< what is accepted, a clause for messages: "a number above 0"
   std::string_view sentence;       ///< what it does, one sentence
   std::string_view alias = "";     ///< another spelling that is accepted; "" when there is none
-  bool without_effect = false;     ///< accepted for the sake of old files; saying so is the reader's duty
+  bool without_effect = false;     ///< accepted for compatibility with old files; the reader warns about it
 
-  /// Sets the member from the file's text. False when the text is not as `accepted` says; then nothing changed.
-  /// @param material id of the material for keys of `Material N`, else ignored
+  /// Sets the member from the file's text. False when the text is not as `accepted` says; then nothing changes.
+  /// @param material id of the material for keys of `Material N`; ignored for other keys
   bool (*set)(Settings& settings, int material, std::string_view text) = nullptr;
   /// The member as one would write it in the file; "" when absent.
   std::string (*get)(const Settings& settings, int material) = nullptr;
 };
 
-/// The section of the table that stands for every `Material` section of a file.
+/// The section of the table that represents every `Material` section of a file.
 inline constexpr std::string_view kMaterialSection = "Material N";
 
 /// All keys, grouped by section in the order of the documentation.
 std::span<const SettingKey> setting_table();
 
-/// The sections of the table, each once, in its order.
+/// The sections of the table, each once, in the order of the table.
 std::vector<std::string_view> setting_sections();
 
 /// The key of that section and name (aliases included), or nullptr. Spelling and case are strict.
 const SettingKey* find_setting(std::string_view section, std::string_view name);
 
-/// Every setting as (`Section/Key`, text as one would write it in a file), materials as `Material 3/Key`; the table's
-/// order. A setting that is absent, so that engine or inputs decide, has an empty text.
+/// Every setting as (`Section/Key`, text as one would write it in a file), materials as `Material 3/Key`, in the order
+/// of the table. A setting that is absent, so that engine or inputs decide, has an empty text.
 std::vector<std::pair<std::string, std::string>> effective_settings(const Settings& settings);
 
-/// Two keys that contradict each other; the place is the key to change.
+/// Two keys that contradict each other; section and name are those of the key to change.
 struct SettingConflict {
   std::string section;  ///< as in the file: `Material 3` for material 3
   std::string name;     ///< of the key
   Error error;          ///< without file and line
 };
 
-/// Contradictions between keys that are fine each for itself; empty when there are none.
+/// Contradictions between keys whose values are valid separately; empty when there are none.
 std::vector<SettingConflict> check_settings(const Settings& settings);
 
 }  // namespace holdfast::internal

@@ -12,16 +12,16 @@ namespace holdfast::internal {
 /// Which axis of a layout file points up.
 enum class UpAxis { z, y };
 
-/// How the container moves: given in its own frame, or as a free body pushed over a ground.
+/// How the container moves: with prescribed acceleration, or as a free body pushed over a ground.
 enum class ContainerMotion { prescribed, free };
 
-/// How the friction coefficient of a pair comes about: product of the two sides, or given by the kind of pair.
+/// How the friction coefficient of a pair is found: as the product of its two sides, or by the kind of pair.
 enum class FrictionModel { product, pairs };
 
 /// When a world ends: at a time, or when all boxes have come to rest.
 enum class StoppingCondition { timeout, sleeping };
 
-/// What displacement is measured from: the layout's pose, or the pose after settling under gravity alone.
+/// The pose that displacement is measured from: the layout's, or the one after settling under gravity alone.
 enum class ReferencePose { layout, settled };
 
 /// How work is spread over threads. Results do not depend on it.
@@ -37,8 +37,8 @@ enum class BulletSleeping { off, wake_on_change };
 /// The inside of the container and the way it moves; `[Container]`.
 struct ContainerSettings {
   Vec3 size = {5.87, 2.33, 2.20};         ///< inner length, width and height, m
-  double mass = 3700.0;                   ///< kg; matters to a free container only
-  double friction = 0.70710678118654757;  ///< of floor, walls and roof, one side of a product
+  double mass = 3700.0;                   ///< kg; used by a free container only
+  double friction = 0.70710678118654757;  ///< of floor, walls and roof, one factor of a product
   double ground_friction = 0.6;           ///< of the ground under a free container
   ContainerMotion motion = ContainerMotion::prescribed;
   std::vector<std::string> open_sides;  ///< sides without a wall: front, rear, left, right, roof
@@ -53,21 +53,21 @@ struct ContactSettings {
   double box_wall = 0.5;   ///< friction coefficient of box and wall or roof, model `pairs`
 };
 
-/// What sets boxes of one material id apart; `[Material N]`. What is absent comes from the common keys.
+/// Properties of the boxes of one material id; `[Material N]`. Absent values come from the common keys.
 struct MaterialSettings {
   std::optional<double> density;       ///< kg/m³; not together with mass
-  std::optional<double> mass;          ///< kg a box
-  std::optional<double> friction;      ///< of a box's surface, one side of a product
+  std::optional<double> mass;          ///< kg per box
+  std::optional<double> friction;      ///< of a box's surface, one factor of a product
   std::optional<double> restitution;   ///< of a box's surface
   Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the centroid, axes of the container at the layout's pose, m
 };
 
-/// Which worlds to run, and how their outcome is judged; `[Screening]` and `[Simulation Settings]`.
+/// Which worlds to run, and how their results are judged; `[Screening]` and `[Simulation Settings]`.
 struct ScreeningSettings {
   std::string layout;        ///< path for `holdfast run` on a single pair
   std::string acceleration;  ///< path for `holdfast run` on a single pair
   std::string engine = "native";
-  int threads = 0;  ///< 0: one a core
+  int threads = 0;  ///< 0: one per core
   Scheduler scheduler = Scheduler::tbb;
   double settle_seconds = 0.0;  ///< gravity alone before t = 0, s
   ReferencePose reference_pose = ReferencePose::layout;
@@ -76,51 +76,52 @@ struct ScreeningSettings {
   double tilt_threshold = 10.0;  ///< degrees
 };
 
-/// Bullet's solver; `[Bullet]`. What is absent comes from the engine's preset (`bullet`, `bullet-stock`).
+/// Bullet's solver; `[Bullet]`. Absent values come from the engine's preset (`bullet`, `bullet-stock`).
 struct BulletSettings {
-  std::optional<double> steps_per_second;         ///< 1/s; overrides the common key
-  std::optional<int> iterations;                  ///< of the contact solver, a step
-  std::optional<int> friction_directions;         ///< 1 or 2 a contact point
-  std::optional<bool> random_order;               ///< constraints in a new random order each iteration
-  std::optional<bool> split_impulse;              ///< correct positions apart from velocities
-  std::optional<double> split_impulse_threshold;  ///< m; split impulse where the distance is below it
-  std::optional<double> erp;                      ///< share of a penetration corrected a step, velocity level
-  std::optional<double> erp2;                     ///< the same, split impulse
-  std::optional<double> warm_start;               ///< share of last step's impulses to start from
-  std::optional<double> linear_slop;              ///< penetration left alone, m
+  std::optional<double> steps_per_second;  ///< 1/s; overrides the common key
+  std::optional<int> iterations;           ///< of the contact solver, per step
+  std::optional<int> friction_directions;  ///< per contact point, 1 or 2
+  std::optional<bool> random_order;        ///< whether each iteration visits the constraints in a new random order
+  std::optional<bool> split_impulse;       ///< correct positions separately from velocities
+  std::optional<double> split_impulse_threshold;  ///< split impulse acts on contacts with a smaller distance, m
+  std::optional<double> erp;                      ///< fraction of a penetration corrected per step through velocities
+  std::optional<double> erp2;                     ///< the same for split impulse
+  std::optional<double> warm_start;               ///< fraction of the last step's impulses that the solver starts from
+  std::optional<double> linear_slop;              ///< penetration slop, m
   std::optional<double> restitution_velocity;     ///< approach speed below which there is no rebound, m/s
   std::optional<BulletSleeping> sleeping;
 };
 
-/// How far the native engine goes for accuracy: each stands for a step, tolerances and caps.
+/// Accuracy of the native engine: each value is a preset of step, tolerances and iteration limits.
 enum class Accuracy { screening, standard, reference };
 
-/// The native engine; `[Native]`. What is absent comes from the accuracy.
+/// The native engine; `[Native]`. Absent values come from the accuracy.
 struct NativeSettings {
   Accuracy accuracy = Accuracy::standard;
   std::optional<double> steps_per_second;  ///< 1/s; overrides the common key
-  std::optional<double> tolerance;         ///< of a moving step's velocities, over |g − a| h
-  std::optional<int> iterations;           ///< of a moving step's solve, at most
-  std::optional<double> rest_tolerance;    ///< imbalance that counts as rest, over |g − a| m
-  std::optional<int> impact_cuts;          ///< times that impacts may cut a step of an island
-  bool jump = true;                        ///< go to the end of a phase when all is at rest
-  bool freeze = true;                      ///< leave islands at rest alone until something touches them
+  std::optional<double> tolerance;         ///< of the velocities at the end of a step, relative to |g − a| h
+  std::optional<int> iterations;           ///< iteration limit of a solve
+  std::optional<double>
+      rest_tolerance;  ///< equilibrium residual below which a body is in equilibrium, relative to |g − a| m
+  std::optional<int> impact_cuts;  ///< how many times impacts may divide a step of an island
+  bool jump = true;                ///< jump to the end of a phase when all islands are in equilibrium
+  bool freeze = true;              ///< let islands in equilibrium sleep until something touches them
 };
 
 /// Bullet's pipeline on an OpenCL device; `[OpenCL]`.
 struct OpenClSettings {
   std::string device;          ///< part of the device's name; empty: the first GPU, else the first device
-  int iterations = 20;         ///< of the contact solver, a step; rounded up to a multiple of 4
+  int iterations = 20;         ///< of the contact solver, per step; rounded up to a multiple of 4
   int layouts_per_batch = 16;  ///< layouts that are stepped together, each under all accelerations
 };
 
-/// Everything a run can be told; one member a key of config.ini, in SI units. `setting_table.hpp` declares the
-/// keys, with units, defaults and ranges.
+/// All settings of a run: one member per key of config.ini, in SI units. `setting_table.hpp` declares the keys, with
+/// units, defaults and ranges.
 struct Settings {
   // [Physics Engine]
-  double density_value = 250.0;  ///< kg/m³, or kg a box when constant_density is false
+  double density_value = 250.0;  ///< kg/m³; kg per box when constant_density is false
   bool constant_density = true;
-  std::optional<double> steps_per_second;  ///< 1/s; absent: the engine's own (Bullet: 240)
+  std::optional<double> steps_per_second;  ///< 1/s; absent: the default of the engine (Bullet: 240)
   double gravity = 9.81;                   ///< m/s², along −z
 
   // [Renderer Engine]: accepted, without effect
@@ -150,7 +151,7 @@ struct Settings {
   OpenClSettings opencl;
 };
 
-/// Density or mass, friction and restitution of a box of material `id`, defaults filled in.
+/// Density or mass, friction and restitution of a box of material `id`, with absent values replaced by defaults.
 struct BoxMaterial {
   std::optional<double> density;  ///< kg/m³; absent where `mass` is given
   std::optional<double> mass;     ///< kg

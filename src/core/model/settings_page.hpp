@@ -4,7 +4,7 @@
 
 namespace holdfast::internal {
 
-/// The page docs/config.md, Markdown, made from the table of keys.
+/// The page docs/config.md as Markdown, generated from the table of keys.
 std::string settings_page();
 
 /// The same keys as plain text of at most 100 columns, for a terminal.

@@ -14,8 +14,7 @@ WorldVerdict not_simulated() {
   return {Verdict::failed, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
 }
 
-/// One that did not stand before any acceleration, and has settled since, is unstable though the acceleration left it
-/// alone.
+/// A layout that was not stable before any acceleration is unstable, even if the acceleration then moved nothing.
 Verdict worst_of(Status status, const WorldVerdict& world) {
   if (status != Status::ok) return Verdict::failed;
   if (world.fallen_boxes > 0) return Verdict::fell;

@@ -12,14 +12,14 @@
 
 namespace holdfast::internal {
 
-/// Limits that separate a box that stayed from one that did not.
+/// Thresholds that separate a box that stayed from one that did not.
 struct Thresholds {
-  double drop = 0.05;  ///< m: fallen when the centre of mass is lower by more
-  double move = 0.10;  ///< m: moved when displaced by more
-  double tilt = 10.0;  ///< degrees: tilted when rotated by more
+  double drop = 0.05;  ///< m: fallen when the centre of mass is lower by more than this
+  double move = 0.10;  ///< m: moved when displaced by more than this
+  double tilt = 10.0;  ///< degrees: tilted when rotated by more than this
 };
 
-/// What became of one box. Judged from the values of the results file, so that anyone can judge them again.
+/// Verdict on one box. It depends only on values in the results file, so that it can be derived again from the file.
 struct BoxVerdict {
   float drop = 0.0F;  ///< by how much the centre of mass is lower than in the reference pose, m; negative: higher
   bool fallen = false;
@@ -28,24 +28,23 @@ struct BoxVerdict {
   bool unstable = false;  ///< fell or moved while settling, before any acceleration
 };
 
-/// What became of a world as a whole, by the worst that happened in it.
+/// Verdict on a whole world: the worst that happened in it.
 enum class Verdict : std::uint8_t {
   stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
   moved = 1,     ///< a box moved or tilted at the end, and none fell
   fell = 2,      ///< a box had fallen at the end
-  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and all stayed since
-  failed = 4,    ///< the status is not ok: nothing can be said
+  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and no box did later
+  failed = 4,    ///< the status is not ok: there is no verdict
 };
 inline constexpr std::size_t kVerdictCount = 5;
 
 /// Name of the verdict as above.
 std::string to_string(Verdict verdict);
 
-/// Stands for a number of boxes that nobody counted, where there must be a number: no reader takes it for one.
+/// Number of boxes where they were not counted but a number is needed; too large to be mistaken for a count.
 inline constexpr std::uint32_t kNotCounted = std::numeric_limits<std::uint32_t>::max();
 
-/// What became of one world. Of one that was not simulated, the counts are `kNotCounted` and the other numbers not a
-/// number.
+/// Result of one world. If it was not simulated, the counts are `kNotCounted` and the other numbers NaN.
 struct WorldVerdict {
   Verdict verdict = Verdict::failed;
   std::uint32_t fallen_boxes = 0;
@@ -55,27 +54,27 @@ struct WorldVerdict {
   double total_kinetic_energy = 0.0;  ///< at the end, J
   double peak_kinetic_energy = 0.0;   ///< of all boxes together, over all steps, J
   float max_displacement = 0.0F;      ///< largest of all boxes at the end, m
-  float peak_displacement = 0.0F;     ///< largest of all boxes and steps, m
+  float peak_displacement = 0.0F;     ///< largest over all boxes and steps, m
 };
 
-/// True when a displacement means that the box has fallen: the one rule for series, tables and counts.
+/// True when a displacement means that the box has fallen: the same rule for series, tables and counts.
 bool is_fallen(const Float3& displacement, const Thresholds& thresholds);
 
-/// Length of a displacement, m, in float32 arithmetic as a reader of the file would form it.
+/// Length of a displacement, m, in float32 arithmetic, as a reader of the file would compute it.
 float length(const Float3& displacement);
 
 /// Verdict on box `i` of the table.
 BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds);
 
-/// Verdict on a world from how it and its boxes ended.
-/// @param peak_kinetic_energy of all boxes together, over all steps, J: taken over
+/// Verdict on a world from the end of its simulation and of its boxes.
+/// @param peak_kinetic_energy of all boxes together, over all steps, J; copied to the result
 WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
                          const Thresholds& thresholds);
 
-/// Time of the first sample at which a box is displaced by more than the move threshold, an entry a box, s;
-/// not-a-number where that never happens.
-/// @param time         an entry a sample, s
-/// @param displacement rows, sample after sample, m
+/// Time of the first sample at which a box is displaced by more than the move threshold, one entry per box, s;
+/// NaN where this never happens.
+/// @param time         one entry per sample, s
+/// @param displacement one entry per sample and box, sample by sample, m
 std::vector<float> first_move_times(std::span<const double> time, std::span<const Float3> displacement,
                                     std::size_t box_count, const Thresholds& thresholds);
 

@@ -29,7 +29,7 @@ void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
   state.angular_velocity.emplace_back(Vec3::Zero());
 }
 
-/// The numbers that an entry of a column consists of.
+/// The numbers in one entry of a column.
 std::span<const double, 3> numbers(const Vec3& v) { return std::span<const double, 3>(v.data(), 3); }
 std::span<const double, 4> numbers(const Rotation& q) { return std::span<const double, 4>(q.coeffs().data(), 4); }
 

@@ -12,18 +12,18 @@
 
 namespace holdfast::internal {
 
-/// What of a box never changes, a column a quantity, an entry a box.
+/// Constant properties of boxes: one column per quantity, one entry per box.
 struct BoxColumns {
   std::vector<Vec3> half_extents;    ///< m, body axes (those of the container at the layout's pose)
-  std::vector<double> mass;          ///< kg; infinite: fixed to the container, as are its moments
+  std::vector<double> mass;          ///< kg; infinite, with infinite moments: fixed to the container
   std::vector<Vec3> inertia;         ///< principal moments about the centre of mass, body axes, kg m²
   std::vector<Vec3> centre_of_mass;  ///< offset from the centroid, body axes, m
-  std::vector<double> friction;      ///< coefficient of the surface, one side of a product
+  std::vector<double> friction;      ///< coefficient of the surface, one factor of a product
   std::vector<double> restitution;   ///< coefficient of the surface
   std::vector<int> material;         ///< id of the layout file
 };
 
-/// What of a box changes, a column a quantity, an entry a box; in the container's frame.
+/// State of boxes in the container's frame: one column per quantity, one entry per box.
 struct StateColumns {
   std::vector<Vec3> position;          ///< of the centre of mass, m
   std::vector<Rotation> orientation;   ///< container_from_body
@@ -31,8 +31,8 @@ struct StateColumns {
   std::vector<Vec3> angular_velocity;  ///< rad/s
 };
 
-/// Calls `visit(name, column)` for every column: resizing, hashing, copying and uploading all go through here,
-/// so that a new column is met everywhere. Any number of structures of the same kind are walked side by side.
+/// Calls `visit(name, columns...)` for every column, with that column of each of the given structures. Resizing,
+/// hashing, copying and uploading all use these functions, so that a new column is included everywhere.
 template <class Visit, class... Columns>
 void for_each_box_column(Visit&& visit, Columns&&... c) {
   visit("half_extents", c.half_extents...);
@@ -60,20 +60,20 @@ struct World {
   std::size_t box_count = 0;
 };
 
-/// Worlds that are handed to an engine together: one set of columns, worlds as ranges of it.
+/// Worlds that an engine gets together: one set of columns; each world is a range of it.
 struct WorldBatch {
   BoxColumns boxes;
   StateColumns state;
   std::vector<World> worlds;
 };
 
-/// The worlds of every pair of `layouts` and `accelerations`, acceleration fastest, at rest in the layout's pose.
-/// Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
+/// One world per pair of `layouts` and `accelerations`, with the acceleration as the faster index; all boxes are at
+/// rest in the layout's pose. Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
 /// I = m/12 (b² + c²), about the centre of mass.
 WorldBatch make_batch(std::span<const Layout* const> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings);
 
-/// Changing state of one world, a view of a batch's columns.
+/// State of one world, a view of a batch's columns.
 struct StateView {
   std::span<const Vec3> position;          ///< m
   std::span<const Rotation> orientation;   ///< container_from_body
@@ -81,7 +81,7 @@ struct StateView {
   std::span<const Vec3> angular_velocity;  ///< rad/s
 };
 
-/// Constant description of one world's boxes, a view of a batch's columns.
+/// Constant properties of one world's boxes, a view of a batch's columns.
 struct BoxView {
   std::span<const Vec3> half_extents;
   std::span<const double> mass;
@@ -95,7 +95,7 @@ struct BoxView {
 StateView view(const StateColumns& state, const World& world);
 BoxView view(const BoxColumns& boxes, const World& world);
 
-/// Hash of a world's changing state, of the bits of every column in the order of the columns (64-bit FNV-1a).
+/// Hash of a world's state: of the bits of every column in the order of the columns (64-bit FNV-1a).
 /// Equal states have equal hashes on every machine of the same byte order; −0 and 0 differ.
 std::uint64_t state_hash(const StateView& state);
 

@@ -9,10 +9,10 @@
 
 namespace holdfast::internal::native {
 
-/// The boxes of one world, a column a quantity, an entry a box; container frame. In the order of where they stand at
-/// first, so that results do not depend on the order in which a layout lists them.
+/// The boxes of one world: one column per quantity, one entry per box, in the container's frame. They are in the order
+/// of their first positions, so that results do not depend on the order in which a layout lists them.
 struct Bodies {
-  std::vector<std::uint32_t> world_box;  ///< where the body stands among the world's boxes
+  std::vector<std::uint32_t> world_box;  ///< index of the body among the world's boxes
   std::vector<double> mass;              ///< kg; infinite: fixed to the container
   std::vector<Vec3> principal_inertia;   ///< about the centre of mass, body axes, kg m²
   std::vector<Vec3> centre_of_mass;      ///< from the centroid, body axes, m
@@ -20,7 +20,7 @@ struct Bodies {
   std::vector<Surface> surface;
   std::vector<std::uint8_t> fixed;  ///< 1: fixed to the container
   StateColumns state;
-  std::vector<OrientedBox> shape;          ///< where the box is by `state`
+  std::vector<OrientedBox> shape;          ///< the box at `state`
   std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²
   std::vector<Vec3> angular_acceleration;  ///< likewise, rad/s²
 
@@ -30,13 +30,13 @@ struct Bodies {
   Mat3 inertia(std::size_t body) const;
 
   /// No point of the body moves faster than this about its centre of mass, m/s.
-  double spin(std::size_t body) const { return radius[body] * state.angular_velocity[body].norm(); }
+  double largest_rotational_speed(std::size_t body) const { return radius[body] * state.angular_velocity[body].norm(); }
 
-  /// Puts the shape where position and orientation say.
+  /// Brings the shape to the state's position and orientation.
   void update_shape(std::size_t body);
 };
 
-/// The bodies of a world at the batch's state.
+/// The bodies of a world, at the state of the batch.
 Bodies bodies_of(const WorldBatch& batch, const World& world);
 
 }  // namespace holdfast::internal::native

@@ -4,11 +4,11 @@
 #include <numeric>
 #include <utility>
 
-#include "core/native/island_motion.hpp"
+#include "core/native/contact_kinematics.hpp"
 
 namespace holdfast::internal::native {
 
-void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
+void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manifolds) {
   const std::size_t count = bodies.count();
   root_.resize(count);
   std::iota(root_.begin(), root_.end(), 0U);
@@ -23,7 +23,7 @@ void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds)
     const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
     root_[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
-  // Islands by their first body, bodies and manifolds in their own order.
+  // Connectivity by their first body, bodies and manifolds in their own order.
   island_of_.assign(count, kNone);
   ranges_.clear();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -64,7 +64,7 @@ void Islands::find(const Bodies& bodies, const std::vector<Manifold>& manifolds)
   }
 }
 
-IslandView Islands::operator[](std::size_t island) const {
+IslandView Connectivity::operator[](std::size_t island) const {
   const Range& range = ranges_[island];
   return {std::span(members_).subspan(range.body_begin, range.body_end - range.body_begin),
           std::span(inside_).subspan(range.manifold_begin, range.manifold_end - range.manifold_begin)};

@@ -3,19 +3,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/native/bodies.hpp"
-#include "core/native/collision/manifold.hpp"
-#include "core/native/island.hpp"
+#include "core/native/scene.hpp"
 
 namespace holdfast::internal::native {
 
 /// The islands of a world: bodies that active manifolds join, in the order of their first bodies.
-class Islands {
+class Connectivity {
  public:
-  /// What a body that is fixed belongs to.
+  /// Island of a fixed body.
   static constexpr std::uint32_t kNone = ~0U;
 
-  /// Finds them anew. Views of those before end.
+  /// Finds the islands anew. Views of earlier ones are no longer valid.
   void find(const Bodies& bodies, const std::vector<Manifold>& manifolds);
 
   std::size_t size() const { return ranges_.size(); }
@@ -35,8 +33,8 @@ class Islands {
 
   std::vector<Range> ranges_;
   std::vector<std::uint32_t> members_, inside_;
-  std::vector<std::uint32_t> root_;       ///< a body: another of its island, itself where it stands for it
-  std::vector<std::uint32_t> island_of_;  ///< a body
+  std::vector<std::uint32_t> root_;       ///< a body: another body of its island; itself: the root of the island
+  std::vector<std::uint32_t> island_of_;  ///< of a body
 };
 
 }  // namespace holdfast::internal::native

@@ -1,210 +1,296 @@
-// What a solve of an island is made of: bodies, their velocities without contacts, and the patches of contacts.
-
-#include "core/native/island.hpp"
+#include "core/native/island_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/native/island_motion.hpp"
+#include "core/native/contact_kinematics.hpp"
 #include "core/native/rotation_step.hpp"
 
 namespace holdfast::internal::native {
 
-namespace {
+/// A contact point as the parts of a problem see it.
+struct IslandProblem::PointView {
+  int index = 0;     ///< among the contact's points
+  double gap = 0.0;  ///< m
+  Vec3 velocity;     ///< of b's surface relative to a's at the start of the step, m/s
+  double normal_velocity = 0.0;
+  const CachedImpulse& cached;
+  const std::array<Vec3, 3>& directions;
 
-/// Impacts below this share of |g − a| h do not rebound: rest would otherwise never come.
-constexpr double kReboundShare = 2.0;
+  bool is_in(std::uint8_t bits) const { return (bits >> index & 1) != 0; }
 
-/// Points of a contact that was pressed in the last step count as touching in a proof of rest up to this gap, m: bodies
-/// that come to rest rock by a few micrometres for some steps. With 0.1 µm loads under the road accelerations took 15 %
-/// more time at `screening`, with 50 µm 2 % less.
-constexpr double kPressedTouch = 1.01e-5;
+  /// Starts the solve from what the last one left. The bias is part of the contact velocity.
+  void warm_start(double step, ContactConstraint& constraint, std::size_t lane) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+      constraint.impulse.row[d][lane] = step * cached.force.dot(directions[d]);
+      constraint.contact_velocity.row[d][lane] =
+          cached.contact_velocity.dot(directions[d]) + (d > 0 ? constraint.velocity_bias.row[d][lane] : 0.0);
+    }
+    constraint.impulse.row[0][lane] = std::max(0.0, constraint.impulse.row[0][lane]);
+  }
+};
 
-/// Slip above this many times |g − a| h does not end within the step: friction opposes its mean over the step.
-constexpr double kLastingSlip = 3.0;
+std::uint32_t IslandProblem::row_or_fixed(const Bodies& bodies, std::int32_t body) const {
+  return is_fixed(bodies, body) ? static_cast<std::uint32_t>(problem.bodies.size()) : row_[at(body)];
+}
 
-}  // namespace
-
-void IslandStepper::load(const Scene& scene, const IslandView& island, const StepTerms& terms, Purpose purpose,
-                         double step) {
+/// Bodies in the solver's order, at rest, and without constraints.
+void IslandProblem::begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                          ContactSolver& solver) {
   const Bodies& bodies = scene.bodies;
-  place_.resize(bodies.count());
-  // First by position in the island, for the pairs; then by place in the factor.
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) place_[island.bodies[i]] = static_cast<std::int32_t>(i);
+  const std::size_t count = island.bodies.size();
+  row_.resize(bodies.count());
+  for (std::size_t i = 0; i < count; ++i) row_[island.bodies[i]] = static_cast<std::uint32_t>(i);
   pairs_.clear();
   for (const std::uint32_t index : island.manifolds) {
     const Manifold& manifold = scene.manifolds[index];
     if (!manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
-    pairs_.emplace_back(place_[at(manifold.a)], place_[at(manifold.b)]);
+    pairs_.emplace_back(row_[at(manifold.a)], row_[at(manifold.b)]);
   }
-  solver_.begin();
-  solver_.factor.analyse(island.bodies.size(), pairs_);
-  fixed_ = static_cast<std::int32_t>(island.bodies.size());
-  solver_.bodies.resize(island.bodies.size());
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+  const std::span<const std::uint32_t> order = solver.order(count, pairs_);
+  problem.pairs.clear();
+  for (const auto& [a, b] : pairs_) problem.pairs.emplace_back(order[a], order[b]);
+  problem.bodies.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t body = island.bodies[i];
-    const std::uint32_t place = solver_.factor.place(i);
-    place_[body] = static_cast<std::int32_t>(place);
-    solver_.bodies[place] = {bodies.mass[body], bodies.inertia(body), bodies.radius[body]};
+    row_[body] = order[i];
+    problem.bodies[order[i]] = {bodies.mass[body], bodies.inertia(body), bodies.radius[body]};
   }
-  solver_.free_velocity.assign(island.bodies.size(), BodyVector{});
-  solver_.velocity.assign(island.bodies.size() + 1, BodyVector{});
-  turn_mid_.resize(island.bodies.size());
-  turn_end_.resize(island.bodies.size());
-  turning_.assign(island.bodies.size() + 1, 0);
-  solver_.load_unit = terms.pull.norm() * step;
-
-  for (const std::uint32_t body : island.bodies) {
-    const auto place = at(place_[body]);
-    const StateColumns& state = bodies.state;
-    if (purpose == Purpose::rest) solver_.free_velocity[place] = body_vector(step * terms.pull, Vec3::Zero());
-    if (purpose == Purpose::impact)
-      solver_.free_velocity[place] = solver_.velocity[place] =
-          body_vector(state.velocity[body], state.angular_velocity[body]);
-  }
-  if (purpose == Purpose::smooth) predict(scene, island, terms, step);
-
-  captures_ = false;
-  captured_.assign(island.bodies.size() + 1, 0);
-  solver_.patches.clear();
-  solver_.mid_arms.clear();
-  solver_.patch_pair.clear();
-  solver_.most_normal.clear();
-  sources_.clear();
-  std::uint32_t pair = 0;
-  for (const std::uint32_t index : island.manifolds) {
-    const Manifold& manifold = scene.manifolds[index];
-    if (!manifold.active) continue;
-    const bool with_fixed = is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b);
-    add_patches(scene, index, terms, purpose, step);
-    solver_.patch_pair.resize(solver_.patches.size(), with_fixed ? kNoPair : pair);
-    if (!with_fixed) ++pair;
-  }
-  // Without rotation both sets of arms are the same.
-  if (std::none_of(turning_.begin(), turning_.end(), [](std::uint8_t t) { return t != 0; })) solver_.mid_arms.clear();
+  problem.free_velocity.assign(count, BodyVector{});
+  problem.velocity.assign(count + 1, BodyVector{});
+  problem.constraints.clear();
+  problem.mid_arms.clear();
+  problem.constraint_pair.clear();
+  problem.normal_bounds.clear();
+  problem.impulse_per_mass = terms.effective_gravity.norm() * step;
+  problem.continues = false;
+  sources.clear();
+  turn_mid_.resize(count);
+  turn_end_.resize(count);
+  turns_.assign(count + 1, 0);
+  late_impact_.assign(count + 1, 0);
+  has_late_impact_ = false;
 }
 
 /// Velocities without contacts, start values, and how the bodies will turn within the step.
-void IslandStepper::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
+void IslandProblem::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
   const Bodies& bodies = scene.bodies;
   for (const std::uint32_t body : island.bodies) {
-    const auto place = at(place_[body]);
+    const std::size_t row = row_[body];
     const Vec3& v = bodies.state.velocity[body];
     const Vec3& w = bodies.state.angular_velocity[body];
     const Vec3 v_guess = v + step * bodies.acceleration[body];
     const Vec3 w_guess = w + step * bodies.angular_acceleration[body];
-    solver_.velocity[place] = body_vector(v_guess, w_guess);
+    problem.velocity[row] = body_vector(v_guess, w_guess);
     Vec3 w_free = w;
     if (w != Vec3::Zero() || w_guess != Vec3::Zero()) {
-      turning_[place] = 1;
-      // Angular velocity taken as linear in time.
-      turn_mid_[place] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
-      turn_end_[place] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn)).toRotationMatrix();
-      const Mat3 axes = turn_end_[place] * bodies.shape[body].axes;
+      turns_[row] = 1;
+      // The angular velocity is taken as linear in time.
+      turn_mid_[row] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
+      turn_end_[row] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn)).toRotationMatrix();
+      const Mat3 axes = turn_end_[row] * bodies.shape[body].axes;
       const Mat3 inertia = inertia_in_container(axes, bodies.principal_inertia[body]);
-      // Angular momentum is what goes on without torque.
+      // Without torque the angular momentum stays.
       w_free = inertia.inverse() * (bodies.inertia(body) * w);
-      solver_.bodies[place].inertia = inertia;
+      problem.bodies[row].inertia = inertia;
     }
-    solver_.free_velocity[place] = body_vector(v + step * terms.pull, w_free);
+    problem.free_velocity[row] = body_vector(v + step * terms.effective_gravity, w_free);
   }
 }
 
-void IslandStepper::add_patches(const Scene& scene, std::uint32_t index, const StepTerms& terms, Purpose purpose,
-                                double step) {
+void IslandProblem::set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
+                             std::array<Lanes, 3> Arms::*side) {
+  if (is_fixed(bodies, body)) return;
+  const std::size_t row = row_[at(body)];
+  const Vec3 arm = on - bodies.state.position[at(body)];
+  const Vec3 end = turns_[row] != 0 ? Vec3(turn_end_[row] * arm) : arm;
+  const Vec3 middle = turns_[row] != 0 ? Vec3(turn_mid_[row] * arm) : arm;
+  for (std::size_t k = 0; k < 3; ++k) {
+    (problem.constraints.back().arms.*side)[k][lane] = end[static_cast<Eigen::Index>(k)];
+    (problem.mid_arms.back().*side)[k][lane] = middle[static_cast<Eigen::Index>(k)];
+  }
+}
+
+/// The constraints of a manifold.
+/// @param takes_part `bool(const PointView&)`
+/// @param fill       `void(const PointView&, ContactConstraint&, std::size_t lane)`: biases and start values
+template <class TakesPart, class FillPoint>
+void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, double step, TakesPart takes_part,
+                                    FillPoint fill) {
   const Bodies& bodies = scene.bodies;
   const Manifold& manifold = scene.manifolds[index];
   const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
-  const bool a_fixed = is_fixed(bodies, manifold.a);
-  const bool b_fixed = is_fixed(bodies, manifold.b);
-  const double inverse_mass =
-      (a_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.a)]) + (b_fixed ? 0.0 : 1.0 / bodies.mass[at(manifold.b)]);
-  const std::int32_t place_a = a_fixed ? fixed_ : place_[at(manifold.a)];
-  const std::int32_t place_b = b_fixed ? fixed_ : place_[at(manifold.b)];
-  const std::size_t first = solver_.patches.size();
-  const bool border = is_border(bodies, manifold);
-  const bool pressed = std::any_of(manifold.memory.begin(), manifold.memory.begin() + manifold.contact.count,
-                                   [](const PointMemory& memory) { return memory.pressed > 0.0; });
-  const double touch = purpose != Purpose::rest ? kTouch : pressed ? kPressedTouch : leaning_gap(bodies, manifold);
+  const auto inverse_mass = [&](std::int32_t body) {
+    return is_fixed(bodies, body) ? 0.0 : 1.0 / bodies.mass[at(body)];
+  };
+  const double inverse_masses = inverse_mass(manifold.a) + inverse_mass(manifold.b);
+  const std::size_t first = problem.constraints.size();
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
-    const Vec3 slip = relative_velocity(bodies, manifold, point);
-    const double parting_speed = manifold.contact.normal.dot(slip);
-    const bool moving = purpose == Purpose::smooth || purpose == Purpose::impact;
-    const bool met = purpose == Purpose::smooth && (met_[index] >> i & 1) != 0;
-    if (moving ? !met && !is_solved(point, parting_speed, terms, step) : point.gap > touch) continue;
-    if (purpose == Purpose::impact && (struck_[index] >> i & 1) == 0) continue;
+    const Vec3 velocity = relative_velocity(bodies, manifold, point);
+    const PointView view{i,         point.gap, velocity, manifold.contact.normal.dot(velocity), manifold.cached[at(i)],
+                         directions};
+    if (!takes_part(view)) continue;
     const std::size_t lane = static_cast<std::size_t>(used % kLanes);
     if (lane == 0) {
-      Patch& patch = solver_.patches.emplace_back();
+      ContactConstraint& made = problem.constraints.emplace_back();
       for (std::size_t d = 0; d < 3; ++d)
-        patch.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
-      patch.friction = purpose == Purpose::projection ? 0.0 : manifold.friction;
-      patch.a = place_a;
-      patch.b = place_b;
-      solver_.mid_arms.emplace_back();
-      sources_.push_back({index, {}});
-      if (purpose == Purpose::rest) solver_.most_normal.emplace_back();
+        made.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
+      made.friction = manifold.friction;
+      made.a = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.a));
+      made.b = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.b));
+      problem.mid_arms.emplace_back();
+      sources.push_back({index, {}});
     }
     ++used;
-    Patch& patch = solver_.patches.back();
-    Arms& mid = solver_.mid_arms.back();
-    patch.count = static_cast<std::int32_t>(lane) + 1;
-    sources_.back().point[lane] = static_cast<std::uint8_t>(i);
+    ContactConstraint& constraint = problem.constraints.back();
+    constraint.count = static_cast<std::int32_t>(lane) + 1;
+    sources.back().point[lane] = static_cast<std::uint8_t>(i);
+    set_arms(bodies, manifold.a, point.on_a, lane, &Arms::a);
+    set_arms(bodies, manifold.b, point.on_b, lane, &Arms::b);
+    constraint.expected_impulse[lane] = step * view.cached.force.dot(directions[0]);
+    fill(view, constraint, lane);
+  }
+  for (std::size_t p = first; p < problem.constraints.size(); ++p)
+    problem.constraints[p].effective_mass = 1.0 / (inverse_masses * used);
+}
 
-    const auto set_arms = [&](bool fixed, std::int32_t body, std::int32_t place, const Vec3& on, auto Arms::*side) {
-      if (fixed) return;
-      const Vec3 arm = on - bodies.state.position[at(body)];
-      const bool turns = purpose == Purpose::smooth && turning_[at(place)] != 0;
-      const Vec3 end = turns ? Vec3(turn_end_[at(place)] * arm) : arm;
-      const Vec3 middle = turns ? Vec3(turn_mid_[at(place)] * arm) : arm;
-      for (std::size_t k = 0; k < 3; ++k) {
-        (patch.arms.*side)[k][lane] = end[static_cast<Eigen::Index>(k)];
-        (mid.*side)[k][lane] = middle[static_cast<Eigen::Index>(k)];
-      }
+/// Adds the constraints of all active manifolds.
+/// @param add `void(std::uint32_t manifold)`
+template <class AddManifold>
+void IslandProblem::for_each_active(const Scene& scene, const IslandView& island, AddManifold add) {
+  std::uint32_t pair = 0;
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (!manifold.active) continue;
+    add(index);
+    const bool with_fixed = is_fixed(scene.bodies, manifold.a) || is_fixed(scene.bodies, manifold.b);
+    problem.constraint_pair.resize(problem.constraints.size(), with_fixed ? kNoPair : pair);
+    if (!with_fixed) ++pair;
+  }
+  // Without rotation both sets of arms are the same.
+  if (std::none_of(turns_.begin(), turns_.end(), [](std::uint8_t turns) { return turns != 0; }))
+    problem.mid_arms.clear();
+}
+
+void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                                 ContactSolver& solver, const PointFilter& filter, const PointBits& predicted) {
+  begin(scene, island, terms, step, solver);
+  predict(scene, island, terms, step);
+  for_each_active(scene, island, [&](std::uint32_t index) {
+    const Manifold& manifold = scene.manifolds[index];
+    const auto takes_part = [&](const PointView& point) {
+      return point.is_in(predicted[index]) || filter.takes(point.gap, point.normal_velocity, step);
     };
-    set_arms(a_fixed, manifold.a, place_a, point.on_a, &Arms::a);
-    set_arms(b_fixed, manifold.b, place_b, point.on_b, &Arms::b);
-
-    const PointMemory& memory = manifold.memory[at(i)];
-    patch.load[lane] = step * memory.force.dot(directions[0]);
-    if (purpose == Purpose::rest)
-      solver_.most_normal.back().lane[lane] =
-          border ? kPressedMore * step * memory.pressed : std::numeric_limits<double>::infinity();
-    switch (purpose) {
-      case Purpose::projection:
-        patch.allowance.row[0][lane] = point.gap + kTouch;
-        break;
-      case Purpose::impact: {
-        patch.allowance.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
-        if (parting_speed < -kReboundShare * terms.velocity_unit)
-          patch.allowance.row[0][lane] += manifold.restitution * parting_speed;
-        break;
-      }
-      case Purpose::rest:
-      case Purpose::smooth:
-        patch.allowance.row[0][lane] = purpose == Purpose::smooth && point.gap > kTouch ? point.gap / step : 0.0;
-        if (purpose == Purpose::smooth) {
-          if (std::max(0.0, point.gap) + step * parting_speed < -kJumpShare * terms.velocity_unit * step) {
-            captures_ = true;
-            captured_[at(place_a)] = captured_[at(place_b)] = 1;
+    add_constraints(
+        scene, index, step, takes_part, [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+          constraint.velocity_bias.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
+          if (std::max(0.0, point.gap) + step * point.normal_velocity < -kJumpShare * terms.velocity_unit * step) {
+            has_late_impact_ = true;
+            late_impact_[at(constraint.a)] = late_impact_[at(constraint.b)] = 1;
           }
           // Friction along the mean slip makes curved paths second order in the step.
-          const Vec3 slide = slip - manifold.contact.normal * parting_speed;
-          if (slide.norm() > kLastingSlip * terms.velocity_unit)
-            for (std::size_t d = 1; d < 3; ++d) patch.allowance.row[d][lane] = slide.dot(directions[d]);
-        }
-        for (std::size_t d = 0; d < 3; ++d) {
-          patch.impulse.row[d][lane] = step * memory.force.dot(directions[d]);
-          patch.slip.row[d][lane] = memory.slip.dot(directions[d]) + (d > 0 ? patch.allowance.row[d][lane] : 0.0);
-        }
-        patch.impulse.row[0][lane] = std::max(0.0, patch.impulse.row[0][lane]);
-        break;
+          const Vec3 slip = point.velocity - manifold.contact.normal * point.normal_velocity;
+          if (slip.norm() > kLastingSlip * terms.velocity_unit)
+            for (std::size_t d = 1; d < 3; ++d) constraint.velocity_bias.row[d][lane] = slip.dot(point.directions[d]);
+          point.warm_start(step, constraint, lane);
+        });
+  });
+}
+
+void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                                   ContactSolver& solver, const PointFilter& filter, const PointBits& impacting) {
+  const Bodies& bodies = scene.bodies;
+  begin(scene, island, terms, step, solver);
+  for (const std::uint32_t body : island.bodies)
+    problem.free_velocity[row_[body]] = problem.velocity[row_[body]] =
+        body_vector(bodies.state.velocity[body], bodies.state.angular_velocity[body]);
+  for_each_active(scene, island, [&](std::uint32_t index) {
+    const auto takes_part = [&](const PointView& point) {
+      return point.is_in(impacting[index]) && filter.takes(point.gap, point.normal_velocity, step);
+    };
+    add_constraints(scene, index, step, takes_part,
+                    [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+                      double& bias = constraint.velocity_bias.row[0][lane];
+                      bias = point.gap > kTouch ? point.gap / step : 0.0;
+                      if (point.normal_velocity < -kReboundShare * terms.velocity_unit)
+                        bias += scene.manifolds[index].restitution * point.normal_velocity;
+                    });
+  });
+}
+
+void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, const StepTerms& terms,
+                                 ContactSolver& solver) {
+  const Bodies& bodies = scene.bodies;
+  const double step = terms.step;
+  begin(scene, island, terms, step, solver);
+  for (const std::uint32_t body : island.bodies)
+    problem.free_velocity[row_[body]] = body_vector(step * terms.effective_gravity, Vec3::Zero());
+  for_each_active(scene, island, [&](std::uint32_t index) {
+    const Manifold& manifold = scene.manifolds[index];
+    const bool pressed = std::any_of(manifold.cached.begin(), manifold.cached.begin() + manifold.contact.count,
+                                     [](const CachedImpulse& cached) { return cached.pressed > 0.0; });
+    const double touch = pressed ? kPressedTouch : leaning_gap(bodies, manifold);
+    const bool bounded = is_wall_or_roof(bodies, manifold);
+    add_constraints(
+        scene, index, step, [&](const PointView& point) { return point.gap <= touch; },
+        [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+          problem.normal_bounds.resize(problem.constraints.size());
+          problem.normal_bounds.back().lane[lane] =
+              bounded ? kPressingMargin * step * point.cached.pressed : std::numeric_limits<double>::infinity();
+          point.warm_start(step, constraint, lane);
+        });
+  });
+}
+
+void IslandProblem::prepare_position_correction(const Scene& scene, const IslandView& island, const StepTerms& terms,
+                                                ContactSolver& solver) {
+  begin(scene, island, terms, terms.step, solver);
+  for_each_active(scene, island, [&](std::uint32_t index) {
+    add_constraints(
+        scene, index, terms.step, [](const PointView& point) { return point.gap <= kTouch; },
+        [](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+          constraint.friction = 0.0;
+          constraint.velocity_bias.row[0][lane] = point.gap + kTouch;
+        });
+  });
+}
+
+/// Adds what the solution says of a point, over all of its directions.
+void IslandProblem::store_impulse(std::size_t p, std::size_t lane, double step, CachedImpulse& cached) const {
+  const ContactConstraint& constraint = problem.constraints[p];
+  for (std::size_t d = 0; d < 3; ++d) {
+    const Vec3 direction(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
+    cached.force += (constraint.impulse.row[d][lane] / step) * direction;
+    cached.contact_velocity +=
+        (constraint.contact_velocity.row[d][lane] - (d > 0 ? constraint.velocity_bias.row[d][lane] : 0.0)) * direction;
+  }
+}
+
+void IslandProblem::store_step_impulses(Scene& scene, const IslandView& island, double step) const {
+  for (const std::uint32_t index : island.manifolds) scene.manifolds[index].cached = {};
+  for (std::size_t p = 0; p < sources.size(); ++p) {
+    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
+      CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];
+      cached.pressed = problem.constraints[p].impulse.row[0][lane] / step;
+      store_impulse(p, lane, step, cached);
     }
   }
-  for (std::size_t p = first; p < solver_.patches.size(); ++p) solver_.patches[p].base = 1.0 / (inverse_mass * used);
+}
+
+void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, double step) const {
+  for (const std::uint32_t index : island.manifolds)
+    for (CachedImpulse& cached : scene.manifolds[index].cached) cached = {.pressed = cached.pressed};
+  for (std::size_t p = 0; p < sources.size(); ++p) {
+    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
+      CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];
+      const double bound = problem.normal_bounds[p].lane[lane];
+      if (std::isfinite(bound)) cached.pressed = bound / (kPressingMargin * step);
+      store_impulse(p, lane, step, cached);
+    }
+  }
 }
 
 }  // namespace holdfast::internal::native

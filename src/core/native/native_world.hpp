@@ -1,20 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/engine/engine.hpp"
 #include "core/native/collision/broad_phase.hpp"
+#include "core/native/collision/pair_table.hpp"
 #include "core/native/connectivity.hpp"
-#include "core/native/island.hpp"
+#include "core/native/island_stepper.hpp"
+#include "core/native/world_invariants.hpp"
 
 namespace holdfast::internal::native {
 
 /// One container world: islands of boxes, of which only those that move are stepped.
 class NativeWorld {
  public:
-  NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings, const NativeOptions& options);
+  NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings, const NativeOptions& options,
+              std::unique_ptr<ContactSolver> solver = make_contact_solver());
 
   /// Takes the next step inside the phase, or all of them when nothing moves. Returns the time reached, s.
   double advance(const Phase& phase);
@@ -22,28 +26,31 @@ class NativeWorld {
   /// Writes the world's range of the columns.
   void read_back(StateColumns& state) const;
 
+  /// The world as `broken_invariants` checks it, which debug builds do after every step.
+  WorldView view() const { return {scene_, pairs_, connectivity_, resting_}; }
+
   const Counters& counters() const { return counters_; }
   Status status() const { return status_; }
 
  private:
   void begin_phase(const Phase& phase);
   void find_contacts(const std::vector<std::uint8_t>& moved);
-  std::size_t slot_index(std::int32_t a, std::int32_t b) const;
   void update_pair(std::int32_t a, std::int32_t b);
   void end_manifold(std::size_t index);
   bool find_moving();
   bool is_slow(const IslandView& island) const;
   bool is_due(const IslandView& island);
   bool prove_rest(const IslandView& island, bool leans);
-  bool lean();
+  bool activate_leaning();
   void set_at_rest(const IslandView& island);
   void save(const IslandView& island);
   void restore(std::size_t body);
   bool activate_predicted();
   bool merge_overlapping();
-  bool has_passed_unseen(double step) const;
+  bool has_tunnelled(double step) const;
   void spread_motion();
-  double step_moving();
+  double step_islands();
+  double take_next_step(const Phase& phase);
   void take_step(double step, int halvings);
   void finish_step();
 
@@ -55,21 +62,21 @@ class NativeWorld {
   StepTerms terms_;
   IslandStepper stepper_;
 
-  std::vector<std::int32_t> slot_;              ///< manifold of a pair, by `slot_index`; −1: none
-  std::vector<std::uint8_t> resting_;           ///< a body: proved to rest under this phase's acceleration
-  std::vector<std::uint8_t> moving_;            ///< a body: stepped in this step; 2: put back, to be stepped again
-  std::vector<std::uint8_t> leaves_;            ///< a body: its proof of rest has failed in this step
-  std::vector<std::uint8_t> undecided_;         ///< a body: whether it rests is not yet known in this step
-  std::vector<std::uint32_t> wait_, patience_;  ///< a body: steps until rest is tried again, and the wait after that
-  Islands islands_;
+  PairTable pairs_;                    ///< the manifold of body or side a and body b; of two bodies a < b
+  std::vector<std::uint8_t> resting_;  ///< a body: proved to rest under this phase's acceleration
+  std::vector<std::uint8_t> moving_;   ///< a body: stepped in this step; 2: put back to its start, to be stepped again
+  std::vector<std::uint8_t> refuted_;  ///< a body: its proof of rest has failed in this step
+  std::vector<std::uint8_t> undecided_;          ///< a body: whether it rests in this step is not known yet
+  std::vector<std::uint32_t> wait_, next_wait_;  ///< a body: steps until rest is tried again, and the wait after that
+  Connectivity connectivity_;
   BroadPhase broad_phase_;
-  std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their reach, m
+  std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their speculative margins, m
   double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
-  bool met_deep_ = false;            ///< a pair has come to overlap deeply since its contact was found last
+  bool missed_contact_ = false;      ///< two bodies overlap whose last contact did not show it
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
   std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²
   std::vector<IslandReport> reports_;                       ///< a moving body: of its island's step
-  std::vector<std::uint8_t> again_, restored_;              ///< an island, a body: put back to the start of the step
+  std::vector<std::uint8_t> merged_, restored_;             ///< an island, a body: put back to the start of the step
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;

@@ -2,35 +2,19 @@
 
 #include <algorithm>
 
-#include "core/native/island_motion.hpp"
+#include "core/native/contact_kinematics.hpp"
 #include "core/native/native_world.hpp"
 
 namespace holdfast::internal::native {
 
-namespace {
-
-/// Speeds below this share of |g − a| h may be rest: it is tried.
-constexpr double kRestShare = 0.02;
-
-/// Longest wait between two tries, steps.
-constexpr std::uint32_t kLongestWait = 16;
-
-/// Acceleration that closes a contact, over |g − a|, from which a body leans on its neighbour.
-constexpr double kLeaning = 1e-3;
-
-/// Rounds in which bodies are found that lean on others, in a step.
-constexpr int kLeaningRounds = 12;
-
-}  // namespace
-
 /// Decides which islands rest and which move. True when any moves.
 bool NativeWorld::find_moving() {
-  islands_.find(scene_.bodies, scene_.manifolds);
-  std::fill(leaves_.begin(), leaves_.end(), 0);
+  connectivity_.find(scene_.bodies, scene_.manifolds);
+  std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
   for (int round = 0;; ++round) {
-    for (std::size_t i = 0; i < islands_.size(); ++i) {
-      const IslandView view = islands_[i];
+    for (std::size_t i = 0; i < connectivity_.size(); ++i) {
+      const IslandView view = connectivity_[i];
       const auto marked = [](const std::vector<std::uint8_t>& mark) {
         return [&](std::uint32_t body) { return mark[body] != 0; };
       };
@@ -44,12 +28,12 @@ bool NativeWorld::find_moving() {
         undecided_[body] = 0;
       }
     }
-    if (!terms_.cold || round == kLeaningRounds || !lean()) break;
-    islands_.find(scene_.bodies, scene_.manifolds);
+    if (!terms_.reset_warm_start || round == kActivationRounds || !activate_leaning()) break;
+    connectivity_.find(scene_.bodies, scene_.manifolds);
   }
-  for (std::size_t i = 0; i < leaves_.size(); ++i) {
-    if (leaves_[i] != 0) wait_[i] = patience_[i] = std::min(kLongestWait, std::max(1U, 2 * patience_[i]));
-    if (moving_[i] == 0) wait_[i] = patience_[i] = 0;
+  for (std::size_t i = 0; i < refuted_.size(); ++i) {
+    if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(kLongestWait, std::max(1U, 2 * next_wait_[i]));
+    if (moving_[i] == 0) wait_[i] = next_wait_[i] = 0;
   }
   return std::any_of(moving_.begin(), moving_.end(), [](std::uint8_t moving) { return moving != 0; });
 }
@@ -58,11 +42,12 @@ bool NativeWorld::find_moving() {
 bool NativeWorld::is_slow(const IslandView& island) const {
   const Bodies& bodies = scene_.bodies;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    return bodies.state.velocity[body].norm() + bodies.spin(body) <= kRestShare * terms_.velocity_unit;
+    return bodies.state.velocity[body].norm() + bodies.largest_rotational_speed(body) <=
+           kRestShare * terms_.velocity_unit;
   });
 }
 
-/// Whether a proof of rest is tried in this step; after one that failed, some steps pass.
+/// Whether a proof of rest is tried in this step: after a proof that fails, some steps are taken first.
 bool NativeWorld::is_due(const IslandView& island) {
   bool due = true;
   for (const std::uint32_t body : island.bodies) {
@@ -77,23 +62,23 @@ bool NativeWorld::prove_rest(const IslandView& island, bool leans) {
   IslandReport report;
   const bool rests = stepper_.rests(scene_, island, terms_, leans, report);
   counters_.solve_iterations += report.iterations;
-  for (const std::uint32_t body : island.bodies) leaves_[body] = rests ? 0 : 1;
+  for (const std::uint32_t body : island.bodies) refuted_[body] = rests ? 0 : 1;
   return rests;
 }
 
-/// Activates contacts that touch and that the motion which has refuted rest would close: who leans on a neighbour may
-/// rest with its help. True when there are any.
-bool NativeWorld::lean() {
+/// Activates contacts that touch and that the motion which refutes rest would close: a body that leans on a neighbour
+/// may rest with its help. True where there are any.
+bool NativeWorld::activate_leaning() {
   const Bodies& bodies = scene_.bodies;
-  const double least = kLeaning * terms_.pull.norm();
+  const double least = kLeaningAcceleration * terms_.effective_gravity.norm();
   const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (body < 0 || leaves_[at(body)] == 0) return Vec3::Zero();
+    if (body < 0 || refuted_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);
     return bodies.acceleration[i] + bodies.angular_acceleration[i].cross(point - bodies.state.position[i]);
   };
   bool any = false;
   for (Manifold& manifold : scene_.manifolds) {
-    if (manifold.active || !has_end_in(manifold, leaves_)) continue;
+    if (manifold.active || !has_end_in(manifold, refuted_)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       if (point.gap > leaning_gap(bodies, manifold)) continue;

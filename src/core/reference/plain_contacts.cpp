@@ -10,26 +10,26 @@ namespace holdfast::internal::plain {
 
 namespace {
 
-/// Edges whose directions enclose an angle of less than this sine have no axis across both.
+/// Two edges at an angle whose sine is below this are parallel: they have no common perpendicular axis.
 constexpr double kParallelEdges = 1e-6;
 
-/// An axis whose cosine with a face's normal is above this counts as that face's, about 2.5 degrees.
+/// An edge axis whose cosine with the normal of a face is above this is treated as that normal; about 2.5 degrees.
 constexpr double kAlongFace = 0.999;
 
-/// How far a corner may lie outside a face and still be a corner of the part over it: rounding makes no new ones, m.
+/// How far a corner may lie outside a clipping plane and still count as inside, m: rounding then adds no corners.
 constexpr double kOnBorder = 1e-9;
 
-/// A direction along which the blocks may be apart.
+/// A candidate separating axis of two blocks.
 struct Axis {
   Vec3 normal = Vec3::Zero();                                    ///< unit, from a to b
-  double separation = -std::numeric_limits<double>::infinity();  ///< m; negative: the overlap
-  int of_a = -1;  ///< of a's axes the one of the face or the edge; -1: a face of b
-  int of_b = -1;  ///< of b's axes, likewise
+  double separation = -std::numeric_limits<double>::infinity();  ///< m; negative: the penetration
+  int of_a = -1;  ///< the axis of a whose face or edge it is; -1: a face of b
+  int of_b = -1;  ///< the same for b
 };
 
 double sign_of(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
-/// How far the block extends from its centre along a unit direction, m.
+/// Distance that the block extends from its centre along a unit direction, m.
 double extent(const Block& block, const Vec3& direction) {
   return (block.axes.transpose() * direction).cwiseAbs().dot(block.half_extents);
 }
@@ -57,14 +57,14 @@ std::vector<Axis> edge_axes(const Block& a, const Block& b) {
   return axes;
 }
 
-/// The axis of the largest separation. A later one must be clearly better, so that rounding does not choose.
+/// The axis of the largest separation. A later axis must be better by a margin, so that rounding does not decide.
 Axis best_of(const std::vector<Axis>& axes, Axis best) {
   for (const Axis& axis : axes)
     if (axis.separation > best.separation + kNothing) best = axis;
   return best;
 }
 
-/// The four corners of the block's face that looks most along `direction`, in order around it.
+/// The four corners of the block's face whose normal is closest to `direction`, in order around the face.
 std::vector<Vec3> face_towards(const Block& block, const Vec3& direction) {
   Eigen::Index k = 0;
   const Vec3 along = block.axes.transpose() * direction;
@@ -94,7 +94,7 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal, 
   return part;
 }
 
-/// True when the polygon, seen along a direction, is no more than a line or a point.
+/// True when the polygon, projected along a direction, degenerates to a line or a point.
 bool is_thin(const std::vector<Vec3>& polygon, const Vec3& direction) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -105,8 +105,8 @@ bool is_thin(const std::vector<Vec3>& polygon, const Vec3& direction) {
   return !(high - low > kNothing);
 }
 
-/// Corners of that part of the other block's face which lies over face `k` of the reference block.
-/// @param outward unit normal of the reference's face, towards the other block
+/// Corners of the part of the other block's face (the incident face) that lies over face `k` of the reference block.
+/// @param outward unit normal of the reference face, towards the other block
 /// @param normal  of the contact: `outward` or its opposite
 std::vector<ContactPoint> points_over_face(const Block& reference, int k, const Vec3& outward, const Block& other,
                                            const Vec3& normal, double margin) {
@@ -128,7 +128,7 @@ std::vector<ContactPoint> points_over_face(const Block& reference, int k, const 
   return points;
 }
 
-/// Middle of the block's edge along its axis `k` that lies furthest along `direction`.
+/// Middle of that edge of the block, parallel to its axis `k`, that is farthest along `direction`.
 Vec3 edge_towards(const Block& block, int k, const Vec3& direction) {
   Vec3 middle = block.centre;
   for (const int side : {(k + 1) % 3, (k + 2) % 3}) {
@@ -151,7 +151,8 @@ ContactPoint point_of_edges(const Block& a, const Block& b, const Axis& axis) {
   const double sine_squared = u.cross(v).squaredNorm();
   const double s = (along_u - uv * along_v) / sine_squared;
   const double t = (uv * along_u - along_v) / sine_squared;
-  // Past its end an edge is no more; along the normal nothing changes, because both are perpendicular to it.
+  // The point is limited to the ends of the edge; this does not change it along the normal, which is perpendicular to
+  // both edges.
   const Vec3 on_a = p + std::clamp(s, -a.half_extents[axis.of_a], a.half_extents[axis.of_a]) * u;
   const Vec3 on_b = q + std::clamp(t, -b.half_extents[axis.of_b], b.half_extents[axis.of_b]) * v;
   return {0.5 * (on_a + on_b), axis.normal, axis.separation};
@@ -176,7 +177,8 @@ std::vector<ContactPoint> contact_points(const Block& a, const Block& b, double 
   Axis axis = best_of(edge_axes(a, b), face);
   if (axis.separation > margin) return {};
   if (axis.of_a >= 0 && axis.of_b >= 0) {
-    // Edges that cross almost in a face's plane: the face gives the same point and all others within the margin.
+    // If the edges cross almost in the plane of a face, the face gives the same point, and all others within the
+    // margin.
     const auto along = std::find_if(faces.begin(), faces.end(), [&](const Axis& candidate) {
       return candidate.normal.dot(axis.normal) > kAlongFace;
     });

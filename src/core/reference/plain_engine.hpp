@@ -9,11 +9,11 @@
 
 namespace holdfast::internal {
 
-/// The engine `native-plain`: rigid boxes and hard contacts by a brute-force contact finder and projected
-/// Gauss-Seidel to the end. Slow and obvious: what the tests of faster engines compare with.
+/// The engine `native-plain`: rigid boxes and hard contacts, with a brute-force search for contacts and projected
+/// Gauss-Seidel iterated to convergence. It is slow and simple; the tests of faster engines compare with it.
 class PlainEngine final : public Engine {
  public:
-  /// @param settings those that `unsupported_by_plain` has nothing against
+  /// @param settings for which `unsupported_by_plain` returns no error
   explicit PlainEngine(const Settings& settings);
 
   const EngineTraits& traits() const override { return traits_; }
@@ -24,7 +24,7 @@ class PlainEngine final : public Engine {
   Settings settings_;
 };
 
-/// What the engine cannot model of the settings, or nothing.
+/// One error per setting that the engine cannot model; empty if it can model all.
 std::vector<Error> unsupported_by_plain(const Settings& settings);
 
 }  // namespace holdfast::internal

@@ -8,7 +8,7 @@ namespace holdfast::internal::plain {
 
 namespace {
 
-/// The velocity that a unit impulse gives a body at the point at `arm`, a column a direction of the impulse.
+/// The velocity at the point at `arm` that a unit impulse there gives a body: one column per direction of the impulse.
 Eigen::Matrix3d response_of(const Mover& mover, const Vec3& arm) {
   Eigen::Matrix3d response;
   for (int i = 0; i < 3; ++i) {
@@ -24,7 +24,7 @@ void push(Mover& mover, const Vec3& arm, const Vec3& impulse) {
   mover.angular_velocity += mover.inverse_inertia * arm.cross(impulse);
 }
 
-/// One point with all that a visit needs.
+/// One contact point with everything that the solver needs for it.
 class Point {
  public:
   Point(const std::vector<Mover>& movers, const PointLaw& law) : law_(law) {
@@ -34,7 +34,7 @@ class Point {
     first_tangent_ = law.normal.cross(Vec3::Unit(least_aligned)).normalized();
     second_tangent_ = law.normal.cross(first_tangent_);
     normal_response_ = law.normal.dot(response * law.normal);
-    // Largest eigenvalue of the two tangential rows: the step y_t − u_t / it never overshoots.
+    // Largest eigenvalue of the two tangential rows: dividing u_t by it gives a step of y_t that never overshoots.
     const double first = first_tangent_.dot(response * first_tangent_);
     const double second = second_tangent_.dot(response * second_tangent_);
     const double coupling = first_tangent_.dot(response * second_tangent_);
@@ -43,7 +43,7 @@ class Point {
 
   const Vec3& impulse() const { return impulse_; }
 
-  /// Puts the point's own law right, the others as they are. Returns how much its velocity changed, m/s.
+  /// Solves the law of this point with the other impulses fixed. Returns the change of the point's velocity, m/s.
   double visit(std::vector<Mover>& movers) {
     if (normal_response_ <= 0.0) return 0.0;
     const double normal_change = normal_response_ * press(movers);

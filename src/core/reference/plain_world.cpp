@@ -13,34 +13,37 @@ namespace {
 
 constexpr double kStepsPerSecond = 240.0;
 
-/// The solver ends when a sweep changes no velocity by more than this share of what the field adds in a step.
+/// The solver ends when a sweep changes no velocity by more than this fraction of what the effective gravity adds in a
+/// step.
 constexpr double kTolerance = 1e-10;
 constexpr std::uint64_t kMostSweeps = 5000;
-/// A larger share left in the last sweep is reported.
+/// A larger fraction in the last sweep is reported as not converged.
 constexpr double kNotConverged = 1e-3;
-/// The field that counts as none, m/s²: without one the tolerance above would be nothing.
+/// Least effective gravity used for the tolerance, m/s²: with zero the tolerance would be zero.
 constexpr double kWeakField = 1e-3;
 
-/// Approach, in what the field adds in a step: below the first it is the noise of a lasting contact, no impact; up to
-/// the second a body does not rebound, so that it can come to rest.
+/// Approach speeds, relative to what the effective gravity adds in a step: below the first it is noise of a resting
+/// contact, not an impact; up to the second a body does not rebound, so that it can come to rest.
 constexpr double kImpact = 0.02;
 constexpr double kRebound = 2.0;
 
-/// Overlaps up to this stay, m; it is well below what a result can show, and keeps contacts from flickering.
+/// Penetration slop, m: smaller than anything visible in results; it prevents contacts from alternating between open
+/// and closed.
 constexpr double kOverlapLeft = 1e-5;
-/// Passes that push overlaps apart; the distance within which they heed other contacts and the accuracy of a pass, m.
+/// Passes of the position correction; the distance within which they include other contacts, and their accuracy, m.
 constexpr int kSeparatingPasses = 4;
 constexpr double kHeeded = 1e-3;
 constexpr double kSeparatingTolerance = 1e-9;
 
-/// The rotation turned by a rotation vector, rad, container frame. Its half-angle's tangent to third order in place of
-/// sine and cosine, which C libraries round differently: off by |turn|^5 / 120, 1e-9 rad for ten rad/s and 240 1/s.
+/// The rotation, rotated further by a rotation vector (rad, container frame). Uses the tangent of the half angle to
+/// third order instead of sine and cosine, which C libraries round differently. The error is |turn|^5 / 120: 1e-9 rad
+/// for ten rad/s and 240 steps per second.
 Rotation turned(const Rotation& from, const Vec3& turn) {
   const Vec3 tangent = 0.5 * (1.0 + turn.squaredNorm() / 12.0) * turn;
   return (Rotation(1.0, tangent.x(), tangent.y(), tangent.z()) * from).normalized();
 }
 
-/// A tensor in the container's frame, of its principal values in body axes.
+/// A tensor in the container's frame, from its principal values in body axes.
 Eigen::Matrix3d in_container(const Rotation& container_from_body, const Vec3& principal) {
   const Eigen::Matrix3d axes = container_from_body.toRotationMatrix();
   return axes * principal.asDiagonal() * axes.transpose();
@@ -103,7 +106,7 @@ void PlainWorld::read_back(StateColumns& state) const {
   }
 }
 
-/// The boxes, and the container as one more that nothing moves.
+/// The boxes, and the container as a fixed body after them.
 std::vector<Mover> PlainWorld::movers() const {
   std::vector<Mover> movers;
   for (const Body& body : bodies_) {
@@ -115,7 +118,7 @@ std::vector<Mover> PlainWorld::movers() const {
   return movers;
 }
 
-/// @param first the surface of body a, which is the container where its index is that after the last box
+/// @param first the surface of body a; a is the container if its index follows that of the last box
 PlainWorld::Touch PlainWorld::touch_at(const ContactPoint& point, std::size_t a, std::size_t b,
                                        const Surface& first) const {
   const auto arm = [&](std::size_t i) -> Vec3 {
@@ -127,7 +130,7 @@ PlainWorld::Touch PlainWorld::touch_at(const ContactPoint& point, std::size_t a,
           .restitution = restitution_of_pair(first, second)};
 }
 
-/// All points that could close within the step, s, or that are not further apart than `slack`, m.
+/// All contact points that could close within the step (s), or whose gap is at most `slack` (m).
 std::vector<PlainWorld::Touch> PlainWorld::find_touches(double step, double slack) const {
   const double gain = step * step * field_.norm() + slack;
   const auto reach = [&](const Body& body) { return step * body.angular_velocity.norm() * body.radius(); };
@@ -154,9 +157,9 @@ std::vector<PlainWorld::Touch> PlainWorld::find_touches(double step, double slac
 }
 
 /// Sets the smallest normal velocity after the step. False for a point that does not touch in this step: bodies that
-/// would rebound are not slowed down on their way to each other.
-/// @param before     velocities at the begin of the step
-/// @param unhindered velocities at its end if nothing touched
+/// will rebound are not slowed down while they approach each other.
+/// @param before     velocities at the start of the step
+/// @param unhindered velocities at its end without contacts
 bool PlainWorld::demand(Touch& touch, const std::vector<Mover>& before, const std::vector<Mover>& unhindered,
                         double step) const {
   const double gap = std::max(touch.gap, 0.0);
@@ -165,8 +168,8 @@ bool PlainWorld::demand(Touch& touch, const std::vector<Mover>& before, const st
   touch.law.least = -gap / step;
   if (touch.restitution == 0.0 || -old <= kRebound * field_.norm() * step) return true;
 
-  // The bodies meet after a share of the step, leave with the restitution's share of their speed there (Newton), and
-  // the field acts before it and after it.
+  // The bodies meet within the step and separate with their speed times the coefficient of restitution (Newton); the
+  // effective gravity acts before and after the impact.
   const double closing = -(old + 0.5 * gain) * step;
   if (gap >= closing) return false;
   touch.impact = gap / closing;
@@ -175,9 +178,9 @@ bool PlainWorld::demand(Touch& touch, const std::vector<Mover>& before, const st
   return true;
 }
 
-/// For each body the weight of its old velocity in its mean velocity over the step. One half is exact under constant
-/// forces; but a body whose velocity jumps in an impact has its old one up to there and its new one from there, or it
-/// would go on into what it hit. Impacts act at once through all bodies that touch.
+/// For each body, the weight of its old velocity in its mean velocity over the step. One half is exact under constant
+/// forces. A body whose velocity jumps in an impact has the old velocity before the impact and the new one after it;
+/// otherwise it would penetrate the body that it hits. Impacts act instantly through all bodies that touch.
 std::vector<double> PlainWorld::old_shares(const std::vector<Touch>& touches, const std::vector<Vec3>& impulses,
                                            const std::vector<Mover>& before, double step) const {
   constexpr double kNoImpact = std::numeric_limits<double>::infinity();
@@ -186,7 +189,7 @@ std::vector<double> PlainWorld::old_shares(const std::vector<Touch>& touches, co
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const PointLaw& law = touches[i].law;
     if (law.normal.dot(impulses[i]) <= 0.0) continue;
-    // The container and what is fixed passes nothing on.
+    // The container and fixed bodies do not transmit impacts.
     if (before[law.a].inverse_mass > 0.0 && before[law.b].inverse_mass > 0.0) pressed.push_back(&law);
     if (-law.normal.dot(relative_velocity(before, law)) <= kImpact * field_.norm() * step) continue;
     for (const std::size_t body : {law.a, law.b}) shares[body] = std::min(shares[body], touches[i].impact);
@@ -203,8 +206,8 @@ std::vector<double> PlainWorld::old_shares(const std::vector<Touch>& touches, co
   return shares;
 }
 
-/// Takes a body through the step with its mean velocities. Its angular momentum is what the impulses left it with, and
-/// the angular velocity follows from it and the inertia where the step ends, found by repetition.
+/// Moves a body through the step with its mean velocities. The impulses determine its angular momentum; the angular
+/// velocity follows from it and the inertia at the end of the step, by fixed-point iteration.
 void PlainWorld::move(Body& body, const Mover& after, double old_share, double step) const {
   if (body.is_fixed()) return;
   body.position += step * (old_share * body.velocity + (1.0 - old_share) * after.velocity);
@@ -236,8 +239,7 @@ void PlainWorld::take_step(double step) {
   const Solution solution = solve(after, laws, kTolerance * quantum, kMostSweeps);
   ++counters_.steps;
   counters_.solve_iterations += solution.sweeps;
-  if (settings_.gravity > 0.0)
-    counters_.max_residual = std::max(counters_.max_residual, solution.residual / (settings_.gravity * step));
+  if (settings_.gravity > 0.0) counters_.note_residual(solution.residual, settings_.gravity * step);
   if (solution.residual > kNotConverged * quantum) status_ = status_ | Status::not_converged;
 
   const std::vector<double> shares = old_shares(touches, solution.impulses, before, step);
@@ -245,9 +247,9 @@ void PlainWorld::take_step(double step) {
   separate();
 }
 
-/// Pushes bodies apart that overlap by more than is left, each as little as its mass and inertia allow: the solver's
-/// laws with displacements in place of velocities, and without friction. Velocities stay as they are: an overlap is an
-/// error of the step, and must not become motion.
+/// Corrects penetrations above the slop, with the smallest displacements by mass and inertia: the laws of the solver
+/// with displacements instead of velocities, and without friction. Velocities do not change: a penetration is an error
+/// of the step, and must not become motion.
 void PlainWorld::separate() {
   for (int pass = 0; pass < kSeparatingPasses; ++pass) {
     std::vector<PointLaw> laws;

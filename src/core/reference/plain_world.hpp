@@ -14,16 +14,16 @@
 
 namespace holdfast::internal::plain {
 
-/// One container with its boxes, moved step by step; everything in the container's frame.
+/// One container with its boxes, simulated step by step, in the container's frame.
 ///
-/// A step (Moreau 1988): contacts are found where the step begins, the field g − a(t) changes the velocities, impulses
-/// change them again so that the laws of contact hold at its end, then positions follow.
+/// A step (Moreau 1988): contacts are found at the start of the step; the effective gravity g − a(t) changes the
+/// velocities; impulses change them again so that the contact laws hold at the end; then positions are integrated.
 class PlainWorld {
  public:
   /// The batch's columns give the poses and velocities at the start. `settings` must outlive the world.
   PlainWorld(const WorldBatch& batch, const World& world, const Settings& settings);
 
-  /// Takes the next step inside the phase. Returns the time reached, s.
+  /// Takes the next step within the phase. Returns the time reached, s.
   double advance(const Phase& phase);
 
   /// Writes the world's range of the columns.
@@ -31,11 +31,11 @@ class PlainWorld {
 
   const Counters& counters() const { return counters_; }
 
-  /// `not_converged` once the solver has given up in a step with too large a residual.
+  /// `not_converged` once the solver has ended a step with too large a residual.
   Status status() const { return status_; }
 
  private:
-  /// A box: what it is, and where.
+  /// A box: its properties and its state.
   struct Body {
     Vec3 half_extents;
     Vec3 centre_of_mass;  ///< offset from the centroid, body axes, m
@@ -50,20 +50,20 @@ class PlainWorld {
     bool is_fixed() const { return inverse_mass == 0.0; }
     Block block() const;
     Mover mover_at_rest() const;
-    /// Radius about the centre of mass that the box lies in, m.
+    /// Radius of the sphere around the centre of mass that contains the box, m.
     double radius() const;
   };
   struct Side {
     HalfSpace half_space;
     Surface surface;
-    std::vector<double> play;  ///< a box: how far behind its place the side stands for it, m
+    std::vector<double> play;  ///< one per box: how far the side is moved back for it, m
   };
-  /// A point where two bodies touch, or will within a step.
+  /// A point at which two bodies touch, or may touch within a step.
   struct Touch {
     PointLaw law;
     double gap;  ///< m
     double restitution;
-    /// Share of the step until the bodies hit each other, where they do; until then they keep their old velocity.
+    /// Fraction of the step before the bodies hit each other, if they do; until then they keep their old velocity.
     double impact = 0.0;
   };
 

@@ -4,7 +4,7 @@
 
 namespace holdfast::internal {
 
-/// A field as RFC 4180 wants it: quoted where it has a comma, a quote or a line break.
+/// A field as RFC 4180 defines it: quoted if it contains a comma, a quote or a line break.
 std::string csv_field(const std::string& text);
 
 }  // namespace holdfast::internal

@@ -9,12 +9,12 @@
 
 namespace holdfast::internal {
 
-/// A text file that is written from its beginning; every failure is thrown as `h5::Failure`. For src/io only.
+/// A text file that is written sequentially; every failure is thrown as `h5::Failure`. For src/io only.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);
   void write(std::string_view text);
-  /// Also reports what went wrong since: a full disk may show only here.
+  /// Closes the file. Also reports earlier failures: a full disk may be noticed only here.
   void close();
 
  private:
@@ -23,10 +23,10 @@ class OutputFile {
   std::ofstream stream_;
 };
 
-/// Makes the folder and those above it, where missing.
+/// Creates the folder and those above it if they are missing.
 void make_output_folder(const std::string& folder);
 
-/// Names of a world's inputs; of a part that lacks the layout, its index.
+/// Names of a world's inputs; for a layout that is not described in the file (a part), its index.
 std::string layout_name(const ResultsInfo& info, const WorldRow& row);
 std::string acceleration_name(const ResultsInfo& info, const WorldRow& row);
 

@@ -12,7 +12,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// An empty field where there is no number, which readers take for a missing value.
+/// A number; an empty field, which readers treat as a missing value, if it is NaN.
 template <class Number>
 std::string number(Number value) {
   return std::isnan(value) ? "" : fmt::format("{}", value);
@@ -26,13 +26,13 @@ constexpr const char* kWorldHeader =
     "world,layout,acceleration,verdict,status,status_text,stop_reason,end_time_s,boxes,fallen_boxes,unstable_boxes,"
     "moved_boxes,"
     "tilted_boxes,total_kinetic_energy_J,peak_kinetic_energy_J,max_displacement_m,peak_displacement_m,max_residual,"
-    "max_penetration_m,cpu_seconds\r\n";
+    "residual_scale,max_penetration_m,cpu_seconds\r\n";
 constexpr const char* kBoxHeader =
     "world,layout,acceleration,id,material,mass_kg,displacement_x_m,displacement_y_m,displacement_z_m,"
     "max_displacement_m,drop_m,tilt_degree,kinetic_energy_J,peak_kinetic_energy_J,fallen,moved,tilted,unstable,"
     "first_move_time_s\r\n";
 
-/// Index of the world, and the names of its inputs: the first columns of both tables.
+/// Index of the world and names of its inputs: the first columns of both tables.
 std::string naming(const ResultsInfo& info, std::uint64_t world, const WorldRow& row) {
   return fmt::format("{},{},{}", world, csv_field(layout_name(info, row)), csv_field(acceleration_name(info, row)));
 }
@@ -42,13 +42,13 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   const WorldSummary& w = slice.worlds;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
                    naming(info, slice.world_begin + i, row), to_string(w.verdict[i]), to_string(row.status),
                    csv_field(row.status_text), to_string(row.stop_reason), row.end_time, row.box_count,
                    count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
                    count(w.tilted_boxes[i]), number(w.total_kinetic_energy[i]), number(w.peak_kinetic_energy[i]),
-                   number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual, row.max_penetration,
-                   row.cpu_seconds);
+                   number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual, row.residual_scale,
+                   row.max_penetration, row.cpu_seconds);
   }
   return text;
 }

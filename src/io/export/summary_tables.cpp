@@ -12,12 +12,12 @@ namespace holdfast::internal {
 
 namespace {
 
-/// What it takes to know which world and box a row of the summary is about.
+/// The datasets that identify the world and the box of each row of the summary.
 constexpr std::array<std::string_view, 10> kNamingDatasets = {
     "/inputs/layouts/name", "/inputs/accelerations/name", "/worlds/layout",    "/worlds/acceleration", "/worlds/status",
     "/worlds/status_text",  "/worlds/box_begin",          "/worlds/box_count", "/boxes/world",         "/boxes/id"};
 
-/// Copies a dataset slice by slice.
+/// Copies a dataset in slices.
 void copy_dataset(const h5::File& from, const h5::File& to, const DatasetSpec& spec) {
   const h5::Dataset source = h5::Dataset::open(from, spec);
   TableWriter writer(to, spec, source.length(), source.number_bytes());
@@ -33,7 +33,7 @@ void write_file(const h5::File& source, const std::string& path, const Threshold
   const ResultsInfo& info = results->info();
   if (!info.complete)
     throw h5::Failure(
-        Error{.file = source.path(), .what = "is a part of an unfinished run", .accepted = "a whole one"});
+        Error{.file = source.path(), .what = "is a part of an unfinished run", .accepted = "a complete results file"});
   h5::File file = h5::File::create(temporary_name(path));
   h5::write_attribute(file, "/", "format", std::string_view("holdfast summary"));
   h5::write_attribute(file, "/", "format_version", kFormatVersion);

@@ -10,13 +10,13 @@
 
 namespace holdfast::internal {
 
-/// Fills a dataset of known length from its beginning to its end, compressing chunk by chunk. For src/io only;
-/// throws `h5::Failure`.
+/// Writes a dataset of known length sequentially, and compresses it chunk by chunk. For src/io only; throws
+/// `h5::Failure`.
 class TableWriter {
  public:
   TableWriter(const h5::File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size = 1);
 
-  /// Adds entries as they are stored.
+  /// Adds entries in their stored form.
   void append(std::span<const std::byte> entries);
   template <class T>
   void append_values(const std::vector<T>& values) {
@@ -32,7 +32,7 @@ class TableWriter {
 
   h5::Dataset dataset_;
   std::uint64_t written_ = 0;       ///< chunks
-  std::vector<std::byte> pending_;  ///< less than a chunk
+  std::vector<std::byte> pending_;  ///< entries of the incomplete chunk
 };
 
 /// Writes a whole column as a new dataset.

@@ -17,8 +17,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// File names without extension, made different from each other with `~2`, `~3`, …; without `$`, which stands between
-/// two of them.
+/// File names without extension, made distinct with `~2`, `~3`, …; without `$`, which separates names in the result.
 std::vector<std::string> distinct_stems(const std::vector<std::string>& names) {
   std::set<std::string> taken;
   std::vector<std::string> stems;
@@ -43,17 +42,18 @@ std::string batch_file(const std::string& batch_directory) { return "[BATCH-RESU
 std::string solution_file(const std::string& pair) { return "[SOLUTION]" + pair; }
 std::string resumed_file(const std::string& pair) { return "[SOLUTION_RESUMED]" + pair; }
 
-/// What both files of a world are called after.
+/// The common part of the names of a world's files.
 std::string pair_of(const std::string& layout, const std::string& acceleration) {
   return "$" + layout + "$" + acceleration;
 }
 
-/// "nan" instead of the zeros of a world that was not simulated: nobody shall take it for one where all stood.
+/// "nan" instead of zero for a world that was not simulated, so that it is not mistaken for one in which all boxes
+/// stayed.
 std::string outcome(const WorldRow& row, double value) {
   return row.stop_reason == StopReason::not_run ? "nan" : fmt::format("{}", value);
 }
 
-/// What both files of a world begin with.
+/// The first lines of both files of a world.
 std::string heading(const ResultsInfo& info, const WorldRow& row) {
   std::string text =
       fmt::format("# layout {}, acceleration {}, engine {}, status {}", printable(layout_name(info, row)),
@@ -127,7 +127,7 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
   }
 }
 
-/// The longest of some names; empty when there is none.
+/// The longest of the names; empty when there are none.
 std::string longest(const std::vector<std::string>& names) {
   const auto shorter = [](const std::string& a, const std::string& b) { return a.size() < b.size(); };
   const auto found = std::max_element(names.begin(), names.end(), shorter);
@@ -147,9 +147,9 @@ std::optional<Error> prepare_text_export(const std::string& folder, const std::v
     const std::string name = longest({resumed_file(pair), batch_file(batch_directory)});
     if (most < 0 || name.size() <= static_cast<std::size_t>(most)) return;
     throw h5::Failure(Error{.file = folder,
-                            .what = "takes no text file of so long a name",
+                            .what = "cannot have a text file with such a long name",
                             .value = printable(name),
-                            .accepted = fmt::format("at most {} bytes: shorter names, or no text files", most)});
+                            .accepted = fmt::format("at most {} bytes; use shorter names, or no text files", most)});
   });
 }
 
@@ -161,7 +161,7 @@ std::optional<Error> export_text(const std::string& results_path, const std::str
     const ResultsInfo& info = results->info();
     if (!info.complete) {
       throw h5::Failure(Error{.file = results_path,
-                              .what = "is part of an unfinished run",
+                              .what = "is a part of an unfinished run",
                               .accepted = "a complete results file; --resume finishes the run"});
     }
     make_output_folder(folder);

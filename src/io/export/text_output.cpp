@@ -21,7 +21,7 @@ Error cannot_be_written(const std::string& path) {
   return {.file = path, .what = "cannot be written", .value = std::strerror(errno)};
 }
 
-/// The file that a link leads to, so that it stays a link.
+/// The file that a symbolic link refers to, so that writing does not replace the link.
 std::string target_of(const std::string& path) {
   std::error_code missing;
   if (!fs::is_symlink(path, missing)) return path;
@@ -42,12 +42,13 @@ std::optional<Error> check_output_file(const std::string& path,
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_directory(status)) return Error{.file = path, .what = "is a folder", .accepted = "the name of a file"};
   if (fs::exists(status)) {
-    if (!fs::is_regular_file(status)) return Error{.file = path, .what = "is no file", .accepted = "another name"};
+    if (!fs::is_regular_file(status))
+      return Error{.file = path, .what = "is not a regular file", .accepted = "another name"};
     if (fs::file_size(path, unknown) > 0 && !is_same_kind(path))
-      return Error{.file = path, .what = "holds something else, and is left as it is", .accepted = "another name"};
+      return Error{.file = path, .what = "is a file of another kind, and is not replaced", .accepted = "another name"};
     if (::access(path.c_str(), W_OK) != 0) return cannot_be_written(path);
   }
-  // Only trying tells: of rights, of folders that take no file, of a disk that is read-only.
+  // Only an attempt shows whether permissions, the folder and the file system allow writing.
   const std::string temporary = temporary_name(target_of(path));
   const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (file.number < 0) return cannot_be_written(path);

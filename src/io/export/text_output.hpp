@@ -9,13 +9,12 @@
 
 namespace holdfast::internal {
 
-/// Writes the text into a file, new or in place of an old one: afterwards either all of it is there, or what was
-/// before.
+/// Writes the text into a file atomically: afterwards the file has either the whole text or its previous content.
 std::optional<Error> write_text_file(const std::string& path, std::string_view text);
 
-/// What keeps `write_text_file` from writing there, told before the work whose outcome it is to hold. A file that is
-/// there already is replaced only when it is empty or of the same kind: nobody's input.
-/// @param is_same_kind tells of a path whether the file there is what would be written
+/// The reason why `write_text_file` cannot write to the path, found before the run whose results it will contain. An
+/// existing file is replaced only if it is empty or of the same kind, so that an input is never overwritten.
+/// @param is_same_kind returns whether the file at a path is of the kind that would be written
 std::optional<Error> check_output_file(const std::string& path,
                                        const std::function<bool(const std::string&)>& is_same_kind);
 

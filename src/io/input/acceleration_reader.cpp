@@ -16,7 +16,7 @@ constexpr std::size_t kColumns = 5;
 constexpr const char* kLineFormat = "initial-time duration ax ay az";
 constexpr std::array kNames{"the initial time", "the duration", "ax", "ay", "az"};
 
-/// The segment of a line, or nothing when its numbers cannot be used.
+/// The segment of a line, or nothing if its numbers are not valid.
 std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields, ErrorList& errors) {
   const auto refuse = [&](std::size_t i, std::string what, std::string accepted) {
     errors.add({.line = line,
@@ -72,7 +72,7 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
   }
   if (errors.empty() && acceleration.segments.empty())
     errors.add({.what = trimmed(file.text).empty() ? "is empty" : "has no segments",
-                .accepted = std::string("an acceleration is a line a segment: ") + kLineFormat});
+                .accepted = std::string("an acceleration has one line per segment: ") + kLineFormat});
   if (!errors.empty()) return errors.take();
   return acceleration;
 }

@@ -8,9 +8,9 @@
 
 namespace holdfast::internal {
 
-/// Reads an acceleration file: a line a segment, `initial-time duration ax ay az` in s and m/s², in the order of
-/// time and without overlap; gaps mean zero. `#` begins a comment anywhere in a line. A segment that starts within
-/// kSameInstant of the end of the one before starts exactly there.
+/// Reads an acceleration file: one line per segment, `initial-time duration ax ay az` in s and m/s², in the order of
+/// time and without overlap; in gaps the acceleration is zero. `#` begins a comment anywhere in a line. A segment that
+/// starts within kSameInstant of the end of the previous one starts exactly there.
 ///
 /// All errors of the file are reported, up to the limit of ErrorList.
 Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& warnings);

@@ -7,7 +7,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// A word as a number of boxes that a layout may have.
+/// The word as a possible number of boxes of a layout.
 std::optional<std::size_t> count_of(const Field& word) {
   const std::optional<long> number = parse_integer(word.text);
   if (!number || *number < 0 || static_cast<std::size_t>(*number) > kMostBoxes) return std::nullopt;

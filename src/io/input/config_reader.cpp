@@ -19,7 +19,7 @@ namespace {
 
 std::string in_brackets(std::string_view section) { return '[' + std::string(section) + ']'; }
 
-/// `did you mean X?`, or all that there is.
+/// `did you mean X?`, or the list of all candidates.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates, bool brackets) {
   const auto text = [&](std::string_view candidate) {
     return brackets ? in_brackets(candidate) : std::string(candidate);
@@ -32,13 +32,13 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 
 /// A section of the file.
 struct Section {
-  std::string name;        ///< as messages call it; `Material 3` whatever the white space and zeros of the file
-  std::string_view table;  ///< as the table calls it; "" when it has no such section
+  std::string name;        ///< for messages; `Material 3` for any white space and leading zeros in the file
+  std::string_view table;  ///< as in the table of keys; "" if the table has no such section
   int material = 0;
 };
 
-/// Reads one file. inih splits keys from values and strips comments; it knows neither line numbers, nor what it
-/// dropped, so the lines are handed to it one by one and what it makes of each is watched.
+/// Reads one file. inih separates keys from values and removes comments. It reports neither line numbers nor what it
+/// has ignored; therefore it gets the lines one by one, and its result is checked for each.
 class ConfigReader {
  public:
   explicit ConfigReader(const TextFile& file) : lines_(file.text), errors_(file.path), path_(file.path) {
@@ -64,19 +64,19 @@ class ConfigReader {
     long column = 0;
   };
 
-  /// inih's reader: works like fgets. A line that inih must not see becomes an empty one.
+  /// inih's reader: works like fgets. Lines that are not for inih are passed as empty lines.
   static char* give_line(char* buffer, int size, void* self) {
     auto& reader = *static_cast<ConfigReader*>(self);
     reader.expect_key_taken();
     if (!reader.lines_.next()) return nullptr;
-    // inih would take an indented line for more of the value before it.
+    // inih would treat an indented line as a continuation of the previous value.
     const std::string_view line = reader.screen(trimmed(reader.lines_.line()), static_cast<std::size_t>(size) - 2);
     line.copy(buffer, line.size());
     std::memcpy(buffer + line.size(), "\n", 2);
     return buffer;
   }
 
-  /// inih's handler. The sections are known already, from the lines.
+  /// inih's handler. The section is already known from the lines.
   static int take_key(void* self, const char* /*section*/, const char* name, const char* value) {
     auto& reader = *static_cast<ConfigReader*>(self);
     reader.key_expected_ = false;
@@ -84,7 +84,7 @@ class ConfigReader {
     return 1;
   }
 
-  /// What of a trimmed line inih shall see: lines with a key only.
+  /// The part of a trimmed line that is passed to inih: only lines with a key.
   std::string_view screen(std::string_view line, std::size_t longest) {
     if (line.empty() || line[0] == ';' || line[0] == '#') return {};
     if (line[0] == '[') {
@@ -134,7 +134,7 @@ class ConfigReader {
   void open_material(std::string_view line, std::string_view id_text) {
     const std::optional<long> id = parse_integer(id_text);
     if (!id || *id < 0 || *id > std::numeric_limits<int>::max()) {
-      add_error(column_of(line), "a material section without the id of a material", shown(line),
+      add_error(column_of(line), "a material section without a material id", shown(line),
                 "[Material N] with a whole number N from 0 to 2147483647");
       return;
     }
@@ -145,7 +145,7 @@ class ConfigReader {
     const std::string_view line = lines_.line();
     const long name_column = column_of(trimmed(line));
     if (!section_) return add_error(name_column, "a key before any section", shown(name), "a line [section] before it");
-    if (section_->table.empty()) return;  // the section has been named as wrong
+    if (section_->table.empty()) return;  // an error has already been reported for the section
     if (name.empty()) return add_error(name_column, "a value without a key", shown(value), "key = value");
     const SettingKey* key = find_setting(section_->table, name);
     if (key == nullptr) return add_unknown_key(name_column, name);
@@ -200,11 +200,10 @@ class ConfigReader {
       if (const auto found = given_.find(key); found != given_.end())
         add_warning(found->second,
                     key.second + " has no effect while FrictionModel is " + (pairs ? "pairs" : "product"), "");
-    if (given_.empty()) add_warning({}, "sets no key, all defaults hold", "");
+    if (given_.empty()) add_warning({}, "sets no key, so that all keys have their defaults", "");
   }
 
-  /// Whether an error is only counted because there are so many: looking for what was meant would cost time for
-  /// nothing.
+  /// Whether an error is only counted because there are so many; then no suggestion is needed.
   bool counted_only() {
     if (errors_.full()) errors_.count_more();
     return errors_.full();
@@ -236,7 +235,7 @@ class ConfigReader {
   Config config_;
   std::optional<Section> section_;
   std::map<std::pair<std::string, std::string>, Place> given_;
-  bool key_expected_ = false;  ///< the current line has been given to inih, which has not made a key of it yet
+  bool key_expected_ = false;  ///< the current line has been passed to inih, which has not returned a key for it yet
 };
 
 }  // namespace

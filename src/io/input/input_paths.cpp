@@ -28,7 +28,7 @@ constexpr std::size_t kLayoutColumns = 7;
 InputKind kind_of_line(std::span<const Field> fields) {
   const bool is_acceleration = fields.size() == kAccelerationColumns;
   if (!is_acceleration && fields.size() < kLayoutColumns) return InputKind::unknown;
-  // A wrong number leaves a file what it is, so that it is reported; prose is no input.
+  // A file with a wrong number keeps its kind, so that the number is reported; prose is not an input.
   const std::span<const Field> columns = fields.first(std::min(fields.size(), kLayoutColumns));
   const auto numbers = std::count_if(columns.begin(), columns.end(),
                                      [](const Field& field) { return parse_number(field.text).has_value(); });
@@ -47,7 +47,7 @@ const char* plural(InputKind kind) {
   }
 }
 
-/// What is in a folder in byte order of the names, without folders and hidden files.
+/// The entries of a folder in byte order of their names, without folders and hidden files.
 Result<std::vector<std::string>> list_folder(const std::string& path) {
   std::vector<std::string> files;
   std::error_code error;
@@ -61,32 +61,32 @@ Result<std::vector<std::string>> list_folder(const std::string& path) {
   return files;
 }
 
-/// Why what is in a folder cannot be read as a file, if it cannot.
+/// The reason why an entry of a folder cannot be read as a file; nothing if it can.
 std::optional<Error> why_unreadable(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) {
-    if (errno == ENOENT) return Error{.file = path, .what = "is a link to nothing"};
-    return Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)};
+    if (errno == ENOENT) return Error{.file = path, .what = "is a link to a missing file"};
+    return Error{.file = path, .what = "cannot be accessed", .value = std::strerror(errno)};
   }
   if (auto error = why_no_regular_file(path, status.st_mode)) return error;
   if (::access(path.c_str(), R_OK) == 0) return std::nullopt;
   return Error{.file = path, .what = "cannot be read", .value = std::strerror(errno)};
 }
 
-/// Collects what a list of paths stands for.
+/// Collects the files that a list of paths refers to.
 class InputFinder {
  public:
-  /// @param wanted kind to keep of folders; `unknown` keeps all that is known
+  /// @param wanted kind of file to keep from folders; `unknown` keeps all known kinds
   InputFinder(InputKind wanted, std::vector<Error>& warnings) : wanted_(wanted), warnings_(warnings) {}
 
   void add(const std::string& path) {
     struct stat status = {};
     if (path.empty())
-      errors_.push_back({.what = "an empty path"});  // which would leave the message without a subject
+      errors_.push_back({.what = "an empty path"});  // a message with this path would have no subject
     else if (::stat(path.c_str(), &status) != 0)
       errors_.push_back(errno == ENOENT || errno == ENOTDIR
                             ? Error{.file = path, .what = "no such file or folder"}
-                            : Error{.file = path, .what = "cannot be looked at", .value = std::strerror(errno)});
+                            : Error{.file = path, .what = "cannot be accessed", .value = std::strerror(errno)});
     else if (S_ISDIR(status.st_mode))
       add_folder(path);
     else if (const auto error = why_no_regular_file(path, status.st_mode))
@@ -100,7 +100,7 @@ class InputFinder {
     for (std::string line; std::getline(list, line);)
       if (const std::string_view path = trimmed(line); !path.empty()) add(std::string(path));
     if (files_.size() + errors_.size() == before)
-      errors_.push_back({.what = "the list of paths on standard input is empty", .accepted = "one path a line"});
+      errors_.push_back({.what = "the list of paths on standard input is empty", .accepted = "one path per line"});
   }
 
   Result<std::vector<InputFile>> take() {
@@ -114,7 +114,7 @@ class InputFinder {
     if (!names) return errors_.push_back(names.error());
     const std::size_t before = files_.size() + errors_.size();
     for (const std::string& name : *names) {
-      // Left out in silence, a candidate would never be missed.
+      // A candidate must not be left out without a message.
       if (const auto error = why_unreadable(name)) {
         errors_.push_back(*error);
         continue;
@@ -149,10 +149,10 @@ Result<std::vector<std::string>> paths_of(const Result<std::vector<InputFile>>& 
   return paths;
 }
 
-/// What the beginning of a text shows.
+/// The kind of input that the beginning of a text indicates.
 struct Look {
   InputKind kind = InputKind::unknown;
-  bool decided = false;  ///< whatever follows
+  bool decided = false;  ///< true: the rest of the text cannot change the kind
 };
 
 Look look_at(std::string_view text) {
@@ -167,7 +167,7 @@ Look look_at(std::string_view text) {
     if (fields[0].text.starts_with('[')) return {InputKind::config, true};
     const std::string_view data = lines.line().substr(0, lines.line().find('#'));
     const InputKind kind = data.find('=') == std::string_view::npos ? kind_of_line(fields) : InputKind::config;
-    // The first line may be a layout's header, which can have any words, `seed=5` too.
+    // The first line may be a layout's header, which can have any words, also `seed=5`.
     if (is_second) return {kind == InputKind::unknown ? first : kind, true};
     first = kind;
     is_second = true;
@@ -182,13 +182,13 @@ InputKind classify(std::string_view text) { return look_at(text).kind; }
 InputKind classify_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string head;
-  // Most files show their kind in the first block; a long comment, or a long line, may take as much as a file may have.
+  // The first block shows the kind of most files; a long comment or line may be as long as the largest file.
   for (std::size_t size = 4096; size <= kMostTextBytes; size *= 8) {
     const std::size_t old_size = head.size();
     head.resize(size);
     file.read(head.data() + old_size, static_cast<std::streamsize>(size - old_size));
     head.resize(old_size + static_cast<std::size_t>(file.gcount()));
-    // The last line may be cut.
+    // The last line may be incomplete.
     const bool whole = head.size() < size;
     const Look look = look_at(whole ? head : std::string_view(head).substr(0, head.rfind('\n') + 1));
     if (whole || look.decided) return look.kind;

@@ -10,30 +10,30 @@
 
 namespace holdfast::internal {
 
-/// What an input file is, by its content.
+/// Kind of an input file, by its content.
 enum class InputKind { layout, acceleration, config, unknown };
 
-/// What a text is, judged by its first two lines that are neither blank nor comments: `[section]` makes a config; else
-/// the second line decides, or the first where that is alone or undecided: `key = value` makes a config, 5 columns an
-/// acceleration, 7 or more a layout, if at least half of these are numbers.
-/// @param text a file, or so much of its beginning as has these lines
+/// Kind of a text, by its first two lines that are neither blank nor comments. `[section]` is a config. Otherwise the
+/// second line decides, or the first if there is no second or it does not decide: `key = value` is a config, 5 columns
+/// are an acceleration, 7 or more a layout, if at least half of the columns are numbers.
+/// @param text a file, or enough of its beginning to contain these lines
 InputKind classify(std::string_view text);
 
-/// What a file is. Reads little more of it than the lines that decide; `unknown` when it cannot be read.
+/// Kind of a file. Reads little more than the lines that decide; `unknown` if the file cannot be read.
 InputKind classify_file(const std::string& path);
 
-/// An input file that was found.
+/// An input file.
 struct InputFile {
   std::string path;
   InputKind kind = InputKind::unknown;
 };
 
-/// The files that a user means: every path stands for itself when it is a file, for the files in it when it is a
-/// folder, and `-` for the paths on `list`, one a line. Order is the user's, inside a folder that of the bytes of the
-/// names. Hidden files and sub-folders are left out; files of unknown kind in a folder too, with a warning. A path that
-/// was named itself is taken whatever its content. Files of the same name are different files.
+/// The input files that a list of paths refers to: a file itself, the files in a folder, and for `-` the paths on
+/// `list`, one per line. The order is that of the list; within a folder, that of the bytes of the names. Hidden files
+/// and sub-folders are left out; so are files of unknown kind in a folder, with a warning. A file in the list itself is
+/// included whatever its content. Files with equal names in different folders are different files.
 ///
-/// A path that does not exist, a folder or a list without any input is an error.
+/// A path that does not exist is an error, and so is a folder or a list without any input.
 Result<std::vector<InputFile>> find_inputs(std::span<const std::string> paths, std::istream& list,
                                            std::vector<Error>& warnings);
 
@@ -49,7 +49,7 @@ struct BatchFolder {
   std::vector<std::string> accelerations;
 };
 
-/// Looks through a batch folder. An error when it is no folder, or has no layout or no acceleration.
+/// Searches a batch folder. An error if it is not a folder, or has no layout or no acceleration.
 Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error>& warnings);
 
 }  // namespace holdfast::internal

@@ -25,7 +25,7 @@ std::optional<int> parse_material(std::string_view text) {
   return static_cast<int>(*id);
 }
 
-/// Whether a line that stands where the header should be is a box: its loss would go unnoticed.
+/// Whether the line in the place of the header is a box, which would otherwise be lost without a message.
 bool looks_like_box(const std::vector<Field>& fields) {
   if (fields.size() < kColumns || !parse_material(fields[6].text)) return false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -47,7 +47,7 @@ class LayoutReader {
     read_lines();
     if (errors_.empty() && box_count_ == 0)
       errors_.add({.what = header_line_ == 0 ? "is empty" : "has no boxes",
-                   .accepted = std::string("a layout is a header line, then a line a box: ") + kLineFormat});
+                   .accepted = std::string("a layout is a header line, then one line per box: ") + kLineFormat});
     if (!errors_.empty()) return errors_.take();
     if (extra_line_ > 0)
       warnings.push_back({.file = file_.path,
@@ -58,7 +58,7 @@ class LayoutReader {
       warnings.push_back({.file = file_.path,
                           .line = header_line_,
                           .what = "the header announces " + std::to_string(*announced_) + " boxes and the file has " +
-                                  std::to_string(box_count_) + ", as a copy that was cut off would"});
+                                  std::to_string(box_count_) + ", as in a truncated copy"});
     std::vector<Error> geometry = check_layout(layout_, settings_, file_.path, warnings);
     if (!geometry.empty()) return geometry;
     return std::move(layout_);
@@ -74,7 +74,7 @@ class LayoutReader {
       if (fields.empty()) continue;
       if (box_count_ == kMostBoxes) {
         errors_.add({.line = lines.number(),
-                     .what = "a box too many",
+                     .what = "too many boxes",
                      .accepted = "at most " + std::to_string(kMostBoxes) + " boxes"});
         return;
       }
@@ -136,7 +136,7 @@ class LayoutReader {
     if (good) layout_.boxes.push_back(make_box(corner, *material, line));
   }
 
-  /// Always false: the box cannot be used.
+  /// Reports an error. Always false: the box cannot be used.
   bool refuse(long line, const Field& field, const char* name, const char* fault, const char* accepted) {
     errors_.add({.line = line,
                  .column = field.column,
@@ -160,7 +160,7 @@ class LayoutReader {
   std::size_t box_count_ = 0;  ///< box lines so far, good or bad
   long extra_line_ = 0;        ///< first line with an eighth column
   long extra_column_ = 0;
-  std::optional<std::size_t> announced_;  ///< boxes by the header, where there are not so many
+  std::optional<std::size_t> announced_;  ///< number of boxes in the header, if it differs from that in the file
 };
 
 }  // namespace

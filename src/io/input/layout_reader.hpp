@@ -10,29 +10,27 @@
 
 namespace holdfast::internal {
 
-/// Farthest that a corner may be from the origin along an axis, cm: ten kilometres. An open side does not bound, and
-/// more is a slip.
+/// Largest coordinate of a corner, cm: ten kilometres. An open side is no boundary; a larger coordinate is a mistake.
 inline constexpr double kFarthestCorner = 1e6;
 
-/// Longest header of a layout, byte: every results file keeps it.
+/// Longest header of a layout, bytes: every results file contains it.
 inline constexpr std::size_t kMostHeaderBytes = 4096;
 
 /// Reads a layout file and checks its geometry (see check_layout).
 ///
-/// The first line that is neither blank nor a comment is the header and kept as it is. Each further one is a box,
+/// The first line that is neither blank nor a comment is the header, which is not changed. Each further line is a box,
 /// `x1 y1 z1 x2 y2 z2 material`: the corner with the smallest and the one with the largest coordinates in cm, and
 /// an integer id from 0. `#` begins a comment anywhere in a line.
 ///
 /// With `UpAxis = z` the file's axes are the container's. With `UpAxis = y` the file has x along the length, y up and,
-/// as its frame is right-handed too, z across the width from right to left. The frame is turned by a quarter about x
-/// and moved by the width W, so that what is inside the container stays inside and nothing is mirrored:
-/// (x, y, z) of the file is (x, W − z, y) of the container. Accelerations are in the container's axes always.
+/// since its frame is also right-handed, z across the width from right to left. The frame is rotated by 90° about x and
+/// moved by the width W, so that boxes inside the container remain inside and nothing is mirrored: (x, y, z) of the
+/// file is (x, W − z, y) of the container. Accelerations are always in the container's axes.
 ///
-/// All errors of the file are reported, up to the limit of ErrorList; those of the geometry only when there is no
-/// other.
-/// @param warnings gets one entry for columns beyond the seventh, one for overlaps within the tolerance, one for a
-/// header that
-///   announces another number of boxes (see contradicted_count)
+/// All errors of the file are reported, up to the limit of ErrorList; those of the geometry only if there is no other.
+/// @param warnings receives one entry for columns after the seventh, one for overlaps within the tolerance, and one for
+/// a
+///   header that announces another number of boxes (see contradicted_count)
 Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings);
 
 }  // namespace holdfast::internal

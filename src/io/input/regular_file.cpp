@@ -19,7 +19,7 @@ std::optional<Error> why_no_regular_file(const std::string& path, mode_t mode) {
   if (S_ISDIR(mode)) return Error{.file = path, .what = "is a folder", .accepted = "a file is needed here"};
   return Error{.file = path,
                .what = std::string("is ") + kind_of(mode) + ", not a file",
-               .accepted = "save what it gives in a file, and name that"};
+               .accepted = "save its output in a file, and give that file"};
 }
 
 }  // namespace holdfast::internal

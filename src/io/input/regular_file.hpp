@@ -9,9 +9,9 @@
 
 namespace holdfast::internal {
 
-/// Why something cannot be an input, by its kind: only a regular file can. A pipe or a device may keep its reader
-/// waiting for ever, and gives its bytes once, so that nothing can be compared with it when a run is resumed.
-/// @param mode as stat() tells it
+/// The reason why a file of this kind cannot be an input; only regular files can. A pipe or a device may block its
+/// reader for ever, and provides its bytes only once, so that a resumed run cannot compare them.
+/// @param mode from stat()
 std::optional<Error> why_no_regular_file(const std::string& path, mode_t mode);
 
 }  // namespace holdfast::internal

@@ -1,4 +1,4 @@
-#define OPENSSL_API_COMPAT 0x10100000L  // SHA256_Init and the like are of that age
+#define OPENSSL_API_COMPAT 0x10100000L  // SHA256_Init and similar functions belong to that version
 
 #include "io/input/text_file.hpp"
 
@@ -27,7 +27,7 @@ Error cannot_be_read(const std::string& path) {
 }  // namespace
 
 Result<TextFile> read_text_file(const std::string& path) {
-  // Without waiting: the opening of a pipe would wait for its writer.
+  // Non-blocking: opening a pipe would wait for its writer.
   const Descriptor input(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (input.number < 0) return cannot_be_read(path);
   struct stat status = {};
@@ -36,7 +36,7 @@ Result<TextFile> read_text_file(const std::string& path) {
   TextFile file;
   file.path = path;
   file.name = std::filesystem::path(path).filename().string();
-  // Block by block, whatever size the system tells: some files of the kernel tell none.
+  // Block by block, regardless of the size that the system reports: some files of the kernel report none.
   constexpr std::size_t kBlock = std::size_t{1} << 16U;
   for (std::size_t size = 0; size <= kMostTextBytes;) {
     file.text.resize(size + kBlock);
@@ -57,7 +57,8 @@ Result<TextFile> read_text_file(const std::string& path) {
 }
 
 std::string sha256_of(std::string_view bytes) {
-  // OpenSSL 3's own way looks for a provider of this hash first, and takes longer for that than for hashing a layout.
+  // The newer interface of OpenSSL 3 first searches for a provider of the hash, which takes longer than hashing a
+  // layout.
   SHA256_CTX context;
   SHA256_Init(&context);
   SHA256_Update(&context, bytes.data(), bytes.size());

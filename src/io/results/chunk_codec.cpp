@@ -12,7 +12,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// As HDF5's shuffle filter: first the lowest byte of every number, then the next, ….
+/// Like HDF5's shuffle filter: first the lowest byte of every number, then the next, ….
 std::vector<std::byte> shuffle(std::span<const std::byte> raw, std::size_t number_bytes) {
   const std::size_t count = raw.size() / number_bytes;
   std::vector<std::byte> shuffled(raw.size());
@@ -28,8 +28,8 @@ struct FreeCompressor {
   void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
 
-/// A zlib stream of bytes that are nearly all fill, which need not be in memory: only repetitions of one byte are
-/// looked for, several times quicker than a search for others.
+/// A zlib stream of bytes that are nearly all fill; the fill need not be in memory. Only repetitions of one byte are
+/// searched for, which is several times faster than a search for any repetition.
 class FillStream {
  public:
   FillStream() {
@@ -50,7 +50,7 @@ class FillStream {
       add(std::span(kZeros).first(std::min(count, kZeros.size())));
   }
 
-  /// The whole stream; nothing may be added afterwards.
+  /// The complete stream; nothing may be added afterwards.
   std::vector<std::byte> finish() {
     pump({}, Z_FINISH);
     packed_.resize(stream_.total_out);
@@ -59,7 +59,7 @@ class FillStream {
 
  private:
   void pump(std::span<const std::byte> bytes, int flush) {
-    // zlib does not write to what it reads, but its type says nothing of that.
+    // zlib does not write to its input, but the type of its pointer is not const.
     stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
     stream_.avail_in = static_cast<uInt>(bytes.size());
     do {
@@ -76,7 +76,7 @@ class FillStream {
 };
 
 libdeflate_compressor* compressor() {
-  // One a thread: making one costs as much as compressing a small chunk.
+  // One per thread: creating one takes as long as compressing a small chunk.
   thread_local std::unique_ptr<libdeflate_compressor, FreeCompressor> kept(libdeflate_alloc_compressor(1));
   if (!kept) throw std::bad_alloc();
   return kept.get();
@@ -97,8 +97,8 @@ std::vector<std::byte> compress_chunk(std::span<const std::byte> raw, std::size_
 
 std::vector<std::byte> compress_padded_chunk(std::span<const std::byte> raw, std::size_t number_bytes,
                                              std::size_t chunk_bytes) {
-  // A small run has 36 such chunks of up to 256 KiB twice over, nearly all of it zeros: to make these and have them
-  // searched for repetitions took a fifth of its time.
+  // A small run has 36 such chunks of up to 256 KiB, written twice, and nearly all zeros. Creating them and searching
+  // them for repetitions took a fifth of its time.
   constexpr std::size_t kFewOf = 32;
   if (raw.size() > chunk_bytes / kFewOf) {
     std::vector<std::byte> padded(raw.begin(), raw.end());

@@ -38,10 +38,10 @@ Id type_of(const DatasetSpec& spec, std::size_t text_size) {
   return type;
 }
 
-/// Deflate makes at most 1032 bytes of one.
+/// Deflate expands one byte to at most 1032 bytes.
 constexpr std::uint64_t kMostInflation = 1032;
 
-/// Longest text of a column that is read, byte.
+/// Longest text that is read from a column, bytes.
 constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
 
 std::string parent_of(std::string_view path) { return std::string(path.substr(0, path.rfind('/'))); }
@@ -60,7 +60,8 @@ Dataset Dataset::create(const File& file, const DatasetSpec& spec, std::uint64_t
 
   const int rank = spec.width == 1 ? 1 : 2;
   const std::array<hsize_t, 2> extent = {length, spec.width};
-  // A long one may end inside its chunk, and a part does not know its length before; only an open end allows both.
+  // A long dataset may end inside a chunk, and its length in a part is not known in advance; this needs an unlimited
+  // dimension.
   const std::array<hsize_t, 2> limit = {is_long(spec) ? H5S_UNLIMITED : length, spec.width};
   const std::array<hsize_t, 2> chunk = {dataset.chunk_entries_, spec.width};
   const Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -100,22 +101,22 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
   const int rank = spec.width == 1 ? 1 : 2;
   const bool shape_fits = H5Sget_simple_extent_ndims(space) == rank &&
                           H5Sget_simple_extent_dims(space, extent.data(), nullptr) == rank && extent[1] == spec.width;
-  if (!type_fits || !shape_fits) dataset.fail("has a dataset of another type or shape than it should");
+  if (!type_fits || !shape_fits) dataset.fail("has a dataset of a wrong type or shape");
   dataset.length_ = extent[0];
 
   const Id creation(H5Dget_create_plist(dataset.id_), H5Pclose);
   std::array<hsize_t, 2> chunk = {1, 1};
   if (H5Pget_layout(creation) == H5D_CHUNKED) H5Pget_chunk(creation, rank, chunk.data());
   dataset.chunk_entries_ = chunk[0];
-  // A file may say that it has billions of entries, and hold none: no answer is worth that much memory.
+  // A damaged file may claim billions of entries that it does not contain; no memory is allocated for these.
   const std::uint64_t most_entries = H5Dget_storage_size(dataset.id_) * kMostInflation / dataset.entry_bytes();
   if (dataset.length_ > most_entries || dataset.number_bytes_ > kMostTextBytes)
-    dataset.fail("has a dataset that is larger than what it holds");
+    dataset.fail("has a dataset that claims more entries than it contains");
   return dataset;
 }
 
 std::vector<std::byte> Dataset::read(std::uint64_t begin, std::uint64_t count) const {
-  if (begin > length_ || count > length_ - begin) fail("ends before the entries that are asked for");
+  if (begin > length_ || count > length_ - begin) fail("ends before the requested entries");
   std::vector<std::byte> bytes(count * entry_bytes());
   if (count == 0) return bytes;
   const int rank = spec_->width == 1 ? 1 : 2;
@@ -148,15 +149,15 @@ void Dataset::write_whole(std::span<const std::byte> bytes) {
 }
 
 ChunkPlace Dataset::chunk_place(std::uint64_t index) const {
-  if (chunk_entries_ != holdfast::internal::chunk_entries(spec_->axis))
-    fail("has a dataset of another chunk size than it should");
+  if (chunk_entries_ != holdfast::internal::chunk_entries(spec_->axis)) fail("has a dataset of a wrong chunk size");
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   unsigned filter_mask = 0;
   haddr_t begin = HADDR_UNDEF;
   hsize_t size = 0;
   if (H5Dget_chunk_info_by_coord(id_, at.data(), &filter_mask, &begin, &size) < 0 || begin == HADDR_UNDEF)
     fail("lacks a part of its data");
-  if (filter_mask != 0 || size > 2 * chunk_entries_ * entry_bytes()) fail("has a chunk that is not as it was written");
+  if (filter_mask != 0 || size > 2 * chunk_entries_ * entry_bytes())
+    fail("has a chunk that differs from what was written");
   return {begin, size};
 }
 

@@ -13,10 +13,10 @@ namespace holdfast::internal::h5 {
 
 namespace {
 
-/// Bytes after which the disk is told to write what there is, instead of all of it at the end.
+/// Number of bytes after which the system is asked to write to disk, instead of everything at the end.
 constexpr haddr_t kHandOverBytes = haddr_t{8} << 20U;
 
-/// An open file as HDF5 knows it: its own part comes first.
+/// An open file for HDF5, whose own structure must be the first member.
 struct DiskFile {
   H5FD_t common{};
   int descriptor = -1;
@@ -77,7 +77,7 @@ herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t from, std::size_t size, voi
   return 0;
 }
 
-/// Has the disk begin to write. Whether it could is told when the file is made durable.
+/// Asks the system to begin writing to disk. Errors are reported when the file is synced.
 void hand_over(DiskFile& file) {
   const haddr_t size = file.written_end - file.handed_over_end;
   if (size < kHandOverBytes) return;

@@ -11,7 +11,7 @@ namespace holdfast::internal::h5 {
 
 namespace {
 
-/// What HDF5 said last: the innermost entry of its error stack, or the system's message in it.
+/// The last error of HDF5: the innermost entry of its error stack, or the system's message in it.
 std::string last_words() {
   std::string words;
   const auto keep_innermost = [](unsigned, const H5E_error2_t* entry, void* to) -> herr_t {
@@ -32,8 +32,8 @@ std::string last_words() {
   throw Failure(Error{.file = path, .what = what, .value = last_words()});
 }
 
-// Every call clears that stack, closing an identifier too: lists and types passed to a call must outlive the look at
-// its result, and so have names.
+// Every call clears that stack, also a call that closes an identifier. Lists and types passed to a call must therefore
+// outlive the check of its result, and have names.
 
 Id access_list() {
   Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -49,7 +49,7 @@ Id text_type(std::size_t size) {
   return type;
 }
 
-/// Of attributes, of which a file has hundreds: made once, and never closed.
+/// The type of text attributes, of which a file has hundreds: created once, and never closed.
 hid_t long_text_type() {
   static const hid_t kType = H5Tcopy(text_type(H5T_VARIABLE));
   return kType;
@@ -94,8 +94,7 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
 }  // namespace
 
 void be_quiet() {
-  // After memory ran out, the library's own tidying at the end of the process crashes; all that counts is closed
-  // before.
+  // After memory has run out, the library's cleanup at the end of the process crashes; all files are closed before.
   static const bool kNeverTidy = H5dont_atexit() >= 0;
   static_cast<void>(kNeverTidy);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -123,7 +122,7 @@ File File::create_in_memory(const std::string& path) {
   constexpr std::size_t kGrowBy = std::size_t{1} << 18U;
   H5Pset_fapl_core(access, kGrowBy, false);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  if (id < 0) fail_with(path, "cannot be made in memory");
+  if (id < 0) fail_with(path, "cannot be created in memory");
   return {path, id};
 }
 
@@ -138,11 +137,11 @@ File File::open(const std::string& path) {
 }
 
 std::vector<std::byte> File::image() {
-  check(H5Fflush(id_, H5F_SCOPE_LOCAL), "cannot be put together in memory");
+  check(H5Fflush(id_, H5F_SCOPE_LOCAL), "cannot be assembled in memory");
   const ssize_t size = H5Fget_file_image(id_, nullptr, 0);
-  check(size, "cannot be put together in memory");
+  check(size, "cannot be assembled in memory");
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  check(H5Fget_file_image(id_, bytes.data(), bytes.size()), "cannot be put together in memory");
+  check(H5Fget_file_image(id_, bytes.data(), bytes.size()), "cannot be assembled in memory");
   return bytes;
 }
 

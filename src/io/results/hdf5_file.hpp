@@ -18,11 +18,11 @@
 #include "io/results/hdf5_disk.hpp"
 #include "io/results/results_schema.hpp"
 
-/// HDF5's C interface with owners and errors: what the results file needs of it. Inside src/io only; `Failure`
-/// never leaves that folder.
+/// The part of HDF5's C interface that the results file needs, with owners of identifiers and with errors. For src/io
+/// only; `Failure` never leaves that folder.
 namespace holdfast::internal::h5 {
 
-/// Thrown where a call of HDF5 or of the file system failed.
+/// Thrown when a call of HDF5 or of the file system fails.
 class Failure : public std::exception {
  public:
   explicit Failure(Error error) : error_(std::move(error)), text_(error_.message()) {}
@@ -49,7 +49,7 @@ std::optional<Error> caught(const std::string& path, Work&& work) {
   }
 }
 
-/// The same for work with a value.
+/// The same for work that returns a value.
 template <class Work>
 auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work())> {
   try {
@@ -63,7 +63,7 @@ auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work
   }
 }
 
-/// Runs `work`; a failure of it that has no cure yet gets one.
+/// Runs `work`; adds the cure to a failure that has none.
 template <class Work>
 auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
   try {
@@ -75,7 +75,7 @@ auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
   }
 }
 
-/// Keeps HDF5 from printing its error stack, which it does unless told not to, thread by thread.
+/// Prevents HDF5 from printing its error stack, which it does by default, per thread.
 void be_quiet();
 
 /// Owner of an HDF5 identifier.
@@ -91,7 +91,7 @@ class Id {
     return *this;
   }
   ~Id() { close(); }
-  /// False when HDF5 could not close it, for instance because the disk is full.
+  /// False if HDF5 cannot close it, for instance because the disk is full.
   bool close() { return id_ < 0 || closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
   operator hid_t() const { return id_; }
 
@@ -105,11 +105,11 @@ class File {
  public:
   File(File&&) = default;
 
-  /// A new file on disk; one of that name is replaced.
+  /// A new file on disk; an existing file of that name is replaced.
   static File create(const std::string& path);
-  /// A new file that lives in memory; `path` is for messages.
+  /// A new file in memory; `path` is for messages.
   static File create_in_memory(const std::string& path);
-  /// An existing file, to read.
+  /// An existing file, for reading.
   static File open(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -117,14 +117,14 @@ class File {
 
   /// All bytes of a file in memory, as they would be on disk.
   std::vector<std::byte> image();
-  /// Writes what is left to write and closes the file. Every dataset of it must be closed before.
+  /// Writes all remaining data and closes the file. All of its datasets must be closed before.
   void close();
 
-  /// Fails when something could not be written to disk so far.
+  /// Fails if an earlier write to disk has failed.
   void check_disk(const std::string& what) const;
-  /// A failure that names the file and what HDF5 said last.
+  /// Throws a failure that names the file and the last error of HDF5.
   [[noreturn]] void fail(const std::string& what) const;
-  /// Fails when HDF5 returned a negative number; passes it on otherwise.
+  /// Fails if HDF5 returned a negative number; otherwise returns the number.
   hid_t check(hid_t id, const std::string& what) const {
     if (id < 0) fail(what);
     return id;
@@ -133,16 +133,16 @@ class File {
  private:
   File(std::string path, hid_t id) : path_(std::move(path)), id_(id, H5Fclose) {}
   std::string path_;
-  std::unique_ptr<DiskState> disk_;  ///< of a file made on disk
+  std::unique_ptr<DiskState> disk_;  ///< of a file created on disk
   Id id_;
 };
 
-/// Makes a group and those above it.
+/// Creates a group and those above it.
 void make_group(const File& file, const std::string& path);
 bool exists(const File& file, const std::string& path);
 
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::string_view text);
-/// The same where the object is open already; `object` names it in messages.
+/// The same for an object that is already open; `object` is its name in messages.
 void write_attribute(const File& file, hid_t on, const std::string& object, const std::string& name,
                      std::string_view text);
 void write_attribute(const File& file, const std::string& object, const std::string& name, std::uint64_t value);
@@ -151,11 +151,11 @@ std::string read_text_attribute(const File& file, const std::string& object, con
 std::uint64_t read_count_attribute(const File& file, const std::string& object, const std::string& name);
 double read_number_attribute(const File& file, const std::string& object, const std::string& name);
 
-/// A single text as a dataset, for texts that are pages long.
+/// Writes a single text as a dataset, for texts of several pages.
 void write_text(const File& file, const std::string& path, std::string_view text, std::string_view description);
 std::string read_text(const File& file, const std::string& path);
 
-/// Where the compressed bytes of a chunk are in their file.
+/// Position of the compressed bytes of a chunk in their file.
 struct ChunkPlace {
   std::uint64_t begin = 0;
   std::uint64_t bytes = 0;
@@ -165,9 +165,9 @@ struct ChunkPlace {
 class Dataset {
  public:
   /// A new dataset of `length` entries, with its attributes.
-  /// @param text_size bytes of an entry of a text column, else ignored
+  /// @param text_size bytes per entry of a text column; ignored for other columns
   static Dataset create(const File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size);
-  /// An existing one; fails when type or shape are not those of the schema.
+  /// An existing dataset; fails if its type or shape is not that of the schema.
   static Dataset open(const File& file, const DatasetSpec& spec);
 
   const DatasetSpec& spec() const { return *spec_; }
@@ -177,17 +177,17 @@ class Dataset {
   std::size_t number_bytes() const { return number_bytes_; }
   std::uint64_t chunk_entries() const { return chunk_entries_; }
 
-  /// Entries [begin, begin + count), as they are stored.
+  /// Entries [begin, begin + count), in their stored form.
   std::vector<std::byte> read(std::uint64_t begin, std::uint64_t count) const;
-  /// Lengthens a long dataset; never shorter.
+  /// Makes a long dataset longer; never shorter.
   void extend(std::uint64_t length);
-  /// True for a new one so short that it is not cut into chunks: `write_whole` fills it.
+  /// True for a new dataset that is so short that it is not divided into chunks: `write_whole` fills it.
   bool whole() const { return whole_; }
-  /// All entries, as they are stored.
+  /// Writes all entries, in their stored form.
   void write_whole(std::span<const std::byte> bytes);
-  /// Compressed bytes of a whole chunk.
+  /// Writes the compressed bytes of a whole chunk.
   void write_chunk(std::uint64_t index, std::span<const std::byte> bytes);
-  /// Where a chunk of a long dataset is; fails when it is not as `write_chunk` wrote it.
+  /// Position of a chunk of a long dataset; fails if the chunk is not as `write_chunk` wrote it.
   ChunkPlace chunk_place(std::uint64_t index) const;
 
  private:

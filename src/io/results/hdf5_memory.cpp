@@ -3,13 +3,14 @@
 #include <exception>
 #include <new>
 
-// HDF5 1.10 crashes in its error paths when one of its many smaller allocations fails. Where it is linked statically,
-// these come here (--wrap, see cmake/dependencies.cmake), and end the program by its terminate handler, which says why.
-// Large ones fail as HDF5 expects: a damaged file may claim any size.
+// HDF5 1.10 crashes in its error paths when one of its many small allocations fails. When it is linked statically, its
+// allocations call these functions (--wrap, see cmake/dependencies.cmake). If a small allocation fails, they end the
+// program through its terminate handler, which prints the reason. Large allocations fail as HDF5 expects: a damaged
+// file may claim any size.
 
 namespace {
 
-constexpr std::size_t kSmall = (std::size_t{1} << 20U) - 1;  // bytes; its cache of a file takes half of that
+constexpr std::size_t kSmall = (std::size_t{1} << 20U) - 1;  // bytes; HDF5's cache of a file takes half of that
 
 void* checked(void* memory, std::size_t size) {
   if (memory != nullptr || size == 0 || size > kSmall) return memory;
@@ -22,7 +23,7 @@ void* checked(void* memory, std::size_t size) {
 
 }  // namespace
 
-// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the linker's names
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): these names are given by the linker
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);

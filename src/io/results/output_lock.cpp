@@ -24,7 +24,7 @@ Error system_error(const std::string& file, const char* what) {
   return {.file = file, .what = what, .value = std::strerror(errno)};
 }
 
-/// Whether the name still leads to the open file: the run that had the lock before removes it as it ends.
+/// Whether the name still refers to the open file: the previous holder of the lock removes the file when it ends.
 bool is_still_there(const std::string& path, int descriptor) {
   struct stat named = {};
   struct stat open = {};
@@ -50,22 +50,22 @@ Result<OutputLock> OutputLock::take(const std::string& results_path, std::option
     const bool made = std::filesystem::create_directories(folder, failure);
     if (failure) return Error{.file = folder, .what = "cannot be made", .value = failure.message()};
     if (made) {
-      // Else a power cut could take the folder with all that is safe in it.
+      // Otherwise a power cut could remove the folder with all parts in it.
       if (const auto error = h5::caught(folder, [&] { sync_entry(folder); })) return *error;
     }
     OutputLock lock(folder, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (lock.descriptor_ < 0 && errno == ENOENT) continue;  // the run before has just removed the folder
+    if (lock.descriptor_ < 0 && errno == ENOENT) continue;  // the previous run has just removed the folder
     if (lock.descriptor_ < 0) return system_error(path, "cannot be made");
     if (lock_now(lock.descriptor_) == 0) {
       if (is_still_there(path, lock.descriptor_)) return lock;
     } else if (errno == EWOULDBLOCK) {
-      ::close(std::exchange(lock.descriptor_, -1));  // it is not ours to remove
+      ::close(std::exchange(lock.descriptor_, -1));  // another run owns the file; it must not be removed here
       return Error{.file = results_path,
                    .what = "is being written by another run",
-                   .accepted = "wait for its end, or give another name"};
+                   .accepted = "wait until it ends, or give another name"};
     } else {
-      // Some parallel file systems know no locks; that must not keep anybody from working there.
-      warning = system_error(path, "cannot be locked, so take care that no other run writes here");
+      // Some parallel file systems have no locks; the run continues there without protection.
+      warning = system_error(path, "cannot be locked; make sure that no other run writes here");
       return lock;
     }
     ::close(std::exchange(lock.descriptor_, -1));
@@ -83,7 +83,8 @@ OutputLock& OutputLock::operator=(OutputLock&& other) noexcept {
 
 OutputLock::~OutputLock() {
   if (descriptor_ < 0) return;
-  // While it is still held: who opened the file meanwhile finds it gone once he has the lock, and begins anew.
+  // Removed while the lock is still held: a process that has opened the file meanwhile finds it removed when it gets
+  // the lock, and starts again.
   ::unlink(lock_path(folder_).c_str());
   ::rmdir(folder_.c_str());
   ::close(descriptor_);

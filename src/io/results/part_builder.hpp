@@ -11,18 +11,18 @@
 
 namespace holdfast::internal {
 
-/// The open part. It is built in memory, where HDF5 cannot fail for want of disk, and reaches the disk in one go.
+/// The open part. It is built in memory, where HDF5 cannot fail because of a full disk, and is written at once.
 /// For src/io only; throws `h5::Failure`.
 class PartBuilder {
  public:
-  /// @param begin entries of the run before this part, an axis each
-  /// @param tail those of them in the incomplete chunks, which the part repeats
+  /// @param begin entries of the run before this part, per axis
+  /// @param tail  those of them in the incomplete chunks, which the part repeats
   PartBuilder(const std::string& path, const RunDescription& run, const AxisCounts& begin, LongEntries tail);
 
   void add(UnitPiece&& unit);
 
   std::size_t world_count() const { return columns_.columns()[dataset_index("/worlds/layout")].count(); }
-  /// Bytes of full chunks so far.
+  /// Bytes of the full chunks up to now.
   std::size_t bytes() const { return bytes_; }
   std::chrono::steady_clock::time_point opened() const { return opened_; }
 
@@ -38,9 +38,9 @@ class PartBuilder {
 
   std::string path_;
   h5::File file_;
-  AxisCounts begin_;  ///< those of the long datasets at a chunk's start
+  AxisCounts begin_;  ///< for long datasets, at the start of a chunk
   AxisCounts end_;
-  ColumnSet columns_;                 ///< the short ones
+  ColumnSet columns_;                 ///< the short datasets
   std::vector<h5::Dataset> chunked_;  ///< the long datasets
   LongEntries tail_;
   std::size_t bytes_ = 0;

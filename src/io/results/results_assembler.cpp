@@ -25,13 +25,14 @@ class Parts {
   const std::vector<PartRange>& ranges() const { return ranges_; }
   AxisCounts end() const { return ranges_.empty() ? AxisCounts{} : ranges_.back().end; }
 
-  /// Path of one that is to be read now; fails when the user wants no more.
+  /// Path of the part to read next; fails if the user has stopped the run.
   std::string path(std::size_t part) const {
-    if (stop_ != nullptr && *stop_) throw h5::Failure(Error{.file = path_, .what = "is not finished: stopped"});
+    if (stop_ != nullptr && *stop_)
+      throw h5::Failure(Error{.file = path_, .what = "is not complete: assembling was stopped"});
     return part_path(path_, part + 1);
   }
-  /// Shows one to a reader; a failure of it is told with its cure. The last one stays open for whoever comes next: what
-  /// HDF5 knows of a file's columns is gone when it is closed, and most runs have one part.
+  /// Passes a part to a reader; a failure gets its cure. The last part stays open for the next reader: closing a file
+  /// discards what HDF5 has cached of its columns, and most runs have one part.
   template <class Work>
   void with(std::size_t part, Work&& work) {
     const std::string file = path(part);
@@ -44,7 +45,7 @@ class Parts {
     });
   }
 
-  /// Removes them from the disk.
+  /// Removes the parts from the disk.
   void remove() {
     open_.reset();
     remove_parts(path_);
@@ -57,7 +58,7 @@ class Parts {
   const std::atomic<bool>* stop_;
 };
 
-/// Texts padded to `from` bytes each, padded to `to` instead.
+/// Changes the padding of texts from `from` bytes to `to` bytes each.
 std::vector<std::byte> repad(std::span<const std::byte> stored, std::size_t from, std::size_t to) {
   std::vector<std::byte> padded(stored.size() / from * to);
   for (std::size_t i = 0; i * from < stored.size(); ++i)
@@ -65,7 +66,7 @@ std::vector<std::byte> repad(std::span<const std::byte> stored, std::size_t from
   return padded;
 }
 
-/// A part's entries of a table column, as they are stored.
+/// A part's entries of a table column, in their stored form.
 struct Piece {
   std::vector<std::byte> stored;
   std::size_t number_bytes = 1;
@@ -74,7 +75,7 @@ struct Piece {
 Piece read_piece(const h5::File& source, const DatasetSpec& spec, const PartRange& range) {
   const h5::Dataset dataset = h5::Dataset::open(source, spec);
   if (dataset.length() != at(range.end, spec.axis) - at(range.begin, spec.axis))
-    source.fail("has a column of another length than its table (" + std::string(spec.path) + ")");
+    source.fail("has a column whose length differs from that of its table (" + std::string(spec.path) + ")");
   return {dataset.read(0, dataset.length()), dataset.number_bytes()};
 }
 
@@ -89,17 +90,17 @@ void write_pieces(const h5::File& file, const DatasetSpec& spec, std::uint64_t l
   writer.finish();
 }
 
-/// The same for all parts, and in none of them but in the description of the run.
+/// Datasets that are the same for all parts; they come from the description of the run.
 bool is_of_run(const DatasetSpec& spec) { return spec.axis == Axis::accelerations || spec.axis == Axis::segments; }
 
-/// Short columns to be read together and written one after the other: finding a column in a file takes longer than
+/// Short columns that are read together and written one after the other: finding a column in a file takes longer than
 /// reading a small one, and there may be thousands of parts.
 class TableGroup {
  public:
-  /// False when it has enough to hold in memory without this one.
+  /// False if the group would need too much memory with this column.
   bool take(const DatasetSpec& spec, const Parts& parts) {
     constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
-    constexpr std::uint64_t kTextBytes = 64;  // about
+    constexpr std::uint64_t kTextBytes = 64;  // approximate
     const std::uint64_t entry_bytes = (spec.type == ElementType::text ? kTextBytes : size_of(spec.type)) * spec.width;
     bytes_ += at(parts.end(), spec.axis) * entry_bytes;
     if (!specs_.empty() && bytes_ > kMostBytes) return false;
@@ -124,10 +125,10 @@ class TableGroup {
   std::uint64_t bytes_ = 0;
 };
 
-/// Where the chunks of the long datasets are in the parts: by dataset, then by part. 16 bytes a chunk.
+/// Positions of the chunks of the long datasets in the parts: by dataset, then by part. 16 bytes per chunk.
 using ChunkPlaces = std::array<std::vector<std::vector<h5::ChunkPlace>>, kLongDatasets>;
 
-/// The chunk at a cut is in both parts; the later one has all of it.
+/// The chunk at the boundary of two parts is in both; in the later one it is complete.
 ChunkPlaces find_chunks(Parts& parts) {
   ChunkPlaces places;
   const auto& ranges = parts.ranges();
@@ -149,7 +150,7 @@ ChunkPlaces find_chunks(Parts& parts) {
   return places;
 }
 
-/// Copies compressed chunks as they are.
+/// Copies compressed chunks without changing them.
 void copy_chunks(const h5::File& file, const DatasetSpec& spec, const Parts& parts,
                  const std::vector<std::vector<h5::ChunkPlace>>& places) {
   h5::Dataset target = h5::Dataset::create(file, spec, at(parts.end(), spec.axis), 1);
@@ -171,7 +172,7 @@ void assemble_tables(const h5::File& file, Parts& parts) {
   tables.assemble(file, parts);
 }
 
-/// The file's bytes go by the order in which its datasets are written, wherever its parts were cut.
+/// Writes the datasets in a fixed order, so that the bytes of the file do not depend on where parts end.
 void assemble_datasets(const h5::File& file, const RunDescription& run, Parts& parts) {
   ColumnSet of_run;
   append_accelerations(of_run, run.accelerations);
@@ -188,7 +189,7 @@ void check_whole(const std::string& path, const RunDescription& run, const Parts
   const std::uint64_t found = at(parts.end(), Axis::worlds);
   if (found == expected) return;
   throw h5::Failure(Error{.file = parts_folder(path),
-                          .what = "does not hold all worlds of the run",
+                          .what = "does not have all worlds of the run",
                           .value = std::to_string(found) + " of " + std::to_string(expected),
                           .accepted = "--resume simulates the missing ones"});
 }
@@ -197,7 +198,7 @@ void write_file(h5::File& file, const RunDescription& run, Parts& parts) {
   write_run(file, run);
   write_range_begin(file, AxisCounts{});
   assemble_datasets(file, run, parts);
-  // Last, so that a file has it only when all the rest is there.
+  // Last, so that only a complete file has it.
   h5::write_attribute(file, "/", "complete", std::uint64_t{1});
   file.close();
 }

@@ -9,10 +9,10 @@
 
 namespace holdfast::internal {
 
-/// Makes the results file `path` of the finished parts under `<path>.parts/`, and removes the parts. The file appears
-/// under its name when all of it is safe on disk; on an error the parts stay. The same worlds give the same bytes
-/// wherever the parts were cut.
-/// @param stop looked at now and then, if given; when set, all is left as it was, with an error
+/// Assembles the results file `path` from the finished parts in `<path>.parts/`, and removes the parts. The file gets
+/// its name only when all of it is on disk; after an error the parts are still there. The bytes of the file do not
+/// depend on where parts end.
+/// @param stop checked repeatedly, if given; when it is set, nothing is changed, and an error is returned
 std::optional<Error> assemble(const std::string& path, const RunDescription& run,
                               const std::atomic<bool>* stop = nullptr);
 

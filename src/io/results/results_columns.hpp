@@ -13,7 +13,7 @@
 #include "io/results/results_schema.hpp"
 #include "io/results/summary.hpp"
 
-/// Which member is kept in which dataset: said once, for writing and for reading.
+/// Which member is stored in which dataset: defined once, for writing and for reading.
 namespace holdfast::internal {
 
 template <class Visit, class SeriesLike>
@@ -66,6 +66,7 @@ void visit_world(Visit&& visit, WorldRowLike& w) {
   visit("/worlds/steps_skipped", w.steps_skipped);
   visit("/worlds/solve_iterations", w.solve_iterations);
   visit("/worlds/max_residual", w.max_residual);
+  visit("/worlds/residual_scale", w.residual_scale);
   visit("/worlds/max_penetration", w.max_penetration);
   visit("/worlds/peak_total_kinetic_energy", w.peak_total_kinetic_energy);
   visit("/worlds/cpu_seconds", w.cpu_seconds);
@@ -101,7 +102,8 @@ void visit_box_summary(Visit&& visit, BoxSummaryLike& b) {
   visit("/summary/boxes/first_move_time", b.first_move_time);
 }
 
-/// Entries of one dataset, collected in memory: bytes as stored, or texts before their common length is known.
+/// Entries of one dataset, collected in memory: bytes in their stored form, or texts before their common length is
+/// known.
 class Column {
  public:
   explicit Column(const DatasetSpec& spec) : spec_(&spec) {}
@@ -124,20 +126,20 @@ class Column {
   }
   void append(const std::string& text) {
     assert(spec_->type == ElementType::text);
-    texts_.push_back(valid_utf8(text));  // as the column's type says
+    texts_.push_back(valid_utf8(text));  // the type of the column is UTF-8
     ++count_;
   }
 
   /// Adds the entries of another column of the dataset.
   void append(const Column& other);
-  /// Takes all entries out, as they are stored; not of a text.
+  /// Moves all entries out, in their stored form; not for texts.
   std::vector<std::byte> take();
 
   const DatasetSpec& spec() const { return *spec_; }
   std::uint64_t count() const { return count_; }
-  /// Bytes that the longest text takes; at least 1.
+  /// Bytes of the longest text; at least 1.
   std::size_t text_size() const;
-  /// The entries as stored; texts padded with zero bytes to `text_size`.
+  /// The entries in their stored form; texts padded with zero bytes to `text_size`.
   std::vector<std::byte> stored(std::size_t text_size) const;
 
  private:
@@ -160,10 +162,10 @@ class ColumnSet {
   std::vector<Column> columns_;
 };
 
-/// Texts of a column as stored, without the padding.
+/// Texts of a column from their stored form, without padding.
 std::vector<std::string> texts_of(std::span<const std::byte> stored, std::size_t text_size);
 
-/// Numbers of a column as stored.
+/// Numbers of a column from their stored form.
 template <class T>
 std::vector<T> values_of(const std::vector<std::byte>& stored) {
   std::vector<T> values(stored.size() / sizeof(T));

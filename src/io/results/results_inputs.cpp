@@ -38,14 +38,13 @@ void write_layout_hashes(const h5::File& file, const std::vector<std::string>& h
     text += hash;
     text.resize(text.size() + kHashBytes - hash.size(), ' ');
   }
-  h5::write_text(
-      file, kLayoutHashes, text,
-      "SHA-256 of every layout of the run when it began, 64 characters each; blank where it could not be read");
+  h5::write_text(file, kLayoutHashes, text,
+                 "SHA-256 of every layout of the run when it began, 64 characters each; blank if it could not be read");
 }
 
 std::vector<std::string> read_layout_hashes(const h5::File& file) {
   const std::string text = h5::read_text(file, kLayoutHashes);
-  if (text.size() % kHashBytes != 0) file.fail("has a text of another length than it should (" + kLayoutHashes + ")");
+  if (text.size() % kHashBytes != 0) file.fail("has a text of a wrong length (" + kLayoutHashes + ")");
   std::vector<std::string> hashes;
   for (std::size_t begin = 0; begin < text.size(); begin += kHashBytes)
     hashes.emplace_back(trimmed(std::string_view(text).substr(begin, kHashBytes)));

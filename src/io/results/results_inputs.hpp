@@ -12,8 +12,8 @@ namespace holdfast::internal {
 /// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
 void write_run(const h5::File& file, const RunDescription& run);
 
-/// /inputs/layout_hashes: what all layouts of the run were when it began, in its first part alone. Those that the
-/// run has come to are in /inputs/layouts as well.
+/// /inputs/layout_hashes, only in the first part of a run: hashes of all its layouts when it began. Layouts that the
+/// run has reached are also in /inputs/layouts.
 void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes);
 std::vector<std::string> read_layout_hashes(const h5::File& file);
 

@@ -17,7 +17,7 @@ namespace {
   throw h5::Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
 }
 
-/// A dataset that every part has, whose length is that of the axis.
+/// A dataset that every part has, and whose length is that of the axis.
 const DatasetSpec& representative(Axis axis) {
   return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) { return spec.axis == axis; });
 }
@@ -30,15 +30,15 @@ void check_follows(const std::string& path, const PartRange& before, const PartR
     if (axis == Axis::accelerations || axis == Axis::segments) continue;
     const std::uint64_t expected = is_long(representative(axis)) ? chunk_begin(axis, before.end[i]) : before.end[i];
     if (part.begin[i] != expected || part.end[i] < before.end[i])
-      fail(path, "does not go on where the part before it ends (" + std::string(to_string(axis)) + ")");
+      fail(path, "does not continue where the previous part ends (" + std::string(to_string(axis)) + ")");
   }
 }
 
-/// Chunks are copied as they are: those of another size would be found out after hours of work only.
+/// Chunks are copied unchanged: without this check, a wrong size would be noticed only after hours of simulation.
 void check_chunks(const h5::File& file) {
   for (const Axis axis : kLongAxes)
     if (h5::Dataset::open(file, representative(axis)).chunk_entries() != chunk_entries(axis))
-      file.fail("has a dataset of another chunk size than it should (" + std::string(representative(axis).path) + ")");
+      file.fail("has a dataset of a wrong chunk size (" + std::string(representative(axis).path) + ")");
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void check_same_run(const h5::File& file, const std::string& fingerprint) {
   throw h5::Failure(Error{.file = file.path(),
                           .what = "is of a run with other " + difference,
                           .value = "by " + printable(text("software") + ", commit " + text("git_commit")),
-                          .accepted = "the same inputs and version go on with it, --overwrite starts anew"});
+                          .accepted = "the same inputs and version can resume it, --overwrite starts anew"});
 }
 
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint) {
@@ -114,7 +114,7 @@ std::vector<PartRange> check_parts(const std::string& results_path, const std::s
   for (const std::uint64_t number : list_parts(results_path)) {
     const std::string path = part_path(results_path, number);
     if (number != ranges.size() + 1) {
-      fail(part_path(results_path, ranges.size() + 1), "is missing, though later parts are there",
+      fail(part_path(results_path, ranges.size() + 1), "is missing, although later parts exist",
            "remove " + parts_folder(results_path) + " to start anew");
     }
     ranges.push_back(h5::with_cure(kCureOfPart, [&] {

@@ -7,10 +7,10 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_schema.hpp"
 
-/// Part files: where they are and what range of the run they hold. For src/io only; throws `h5::Failure`.
+/// Part files: their paths and the range of the run that they contain. For src/io only; throws `h5::Failure`.
 namespace holdfast::internal {
 
-/// What of a run a file holds. Accelerations are whole in every part.
+/// The range of the run that a file contains. Every part contains all accelerations.
 struct PartRange {
   AxisCounts begin{};  ///< index in the run of the first entry of the file's datasets
   AxisCounts end{};    ///< one past the last
@@ -20,28 +20,28 @@ struct PartRange {
 std::string parts_folder(const std::string& results_path);
 std::string part_path(const std::string& results_path, std::uint64_t number);
 
-/// Numbers of the finished parts in the folder, rising.
+/// Numbers of the finished parts in the folder, in increasing order.
 std::vector<std::uint64_t> list_parts(const std::string& results_path);
 
-/// Removes the finished parts, and their folder when nothing else is in it.
+/// Removes the finished parts, and their folder if it is then empty.
 void remove_parts(const std::string& results_path);
 
-/// Removes what a kill left under temporary names: it holds nothing that can be used.
+/// Removes temporary files that a kill has left: they are incomplete.
 void remove_temporaries(const std::string& results_path);
 
 void write_range_begin(const h5::File& file, const AxisCounts& begin);
 AxisCounts read_range_begin(const h5::File& file);
 PartRange read_range(const h5::File& file);
 
-/// A failure, which says what differs, when the file is of a run of another fingerprint.
+/// A failure that says what differs, if the file belongs to a run with another fingerprint.
 void check_same_run(const h5::File& file, const std::string& fingerprint);
 
 /// What to do about a part that cannot be read.
 inline constexpr const char* kCureOfPart =
-    "remove this part and any behind it, and --resume simulates their worlds again";
+    "remove this part and all later ones; --resume then simulates their worlds again";
 
-/// Ranges of all finished parts. A failure, with its cure, when a part is missing, damaged, does not follow on the one
-/// before, or is of a run of another fingerprint.
+/// Ranges of all finished parts. A failure, with its cure, if a part is missing or damaged, does not continue the
+/// previous one, or belongs to a run with another fingerprint.
 std::vector<PartRange> check_parts(const std::string& results_path, const std::string& fingerprint);
 
 }  // namespace holdfast::internal

@@ -14,8 +14,8 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Fails unless the file is one of ours that this program can read.
-void check_format(const h5::File& file) {
+/// The format version of the file. Fails unless it is a results file of a version that this program can read.
+std::uint64_t check_format(const h5::File& file) {
   std::string format;
   try {
     format = h5::read_text_attribute(file, "/", "format");
@@ -31,20 +31,27 @@ void check_format(const h5::File& file) {
   const std::uint64_t version = h5::read_count_attribute(file, "/", "format_version");
   if (version > kFormatVersion) {
     throw h5::Failure(Error{.file = file.path(),
-                            .what = "has a later format version than this program knows",
+                            .what = "has a later format version than this program supports",
                             .value = std::to_string(version),
                             .accepted = fmt::format("up to {}", kFormatVersion)});
   }
+  return version;
+}
+
+/// Whether a file of that version has the dataset.
+bool has_dataset(std::uint64_t version, std::string_view path) {
+  return version > 1 || path != "/worlds/residual_scale";
 }
 
 }  // namespace
 
 struct ResultsReader::State {
-  std::unique_ptr<h5::File> owned;  ///< absent when attached
+  std::unique_ptr<h5::File> owned;  ///< absent if the file belongs to a writer
   const h5::File* file = nullptr;
+  std::uint64_t version = kFormatVersion;
   ResultsInfo info;
   AxisCounts before{};                               ///< entries of the run before those of the file
-  std::map<std::string_view, h5::Dataset> datasets;  ///< open ones: their chunk caches serve the next world
+  std::map<std::string_view, h5::Dataset> datasets;  ///< kept open: their chunk caches are used for the next world
 
   const h5::Dataset& dataset(std::string_view path) {
     auto found = datasets.find(path);
@@ -63,7 +70,7 @@ struct ResultsReader::State {
   }
 
   void read_info() {
-    check_format(*file);
+    version = check_format(*file);
     info.path = file->path();
     const auto text = [&](const char* name) { return h5::read_text_attribute(*file, "/", name); };
     info.software = text("software");
@@ -73,7 +80,7 @@ struct ResultsReader::State {
     info.created_utc = text("created_utc");
     info.host = text("host");
     info.fingerprint = text("fingerprint");
-    // A file that is being assembled has all but this.
+    // A file that is being assembled has all attributes except this one.
     if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
     before = read_range_begin(*file);
@@ -116,10 +123,15 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
   return h5::caught_result(state_->file->path(), [&] {
     std::map<std::string_view, std::vector<std::byte>> columns;
     WorldRow none;
-    visit_world([&](std::string_view path, auto&) { columns[path] = state_->dataset(path).read(begin, count); }, none);
+    visit_world(
+        [&](std::string_view path, auto&) {
+          if (has_dataset(state_->version, path)) columns[path] = state_->dataset(path).read(begin, count);
+        },
+        none);
     std::vector<WorldRow> rows(count);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const auto take = [&]<class T>(std::string_view path, T& member) {
+        if (!has_dataset(state_->version, path)) return;
         const std::size_t size = state_->dataset(path).entry_bytes();
         const auto entry = std::span<const std::byte>(columns.at(path)).subspan(i * size, size);
         if constexpr (std::is_same_v<T, std::string>) {

@@ -11,7 +11,7 @@
 
 namespace holdfast::internal {
 
-/// What a results file says about its run.
+/// The description of a run in its results file.
 struct ResultsInfo {
   std::string path;  ///< as it was opened, for messages
   std::string software;
@@ -22,7 +22,7 @@ struct ResultsInfo {
   std::string host;
   std::string fingerprint;
   bool complete = false;           ///< false for a part
-  Thresholds thresholds;           ///< by which its summary is judged
+  Thresholds thresholds;           ///< of its summary
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;
@@ -31,7 +31,7 @@ struct ResultsInfo {
   std::vector<std::string> accelerations;  ///< names
 };
 
-/// One row of /worlds. What begins where counts in the file, of a part too.
+/// One row of /worlds. The begin indices are indices in the file, also for a part.
 struct WorldRow {
   std::uint64_t layout = 0;
   std::uint64_t acceleration = 0;
@@ -47,7 +47,8 @@ struct WorldRow {
   std::uint64_t steps = 0;
   std::uint64_t steps_skipped = 0;
   std::uint64_t solve_iterations = 0;
-  double max_residual = 0.0;
+  double max_residual = 0.0;    ///< m/s; in a file of version 1, where the scale is 1, a ratio
+  double residual_scale = 1.0;  ///< m/s
   double max_penetration = 0.0;
   double peak_total_kinetic_energy = 0.0;
   double cpu_seconds = 0.0;
@@ -62,7 +63,7 @@ class File;
 /// Reads a results file, or a single part of one. Used by one thread at a time.
 class ResultsReader {
  public:
-  /// An error when the file cannot be opened, is not a results file, or is of a later format.
+  /// An error if the file cannot be opened, is not a results file, or has a later format.
   static Result<ResultsReader> open(const std::string& path);
 
   /// Reads a file that is still being written; `file` must outlive the reader. For src/io only.
@@ -77,14 +78,14 @@ class ResultsReader {
   /// Rows [begin, begin + count) of /worlds.
   Result<std::vector<WorldRow>> worlds(std::uint64_t begin, std::uint64_t count);
 
-  /// Rows [begin, begin + count) of /boxes: what the boxes are, and how they ended.
+  /// Rows [begin, begin + count) of /boxes: properties and end values of boxes.
   Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);
   Result<EndTable> ends(std::uint64_t begin, std::uint64_t count);
 
   /// The series of a world; empty when not recorded.
   Result<Series> series(const WorldRow& world);
 
-  /// Of a world's series, time and displacement only.
+  /// The series of a world with time and displacement only.
   Result<Series> path_of(const WorldRow& world);
 
  private:

@@ -10,7 +10,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Whether a file may be replaced: there is none, or it is HDF5, or holds nothing.
+/// Whether a file may be replaced: it does not exist, is HDF5, or is empty.
 bool is_replaceable(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -27,7 +27,7 @@ bool is_replaceable(const std::string& path) {
 
 std::optional<Error> remove_results(const std::string& path) {
   if (!is_replaceable(path))
-    return Error{.file = path, .what = "is not a results file, and left as it is", .accepted = "another name"};
+    return Error{.file = path, .what = "is not a results file, and is not replaced", .accepted = "another name"};
   return h5::caught(path, [&] {
     std::filesystem::remove(path);
     remove_parts(path);

@@ -7,8 +7,8 @@
 
 namespace holdfast::internal {
 
-/// Removes what an earlier run left of the results file `path`: the file, its parts, and temporary files. Nothing else
-/// is touched: an error when `path` is neither HDF5 nor empty. The caller holds the `OutputLock`.
+/// Removes the files of an earlier run at `path`: the results file, its parts, and temporary files. Nothing else is
+/// removed: an error if `path` is neither HDF5 nor empty. The caller holds the `OutputLock`.
 std::optional<Error> remove_results(const std::string& path);
 
 }  // namespace holdfast::internal

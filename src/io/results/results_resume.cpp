@@ -29,7 +29,7 @@ void add_counts(const PartRange& range, Progress& progress) {
   progress.layout_box_count = at(range.end, Axis::layout_boxes);
 }
 
-/// Those of all layouts from the first part; what a part says of its own must be the same.
+/// The hashes of all layouts, from the first part; those in the other parts must be the same.
 void take_hashes(const h5::File& part, const PartRange& range, Progress& progress) {
   if (progress.part_count == 1) progress.layout_hashes = read_layout_hashes(part);
   const std::vector<std::string>& all = progress.layout_hashes;
@@ -56,7 +56,8 @@ WorldRecord record_of(const WorldRow& row, EndTable&& end) {
   world.outcome.status = row.status;
   world.outcome.stop_reason = row.stop_reason;
   world.outcome.end_time = row.end_time;
-  world.outcome.counters = {row.steps, row.steps_skipped, row.solve_iterations, row.max_residual, row.max_penetration};
+  world.outcome.counters = {row.steps,        row.steps_skipped,  row.solve_iterations,
+                            row.max_residual, row.residual_scale, row.max_penetration};
   world.status_text = row.status_text;
   world.cpu_seconds = row.cpu_seconds;
   world.peak_total_kinetic_energy = row.peak_total_kinetic_energy;
@@ -98,7 +99,7 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
     if (std::filesystem::exists(path)) {
       Progress progress =
           h5::with_cure("--overwrite starts anew", [&] { return progress_of_finished_file(path, fingerprint); });
-      remove_parts(path);  // a run that was killed after assembling did not come to it
+      remove_parts(path);  // the run may have been killed between assembling and removing them
       return progress;
     }
     Progress progress;

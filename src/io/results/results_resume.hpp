@@ -11,30 +11,30 @@
 
 namespace holdfast::internal {
 
-/// How far a run came.
+/// The progress of a run.
 struct Progress {
-  bool complete = false;          ///< the results file itself is there: nothing is left to do
+  bool complete = false;          ///< the results file exists: nothing remains to be done
   std::uint64_t part_count = 0;   ///< finished parts
-  std::uint64_t world_count = 0;  ///< worlds in them: the first so many of the run
+  std::uint64_t world_count = 0;  ///< worlds in them: that many first worlds of the run
   std::uint64_t box_count = 0;
   std::uint64_t sample_count = 0;
   std::uint64_t row_count = 0;
   std::uint64_t layout_box_count = 0;
-  std::uint64_t layout_count = 0;  ///< layouts in them: the first so many of the run
-  /// SHA-256 of all layouts of the run as they were when it began; empty where one could not be read. The caller
-  /// compares them with the files as they are now.
+  std::uint64_t layout_count = 0;  ///< layouts in them: that many first layouts of the run
+  /// SHA-256 of all layouts of the run when it began; empty for one that could not be read. The caller compares them
+  /// with the present files.
   std::vector<std::string> layout_hashes;
 };
 
-/// What an earlier run left of the results file `path` and of its parts. Temporary files, and parts that are in the
-/// results file already, are removed: the caller holds the `OutputLock`.
-/// An error when a part or the results file belongs to other inputs (it says what differs), when a part is
-/// damaged, or when one is missing in between.
-/// @param fingerprint of the run to go on with
+/// Finds the results file `path` or the parts of an earlier run. Temporary files, and parts that are already in the
+/// results file, are removed: the caller holds the `OutputLock`.
+/// An error if a part or the results file belongs to other inputs (it says what differs), if a part is damaged, or if
+/// one is missing before another.
+/// @param fingerprint of the run to resume
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint);
 
-/// Shows every finished world in the order of the run, as it was when it ended: without boxes and series.
-/// @param progress what `find_finished` found there
+/// Calls a function with every finished world in the order of the run, without boxes and series.
+/// @param progress from `find_finished`
 std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
                                     const std::function<void(const WorldRecord&)>& visit);
 

@@ -11,8 +11,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/inputs/layouts/name", ElementType::text, 1, Axis::layouts, "none", "file name of the layout"},
     {"/inputs/layouts/sha256", ElementType::text, 1, Axis::layouts, "none",
      "SHA-256 of the layout file's bytes, hexadecimal"},
-    {"/inputs/layouts/header", ElementType::text, 1, Axis::layouts, "none",
-     "first line of the layout file, not interpreted"},
+    {"/inputs/layouts/header", ElementType::text, 1, Axis::layouts, "none", "first line of the layout file, as it is"},
     {"/inputs/layouts/box_begin", ElementType::u64, 1, Axis::layouts, "1",
      "first box of the layout: row of corner_min, corner_max and material"},
     {"/inputs/layouts/box_count", ElementType::u32, 1, Axis::layouts, "1",
@@ -34,43 +33,47 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/inputs/accelerations/duration", ElementType::f64, 1, Axis::segments, "s", "duration of the segment"},
     {"/inputs/accelerations/value", ElementType::f64, 3, Axis::segments, "m/s2",
      "acceleration of the container x, y, z in the segment; zero outside all segments"},
-    // worlds: a row a (layout, acceleration) pair
+    // worlds: one row per (layout, acceleration) pair
     {"/worlds/layout", ElementType::u64, 1, Axis::worlds, "1", "index of the layout: row of /inputs/layouts"},
     {"/worlds/acceleration", ElementType::u64, 1, Axis::worlds, "1",
      "index of the acceleration: row of /inputs/accelerations"},
     {"/worlds/status", ElementType::u32, 1, Axis::worlds, "1",
-     "what went wrong, a bit a cause; 0 is well; the bits are listed in docs/results_file.md"},
-    {"/worlds/status_text", ElementType::text, 1, Axis::worlds, "none", "a sentence where the status is not 0"},
+     "what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md"},
+    {"/worlds/status_text", ElementType::text, 1, Axis::worlds, "none", "an explanation if the status is not 0"},
     {"/worlds/stop_reason", ElementType::u8, 1, Axis::worlds, "1",
      "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed"},
     {"/worlds/box_begin", ElementType::u64, 1, Axis::worlds, "1",
      "first box of the world: row of /boxes and /summary/boxes"},
     {"/worlds/box_count", ElementType::u32, 1, Axis::worlds, "1", "boxes of the world; 0 when it was not run"},
     {"/worlds/sample_begin", ElementType::u64, 1, Axis::worlds, "1",
-     "first sample of the world: entry of /series/time and its like"},
+     "first sample of the world: entry of /series/time and the other datasets with one entry per sample"},
     {"/worlds/sample_count", ElementType::u32, 1, Axis::worlds, "1", "samples of the world; 0 without series"},
     {"/worlds/row_begin", ElementType::u64, 1, Axis::worlds, "1",
-     "first row of the world in /series/displacement and its like: row = row_begin + sample * box_count + box"},
+     "first row of the world in /series/displacement and the other datasets with one entry per sample and box: "
+     "row = row_begin + sample * box_count + box"},
     {"/worlds/end_time", ElementType::f64, 1, Axis::worlds, "s", "simulated time at which the world ended"},
-    {"/worlds/steps", ElementType::u64, 1, Axis::worlds, "1", "steps that the simulated time was cut into"},
+    {"/worlds/steps", ElementType::u64, 1, Axis::worlds, "1", "steps that the simulated time is divided into"},
     {"/worlds/steps_skipped", ElementType::u64, 1, Axis::worlds, "1",
-     "of these, the ones proved to change nothing and not computed"},
+     "those of them that were not computed, because all islands were in static equilibrium"},
     {"/worlds/solve_iterations", ElementType::u64, 1, Axis::worlds, "1",
      "iterations of the contact solver over all steps"},
-    {"/worlds/max_residual", ElementType::f64, 1, Axis::worlds, "1",
-     "largest change of a contact's velocity in the last iteration of a step; worst step. In units of what the pull "
-     "adds in the step: |g - a| (native; m/s where that is zero), or g (others; 0 without gravity), times the step"},
+    {"/worlds/max_residual", ElementType::f64, 1, Axis::worlds, "m/s",
+     "largest change of a contact's velocity in the last iteration of a step, in the step in which it is largest "
+     "relative to residual_scale"},
+    {"/worlds/residual_scale", ElementType::f64, 1, Axis::worlds, "m/s",
+     "velocity added in that step: the norm of g - a (native) or g (others), times the step; 0 if there is no "
+     "residual"},
     {"/worlds/max_penetration", ElementType::f64, 1, Axis::worlds, "m",
-     "deepest that a box was inside another or a side, over all steps; 0 where the engine does not measure it"},
+     "largest penetration of a box into another or a side, over all steps; 0 if the engine does not measure it"},
     {"/worlds/peak_total_kinetic_energy", ElementType::f64, 1, Axis::worlds, "J",
      "largest kinetic energy of all boxes together, over all steps"},
     {"/worlds/cpu_seconds", ElementType::f64, 1, Axis::worlds, "s", "processor time to build and simulate the world"},
     {"/worlds/state_hash", ElementType::u64, 1, Axis::worlds, "1",
-     "hash of the bits of the final state: equal hashes, equal results"},
+     "hash of the bits of the final state: equal results have equal hashes"},
     {"/worlds/engine", ElementType::text, 1, Axis::worlds, "none", "name of the engine"},
-    // boxes: a row a box, world after world
+    // boxes: one row per box, world by world
     {"/boxes/world", ElementType::u64, 1, Axis::boxes, "1", "world of the box: row of /worlds"},
-    {"/boxes/id", ElementType::u32, 1, Axis::boxes, "1", "place among the boxes of the layout file, from 1"},
+    {"/boxes/id", ElementType::u32, 1, Axis::boxes, "1", "position among the boxes of the layout file, from 1"},
     {"/boxes/material", ElementType::i32, 1, Axis::boxes, "1", "material id of the layout file"},
     {"/boxes/mass", ElementType::f32, 1, Axis::boxes, "kg", "mass"},
     {"/boxes/size", ElementType::f32, 3, Axis::boxes, "m", "edge lengths along x, y, z as loaded"},
@@ -87,7 +90,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/boxes/peak_kinetic_energy", ElementType::f32, 1, Axis::boxes, "J", "largest kinetic energy, over all steps"},
     {"/boxes/settling_displacement", ElementType::f32, 3, Axis::boxes, "m",
      "displacement x, y, z while settling under gravity alone, before t = 0"},
-    // series: world after world; inside a world sample after sample, box after box
+    // series: world by world; within a world sample by sample, and within a sample box by box
     {"/series/time", ElementType::f64, 1, Axis::samples, "s", "time of the sample"},
     {"/series/container_acceleration", ElementType::f32, 3, Axis::samples, "m/s2",
      "acceleration of the container; at a breakpoint the value before it"},
@@ -100,11 +103,11 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      "unit quaternion w, x, y, z that rotates from the box's axes to the container's"},
     {"/series/angular_velocity", ElementType::f32, 3, Axis::rows, "rad/s", "angular velocity x, y, z"},
     {"/series/linear_acceleration", ElementType::f32, 3, Axis::rows, "m/s2",
-     "acceleration x, y, z in the container, mean over the last step"},
+     "acceleration x, y, z in the container's frame, mean over the last step"},
     {"/series/force", ElementType::f32, 3, Axis::rows, "N",
      "external force x, y, z: minus mass times the container's acceleration; zero in a free container"},
     {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
-    // summary: derived from the tables above, by the thresholds in the attributes of /summary
+    // summary: derived from the tables above with the thresholds in the attributes of /summary
     {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
      "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed",
      Origin::derived},
@@ -129,7 +132,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/summary/boxes/max_displacement", ElementType::f32, 1, Axis::boxes, "m",
      "largest length of the displacement, over all steps", Origin::derived},
     {"/summary/boxes/drop", ElementType::f32, 1, Axis::boxes, "m",
-     "by how much the centre of mass is lower at the end; negative: higher", Origin::derived},
+     "how much lower the centre of mass is at the end; negative: higher", Origin::derived},
     {"/summary/boxes/tilt", ElementType::f32, 1, Axis::boxes, "degree", "angle of the rotation at the end",
      Origin::derived},
     {"/summary/boxes/kinetic_energy", ElementType::f32, 1, Axis::boxes, "J", "kinetic energy at the end",
@@ -145,7 +148,8 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/summary/boxes/unstable", ElementType::u8, 1, Axis::boxes, "1",
      "1 when the box fell or moved while settling, else 0", Origin::derived},
     {"/summary/boxes/first_move_time", ElementType::f32, 1, Axis::boxes, "s",
-     "time of the first sample with a displacement longer than the move threshold; NaN when never, or without series",
+     "time of the first sample with a displacement longer than the move threshold; NaN if there is none, or without "
+     "series",
      Origin::derived},
 }};
 
@@ -173,7 +177,7 @@ std::string_view to_string(ElementType type) {
 std::size_t dataset_index(std::string_view path) {
   for (std::size_t i = 0; i < kSchema.size(); ++i)
     if (kSchema[i].path == path) return i;
-  assert(false && "a path of the schema");
+  assert(false && "the path is in the schema");
   return 0;
 }
 

@@ -13,7 +13,7 @@
 
 namespace holdfast::internal {
 
-/// What the entries of a dataset stand for, one each. All datasets of an axis have the same length.
+/// What one entry of a dataset belongs to. All datasets of an axis have the same length.
 enum class Axis : std::uint8_t {
   worlds,
   boxes,
@@ -29,10 +29,10 @@ inline constexpr std::size_t kAxisCount = 8;
 /// Name of the axis as above.
 std::string_view to_string(Axis axis);
 
-/// The axes that grow with boxes and samples, not with worlds and layouts alone.
+/// The axes whose length grows with the numbers of boxes and samples, not only with those of worlds and layouts.
 inline constexpr std::array<Axis, 4> kLongAxes = {Axis::boxes, Axis::samples, Axis::rows, Axis::layout_boxes};
 
-/// A number an axis.
+/// One number per axis.
 using AxisCounts = std::array<std::uint64_t, kAxisCount>;
 inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
 inline std::uint64_t at(const AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
@@ -47,56 +47,57 @@ std::size_t size_of(ElementType type);
 /// Name as in numpy: "float32"; "text".
 std::string_view to_string(ElementType type);
 
-/// Where a dataset comes from: what was simulated, or a judgement of that by thresholds.
+/// Origin of a dataset: recorded in the simulation, or derived from it with thresholds.
 enum class Origin : std::uint8_t { recorded, derived };
 
 /// One dataset of the results file.
 struct DatasetSpec {
   std::string_view path;
   ElementType type;
-  std::size_t width;  ///< numbers an entry: 1, or the length of the second dimension
+  std::size_t width;  ///< numbers per entry: 1, or the length of the second dimension
   Axis axis;
   std::string_view units;  ///< "1": a number without unit; "none": text
   std::string_view description;
   Origin origin = Origin::recorded;
 };
 
-/// Entries a chunk of a long axis holds: 64 KiB of one float32 column of a series, 192 KiB of a vector. Less of the
-/// boxes, for every part repeats what is in its first chunks.
+/// Entries per chunk of a long axis: 64 KiB of one float32 column of a series, 192 KiB of a vector column. Fewer for
+/// boxes, because every part repeats the start of its first chunks.
 constexpr std::uint64_t chunk_entries(Axis axis) { return axis == Axis::samples || axis == Axis::rows ? 16384 : 4096; }
 
-/// Start of the chunk that an entry of a long axis lies in.
+/// Start of the chunk that contains an entry of a long axis.
 constexpr std::uint64_t chunk_begin(Axis axis, std::uint64_t entry) { return entry - entry % chunk_entries(axis); }
 
-/// Most bytes of a chunk of any other dataset.
+/// Largest chunk of any other dataset, bytes.
 inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
 
-/// A dataset of worlds or the like with no more bytes is stored as it is: a chunk and its index take more.
+/// Other datasets with at most this many bytes are stored without chunks: a chunk and its index take more.
 inline constexpr std::size_t kWholeTableBytes = 1024;
 
-/// Version of the layout of the file; raised when a reader of the old layout would go wrong.
-inline constexpr std::uint64_t kFormatVersion = 1;
+/// Version of the layout of the file; it is raised when a reader of the old layout would misread the new one.
+/// Version 2 has max_residual in m/s, and its scale beside it; version 1 has the ratio of the two.
+inline constexpr std::uint64_t kFormatVersion = 2;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 77;
+inline constexpr std::size_t kDatasetCount = 78;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
-/// docs/results_file.md and the tests all go by this table.
+/// docs/results_file.md and the tests all use this table.
 extern const std::array<DatasetSpec, kDatasetCount> kSchema;
 
-/// Place of a dataset in `kSchema`; the path must be one of the table.
+/// Index of a dataset in `kSchema`; the path must be in the table.
 std::size_t dataset_index(std::string_view path);
 
-/// The dataset of that path, which must be one of the table.
+/// The dataset of that path, which must be in the table.
 inline const DatasetSpec& dataset_spec(std::string_view path) { return kSchema[dataset_index(path)]; }
 
-/// True for the datasets of a long axis, which are cut into chunks of `chunk_entries`.
+/// True for the datasets of a long axis, which are divided into chunks of `chunk_entries`.
 inline bool is_long(const DatasetSpec& spec) {
   return std::find(kLongAxes.begin(), kLongAxes.end(), spec.axis) != kLongAxes.end();
 }
 
-/// Places in `kSchema` of the long datasets, rising.
+/// Indices in `kSchema` of the long datasets, in increasing order.
 inline constexpr std::size_t kLongDatasets = 36;
 const std::array<std::size_t, kLongDatasets>& long_datasets();
 

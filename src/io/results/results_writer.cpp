@@ -39,15 +39,15 @@ AxisCounts counts_of(const Progress& progress) {
 void prepare_folder(const std::string& path, const Progress& resume) {
   if (std::filesystem::exists(path)) {
     throw h5::Failure(Error{.file = path,
-                            .what = "exists already, and a finished results file is never written over",
+                            .what = "exists already, and a finished results file is never overwritten",
                             .accepted = "give another name, or --overwrite to replace it"});
   }
   const std::size_t found = list_parts(path).size();
   if (found != resume.part_count) {
     throw h5::Failure(Error{.file = parts_folder(path),
-                            .what = "holds the finished parts of an interrupted run",
+                            .what = "contains the finished parts of an interrupted run",
                             .value = std::to_string(found),
-                            .accepted = "--resume goes on with it, --overwrite starts anew"});
+                            .accepted = "--resume continues it, --overwrite starts anew"});
   }
   std::error_code failure;
   std::filesystem::create_directories(parts_folder(path), failure);
@@ -61,10 +61,10 @@ struct ResultsWriter::State {
   std::string path;
   RunDescription run;
   PartLimits limits;
-  ChunkGrid grid;       ///< of `place` alone, as the next
-  AxisCounts placed{};  ///< entries of the run so far
+  ChunkGrid grid;       ///< used only in `place`, as is the next member
+  AxisCounts placed{};  ///< entries of the run up to now
 
-  std::mutex mutex;  ///< guards what follows
+  std::mutex mutex;  ///< guards the following members
   std::unique_ptr<PartBuilder> part;
   std::uint64_t finished_parts = 0;
   AxisCounts end{};  ///< of the finished parts
@@ -80,7 +80,7 @@ struct ResultsWriter::State {
     part.reset();
   }
 
-  /// Runs `work` under the lock; once anything has failed, nothing is touched any more.
+  /// Runs `work` under the lock; after a failure it does nothing.
   template <class Work>
   std::optional<Error> guarded(Work&& work) {
     const std::lock_guard lock(mutex);
@@ -94,7 +94,7 @@ struct ResultsWriter::State {
 ResultsWriter::ResultsWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 ResultsWriter::~ResultsWriter() {
-  // A run that ended before its first part leaves no folder behind; one with parts in it stays.
+  // Removes the folder of a run that ended before its first part; a folder with parts remains.
   std::error_code not_empty;
   std::filesystem::remove(parts_folder(state_->path), not_empty);
 }

@@ -31,16 +31,16 @@ struct PartLimits {
   std::chrono::steady_clock::duration age = std::chrono::seconds(2);
 };
 
-/// Writes a run's worlds into part files under `<path>.parts/`, so that a kill costs the open part at most.
-/// `assemble` makes the results file of them.
+/// Writes a run's worlds into part files in `<path>.parts/`, so that a kill loses at most the open part. `assemble`
+/// makes the results file from them.
 ///
 /// `place` judges the worlds, and `SinkUnit::pack` compresses the unit's full chunks. After an error in writing every
 /// later call returns the same one, and the parts finished before stay as they are. `close_part_if_due` may be called
 /// from any thread at any time.
 class ResultsWriter final : public ResultSink {
  public:
-  /// Starts a new run, or goes on after the finished parts of `resume` (see `find_finished`). An error when the
-  /// results file exists already, when parts of another run are in the way, or when the folder cannot be made.
+  /// Starts a new run, or continues after the finished parts of `resume` (see `find_finished`). An error if the results
+  /// file exists already, if there are parts of another run, or if the folder cannot be created.
   static Result<std::unique_ptr<ResultsWriter>> open(const std::string& path, RunDescription run,
                                                      const Progress& resume = {}, const PartLimits& limits = {});
   /// Drops the open part; call `finish` first.
@@ -48,7 +48,7 @@ class ResultsWriter final : public ResultSink {
 
   std::unique_ptr<SinkUnit> place(UnitRecord& unit) override;
 
-  /// Closes the open part when it has become older than its limit.
+  /// Closes the open part if it is older than its limit.
   std::optional<Error> close_part_if_due(std::chrono::steady_clock::time_point now);
 
   /// Closes the open part, whatever its age: afterwards all worlds written are safe.

@@ -11,10 +11,10 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Length before text, so that no two lists of texts are joined to the same bytes.
+/// Each text is preceded by its length, so that different lists of texts give different bytes.
 void append(std::string& bytes, const std::string& text) { bytes += std::to_string(text.size()) + ':' + text; }
 
-/// Settings that say how a run is done and where it is kept, not what comes out: they may change at a resume.
+/// Settings that affect how a run is executed and where it is stored, but not its results: they may differ in a resume.
 constexpr std::array<std::string_view, 3> kWithoutInfluence = {"Screening/Threads", "Screening/Scheduler",
                                                                "Export Settings/SavePath"};
 

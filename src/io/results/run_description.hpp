@@ -9,7 +9,7 @@
 
 namespace holdfast::internal {
 
-/// What the results file says about a run as a whole, and what every world of it shares.
+/// The properties of a run that its worlds share, as the results file stores them.
 struct RunDescription {
   std::string software;      ///< name and version
   std::string git_commit;    ///< of the software's sources; "unknown" outside a repository
@@ -21,19 +21,19 @@ struct RunDescription {
   /// Every effective setting, as (`Section/Key`, text as one would write it in the configuration file).
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<std::string> layout_names;  ///< of all layouts of the run, in its order
-  /// SHA-256 of each layout's file as it was when the run began; empty where it could not be read.
+  /// SHA-256 of each layout file when the run began; empty if it could not be read.
   std::vector<std::string> layout_hashes;
-  std::vector<Acceleration> accelerations;  ///< all of the run, in its order; a bad one has no segments
+  std::vector<Acceleration> accelerations;  ///< of the run, in its order; a bad acceleration has no segments
   bool record_series = true;                ///< false: end states and peaks only
-  Thresholds thresholds;                    ///< by which the summary is judged
+  Thresholds thresholds;                    ///< of the summary
 };
 
-/// What must be the same for a run to be taken up again, as text: `software=… settings=… engine=… layouts=…
-/// accelerations=… series=…`, SHA-256 of each where it is long. Neither command line, host, time, threads nor scheduler
-/// are in it, nor what of the configuration file is no setting.
+/// Everything that must be the same for a run to be resumed, as text: `software=… settings=… engine=… layouts=…
+/// accelerations=… series=…`, with the SHA-256 of long items. It does not include command line, host, time, threads,
+/// scheduler, or parts of the configuration file that are not settings.
 std::string fingerprint(const RunDescription& run);
 
-/// Names of what differs between two fingerprints, joined by ", "; empty when they are equal.
+/// Names of the items that differ between two fingerprints, joined by ", "; empty if they are equal.
 std::string fingerprint_difference(const std::string& a, const std::string& b);
 
 }  // namespace holdfast::internal

@@ -9,7 +9,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Worlds and boxes of a slice, at most; a slice has one world at least.
+/// Largest numbers of worlds and of boxes in a slice; a slice has at least one world.
 constexpr std::uint64_t kSliceWorlds = 1024;
 constexpr std::uint64_t kSliceBoxes = std::uint64_t{1} << 17U;
 
@@ -30,9 +30,9 @@ EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
           cut(end.peak_kinetic_energy), cut(end.settling_displacement)};
 }
 
-/// When the boxes of a world first moved. One that never went beyond the threshold has no such time: most worlds are
-/// spared looking into their series.
-/// @param times called for the others
+/// Times at which the boxes of a world first moved. A box whose peak displacement is below the threshold has no such
+/// time, so that the series of most worlds need not be read.
+/// @param times called for the other worlds
 template <class Times>
 void append_first_moves(const EndTable& end, const Thresholds& thresholds, BoxSummary& boxes, Times&& times) {
   const auto& peak = end.peak_displacement;
@@ -71,7 +71,7 @@ void append_boxes(const EndTable& end, const Thresholds& thresholds, BoxSummary&
   }
 }
 
-/// Takes as many of the rows as make a slice.
+/// Takes as many of the rows as fit into a slice.
 std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
   std::uint64_t boxes = 0;
   std::size_t count = 0;
@@ -81,7 +81,7 @@ std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
   return rows;
 }
 
-/// The worlds' boxes lie end to end in /boxes; a file in which they do not is no longer what was written.
+/// /boxes contains the boxes of one world after the other; a file in which it does not is damaged.
 void check_ranges(const ResultsInfo& info, const SummarySlice& slice) {
   std::uint64_t next = slice.box_begin;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
@@ -134,7 +134,7 @@ std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& th
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit) {
   return h5::caught("", [&] {
     const ResultsInfo& info = results.info();
-    // A part may repeat boxes of worlds before its own.
+    // A part may repeat boxes of worlds of the previous part.
     std::uint64_t box = info.complete || info.world_count == 0 ? 0 : value_of(results.worlds(0, 1)).front().box_begin;
     for (std::uint64_t world = 0; world < info.world_count;) {
       const SummarySlice slice = derive_slice(results, thresholds, world, box);

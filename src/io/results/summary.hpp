@@ -12,7 +12,7 @@
 
 namespace holdfast::internal {
 
-/// /summary/worlds, an entry a world; see WorldVerdict for one that was not simulated.
+/// /summary/worlds, one entry per world; see WorldVerdict for a world that was not simulated.
 struct WorldSummary {
   std::vector<Verdict> verdict;
   std::vector<std::uint32_t> fallen_boxes;
@@ -25,7 +25,7 @@ struct WorldSummary {
   std::vector<float> peak_displacement;      ///< over all steps, m
 };
 
-/// /summary/boxes, an entry a box.
+/// /summary/boxes, one entry per box.
 struct BoxSummary {
   std::vector<Float3> displacement;        ///< at the end, m
   std::vector<float> max_displacement;     ///< over all steps, m
@@ -33,11 +33,11 @@ struct BoxSummary {
   std::vector<float> tilt;                 ///< degrees
   std::vector<float> kinetic_energy;       ///< at the end, J
   std::vector<float> peak_kinetic_energy;  ///< over all steps, J
-  std::vector<std::uint8_t> fallen;        ///< 0 or 1, as the next three
+  std::vector<std::uint8_t> fallen;        ///< 0 or 1; so are the next three
   std::vector<std::uint8_t> moved;
   std::vector<std::uint8_t> tilted;
   std::vector<std::uint8_t> unstable;
-  std::vector<float> first_move_time;  ///< s; not-a-number when never, or without series
+  std::vector<float> first_move_time;  ///< s; NaN if the box never moved, or without series
 };
 
 /// The summary of some consecutive worlds and all their boxes.
@@ -53,18 +53,18 @@ struct SummarySlice {
 void append_summary(const WorldRecord& world, const Thresholds& thresholds, WorldSummary& worlds, BoxSummary& boxes);
 
 /// Derives the summary of all worlds in slices, in the order of the file; memory does not grow with the file.
-/// For other thresholds, and for printing; the results file's own is judged world by world, when they finish.
+/// Used for other thresholds, and for printing; the summary in a results file is derived when each world finishes.
 /// @param visit returns an error to stop
 std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit);
 
-/// Writes the summary under other thresholds into a new HDF5 file, with the names that it takes to read it, and
-/// the results file named in attributes. Never writes over a file; refuses a part, whose boxes repeat others.
+/// Writes the summary for other thresholds into a new HDF5 file, with the names that are needed to read it; attributes
+/// name the results file. Never overwrites a file; refuses a part, because a part repeats boxes of others.
 std::optional<Error> write_summary(const std::string& results_path, const Thresholds& thresholds,
                                    const std::string& path);
 
-/// Writes `worlds.csv` and `boxes.csv` into the folder (made when missing, files of that name replaced): RFC 4180,
-/// one header line, units at the end of the names (`drop_m`). pandas.read_csv needs no options.
+/// Writes `worlds.csv` and `boxes.csv` into the folder, which is created if it is missing; existing files are replaced.
+/// RFC 4180, one header line, units at the end of the names (`drop_m`). pandas.read_csv needs no options.
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);
 

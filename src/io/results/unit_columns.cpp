@@ -10,7 +10,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// The world's row; its entries of the other axes begin where those of the run end.
+/// The row of the world; its entries of the other axes begin after those of the run.
 WorldRow row_of(const WorldRecord& world, const RunDescription& run, const AxisCounts& end) {
   WorldRow row;
   row.layout = world.layout;
@@ -28,6 +28,7 @@ WorldRow row_of(const WorldRecord& world, const RunDescription& run, const AxisC
   row.steps_skipped = world.outcome.counters.steps_skipped;
   row.solve_iterations = world.outcome.counters.solve_iterations;
   row.max_residual = world.outcome.counters.max_residual;
+  row.residual_scale = world.outcome.counters.residual_scale;
   row.max_penetration = world.outcome.counters.max_penetration;
   row.peak_total_kinetic_energy = world.peak_total_kinetic_energy;
   row.cpu_seconds = world.cpu_seconds;
@@ -53,7 +54,7 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
   append_summary(world, run.thresholds, worlds, boxes);
   visit_world_summary(append, worlds);
   visit_box_summary(append, boxes);
-  // A column after the other, so that no more than one of them is in memory twice.
+  // Column by column, so that at most one of them is in memory twice.
   visit_series(
       [&](std::string_view path, auto& values) {
         columns[path].append(values);

@@ -6,9 +6,9 @@
 
 namespace holdfast::internal {
 
-/// Everything that the results file keeps of a unit, an entry of the columns each; the worlds' series are moved there.
-/// Indices count in the run.
-/// @param end entries of the run before the unit; afterwards, with it
+/// The entries of a unit in all columns of the results file; the series are moved out of the worlds. Indices are those
+/// of the whole run.
+/// @param end entries of the run before the unit; afterwards, including the unit
 ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& end);
 
 }  // namespace holdfast::internal

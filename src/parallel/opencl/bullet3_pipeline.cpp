@@ -21,7 +21,7 @@
 #include "parallel/opencl/contact_constants.hpp"
 #include "parallel/opencl/kernel_patches.hpp"
 
-// Switches and hooks of the library that no header declares, by its names.
+// Switches and hooks of the library that its headers do not declare.
 // NOLINTBEGIN(readability-identifier-naming)
 extern bool gDebugSkipLoadingBinary;
 extern bool gUseDbvt;
@@ -44,21 +44,21 @@ static_assert(offsetof(b3RigidBodyData, m_invMass) == offsetof(DeviceBody, inver
               offsetof(b3RigidBodyData, m_restituitionCoeff) == offsetof(DeviceBody, world) &&
               offsetof(b3RigidBodyData, m_frictionCoeff) == offsetof(DeviceBody, sweeps));
 
-/// Pairs and contacts a box that there is room for; a densely packed one has about four.
+/// Capacity for pairs and contacts, per box; a densely packed box has about four.
 constexpr std::size_t kPairsPerBody = 16;
 
-/// Bullet's sort of contacts writes up to the next multiple of 512 into a buffer for 512 Ki of them.
+/// Bullet's sort of contacts rounds their number up to a multiple of 512 and writes to a buffer for 512 Ki of them.
 constexpr std::size_t kMostContacts = 512 * 1024;
 static_assert(kPairsPerBody * kBodiesAtOnce == kMostContacts && kWorldsAtOnce == B3_SOLVER_N_CELLS);
 
-/// Vertices of a clipped face that the narrow phase keeps room for, a pair.
+/// Capacity of the narrow phase for vertices of a clipped face, per pair.
 constexpr std::size_t kFaceVertices = 64;
 constexpr std::size_t kUsualPairsPerBody = 4;
 
-/// Of what the library says is wrong, characters that are kept.
+/// Largest number of characters kept of the library's error messages.
 constexpr std::size_t kLongestMessage = 2000;
 
-/// The library's messages and hooks are plain functions: what they need is here. One pipeline at a time uses it.
+/// State of the library's message and hook functions, which have no argument for it. One pipeline at a time uses it.
 struct LibraryHooks {
   std::string error;
   KernelPatcher* patcher = nullptr;
@@ -73,7 +73,7 @@ LibraryHooks& hooks() {
 
 void drop_message(const char*) {}
 void keep_error(const char* message) {
-  // A message comes in parts, place first, and a broken step may repeat it for ever.
+  // A message arrives in several parts, beginning with its location; a failing step may repeat it for ever.
   if (hooks().error.size() < kLongestMessage) hooks().error += message;
 }
 
@@ -86,25 +86,25 @@ cl_program create_patched_program(cl_context context, cl_uint count, const char*
   return hooks().create_program(context, 1, &text, nullptr, error);
 }
 
-/// Without warnings about Bullet's code: a driver writes them to the standard error output.
+/// Disables warnings about Bullet's code, which a driver writes to standard error.
 cl_int build_silently(cl_program program, cl_uint count, const cl_device_id* devices, const char* options,
                       void (*done)(cl_program, void*), void* data) {
   const std::string silent = std::string(options == nullptr ? "" : options) + " -w";
   return hooks().build_program(program, count, devices, silent.c_str(), done, data);
 }
 
-/// A program that is built for no device: Bullet asks when it is about to leave the binary in the folder `cache`, if
-/// there is one, under a name that any other program of Bullet's takes for its own.
+/// Reports that a program is built for no device. Bullet asks before it stores the binary in the folder `cache`, if
+/// that exists, under a name that other programs with Bullet would load as their own.
 cl_int hide_binaries(cl_program program, cl_program_info what, std::size_t size, void* value, std::size_t* written) {
   const cl_int code = hooks().get_program_info(program, what, size, value, written);
   if (what == CL_PROGRAM_NUM_DEVICES && value != nullptr) *static_cast<cl_uint*>(value) = 0;
   return code;
 }
 
-/// Finds the pairs of each world by itself: sorted along x, swept. Their order is that of the world alone.
+/// Finds the pairs of each world separately, by sort and sweep along x. Their order depends only on the world.
 class WorldBroadphase final : public b3DynamicBvhBroadphase {
  public:
-  /// @param room for pairs; where there are more, that is an error, and none are passed on
+  /// @param room capacity for pairs; if there are more, that is an error, and no pairs are passed on
   explicit WorldBroadphase(std::size_t room) : b3DynamicBvhBroadphase(1), room_(room) {}
 
   void set_bodies(std::span<const DeviceBody> bodies) {
@@ -115,7 +115,7 @@ class WorldBroadphase final : public b3DynamicBvhBroadphase {
   void set_ranges(std::span<const BodyRange> ranges) { ranges_ = ranges; }
 
   void setAabb(int body, const b3Vector3& low, const b3Vector3& high, b3Dispatcher*) override {
-    // A body that is nowhere has no place in an order: it comes last and meets nothing.
+    // A body whose position is not finite cannot be sorted: it comes last and has no pairs.
     const float far = std::numeric_limits<float>::max();
     const bool somewhere = std::isfinite(low.x + low.y + low.z + high.x + high.y + high.z);
     boxes_[static_cast<std::size_t>(body)] =
@@ -127,7 +127,7 @@ class WorldBroadphase final : public b3DynamicBvhBroadphase {
     for (const BodyRange& range : ranges_)
       if (range.stepping && static_cast<std::size_t>(pairs.size()) < room_) sweep(range, pairs);
     if (static_cast<std::size_t>(pairs.size()) < room_) return;
-    keep_error("more pairs of boxes than there is room for");
+    keep_error("more pairs of boxes than the device has memory for");
     pairs.resizeNoInitialize(0);
   }
   b3OverlappingPairCache* getOverlappingPairCache() override { return &cache_; }
@@ -173,7 +173,7 @@ class WorldBroadphase final : public b3DynamicBvhBroadphase {
   std::span<const BodyRange> ranges_;
 };
 
-/// Opens what the library keeps to itself.
+/// Gives access to protected members of the library.
 class OpenPipeline final : public b3GpuRigidBodyPipeline {
  public:
   using b3GpuRigidBodyPipeline::b3GpuRigidBodyPipeline;
@@ -202,7 +202,7 @@ class Pipeline final : public Bullet3Pipeline {
         narrow_phase_(context, device, queue, config_),
         broad_phase_(static_cast<std::size_t>(config_.m_maxBroadphasePairs)),
         pipeline_(context, device, queue, &narrow_phase_, nullptr, &broad_phase_, config_) {
-    // Every force comes from our own kernel.
+    // All forces are applied by the kernel of this project.
     const float none[3] = {0.0F, 0.0F, 0.0F};
     pipeline_.setGravity(none);
   }
@@ -211,7 +211,7 @@ class Pipeline final : public Bullet3Pipeline {
     narrow_phase_.reset();
     pipeline_.reset();
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      if (add(shapes[i]) != static_cast<int>(i)) keep_error("a shape was not taken");
+      if (add(shapes[i]) != static_cast<int>(i)) keep_error("a shape was not accepted");
   }
 
   void upload(std::span<const DeviceBody> bodies, std::span<const DeviceInertia> inertias) override {
@@ -233,7 +233,7 @@ class Pipeline final : public Bullet3Pipeline {
     pipeline_.stepSimulation(0.0F);
     const bool any = broad_phase_.getOverlappingPairCache()->getNumOverlappingPairs() > 0;
     if (any && narrow_phase_.getNumContactsGpu() >= config_.m_maxContactCapacity)
-      keep_error("more contacts than there is room for");
+      keep_error("more contacts than the device has memory for");
   }
 
   std::string take_error() override { return std::exchange(hooks().error, {}); }
@@ -268,10 +268,10 @@ Result<std::unique_ptr<Bullet3Pipeline>> Bullet3Pipeline::create(cl_context cont
   b3SetCustomPrintfFunc(drop_message);
   b3SetCustomWarningMessageFunc(drop_message);
   b3SetCustomErrorMessageFunc(keep_error);
-  // Its cache of binaries goes by the name of a program alone, and would give unpatched ones back.
+  // Its cache of binaries identifies a program only by name, and would return binaries without the patches.
   gDebugSkipLoadingBinary = true;
   gUseDbvt = true;
-  // The portal refinement puts a point of its own in place of a corner of the face.
+  // Portal refinement would replace a corner of the face by another point.
   useMprGpu = false;
 
   LibraryHooks& library = hooks();

@@ -13,21 +13,23 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Nothing passes a metre of wall within a step.
+/// Thickness of the walls, m: no box tunnels through a metre within a step.
 constexpr double kWallThickness = 1.0;
 
 float narrow(double number) { return static_cast<float>(number); }
 
 Float4Column column_of(const Vec3& v) { return {narrow(v.x()), narrow(v.y()), narrow(v.z()), 0.0F}; }
 
-/// The friction of every pair as a product of two sides: what a contact on the device can compute. Of the model
-/// `pairs`, a box has the root of two boxes' coefficient, and the container's sides the rest of theirs.
+/// The friction coefficient of every pair as the product of two sides, which a contact on the device can compute. With
+/// the model `pairs`, a box has the square root of the coefficient of two boxes, and a side of the container the
+/// quotient of its coefficient and that root.
 struct FrictionSides {
   explicit FrictionSides(const ContactSettings& contact) : contact_(contact) {}
 
   double of(SurfaceKind kind, double own) const {
     if (contact_.friction_model == FrictionModel::product) return own;
-    // Boxes without friction still have some against the sides; what is left among them is 1e-12.
+    // Boxes without friction among each other may have friction at the sides: a small value, whose square is 1e-12,
+    // allows this.
     const double box = std::sqrt(std::max(contact_.box_box, 1e-12));
     if (kind == SurfaceKind::box) return box;
     return (kind == SurfaceKind::floor ? contact_.box_floor : contact_.box_wall) / box;
@@ -50,7 +52,7 @@ struct Body {
   double restitution = 0.0;
 };
 
-/// Numbers the shapes of a batch.
+/// Assigns indices to the distinct shapes of a batch.
 class ShapeNumbers {
  public:
   explicit ShapeNumbers(std::vector<DeviceShape>& shapes) : shapes_(shapes) {}
@@ -116,7 +118,7 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
              world, sweeps);
     }
     for (const Panel& panel : panels) {
-      // The smaller restitution of two counts: that of the box.
+      // The smaller of two coefficients is used: this makes it that of the box.
       append(device, shapes,
              {.position = panel.centre,
               .half_extents = panel.half_extents,

@@ -9,16 +9,16 @@
 
 namespace holdfast::internal {
 
-/// A batch of worlds as columns of bodies: of each world its boxes in order, then the sides of the container.
+/// A batch of worlds as columns of bodies: for each world its boxes in order, then the sides of the container.
 struct DeviceBatch {
   std::vector<DeviceBody> bodies;
   std::vector<DeviceInertia> inertias;
   std::vector<Float4Column> body_inertia;  ///< principal moments, body axes, kg m²
-  std::vector<DeviceShape> shapes;         ///< each once, in the order of the first body of that shape
-  std::vector<BodyRange> ranges;           ///< a world's bodies
+  std::vector<DeviceShape> shapes;         ///< distinct, in the order of the first body with the shape
+  std::vector<BodyRange> ranges;           ///< the bodies of each world
 };
 
-/// @param sweeps of the solver inside each of Bullet's outer ones
+/// @param sweeps of the solver within each of Bullet's outer sweeps
 DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps);
 
 }  // namespace holdfast::internal

@@ -10,10 +10,10 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Bytes of the device's memory a body of the capacity takes, of which faces being clipped take most (measured).
+/// Device memory per body of the capacity, bytes (measured); most of it is for clipping faces.
 constexpr std::uint64_t kBytesPerBody = 24 * 1024;
 
-/// Bodies that the first session has room for; it is doubled as often as needed.
+/// Capacity of the first session, bodies; it is doubled as often as needed.
 constexpr std::size_t kFirstCapacity = 4096;
 
 std::string build_log(cl_program program, cl_device_id device) {
@@ -23,7 +23,7 @@ std::string build_log(cl_program program, cl_device_id device) {
   return log.substr(0, log.find('\0'));
 }
 
-/// The session of the process. It stays until the process ends: drivers may be gone before static objects are.
+/// The session of the process. It is never destroyed: drivers may be unloaded before static objects are destroyed.
 struct Shared {
   std::binary_semaphore free{1};
   std::unique_ptr<DeviceSession> session;
@@ -33,7 +33,7 @@ Shared& shared() {
   return *kShared;
 }
 
-/// Makes the shared session fit, by whoever holds it.
+/// Makes the capacity of the shared session large enough; the caller holds its lock.
 Result<DeviceSession*> fit(const std::string& wanted_device, std::size_t body_count) {
   Result<OpenClDevice> device = choose_device(opencl_devices(), wanted_device);
   if (!device) return device.errors();
@@ -66,10 +66,10 @@ Result<std::unique_ptr<DeviceSession>> DeviceSession::open(const OpenClDevice& d
                  .value = device.name};
   };
   session->context_ = ClContext(clCreateContext(nullptr, 1, &id, nullptr, nullptr, &code));
-  if (code != CL_SUCCESS) return failed("gives no context");
-  // In order, and of OpenCL 1.x: what Bullet's own code expects.
+  if (code != CL_SUCCESS) return failed("does not create a context");
+  // An in-order queue, created with the OpenCL 1.x call, as Bullet's own code expects.
   session->queue_ = ClQueue(clCreateCommandQueue(session->context_.get(), id, 0, &code));
-  if (code != CL_SUCCESS) return failed("gives no queue");
+  if (code != CL_SUCCESS) return failed("does not create a queue");
 
   const char* text = kWorldStepSource;
   session->program_ = ClProgram(clCreateProgramWithSource(session->context_.get(), 1, &text, nullptr, &code));
@@ -138,7 +138,7 @@ void DeviceSession::step(std::span<const WorldStep> worlds, std::span<const Body
   const auto give = [&](const ClKernel& kernel, auto... objects) {
     cl_uint index = 0;
     const auto set = [&](const auto& object) {
-      // A buffer is handed over as its handle.
+      // A buffer is passed as its handle.
       // NOLINTNEXTLINE(bugprone-sizeof-expression)
       note(clSetKernelArg(kernel.get(), index++, sizeof(object), &object), "an argument of a kernel");
     };

@@ -14,35 +14,35 @@
 
 namespace holdfast::internal {
 
-/// What a world does in one step.
+/// The parameters of a world in one step.
 struct WorldStep {
-  Float4Column field_and_step = {};  ///< what every box feels, m/s²; length of the step, s, 0: the world stands still
+  Float4Column field_and_step = {};  ///< effective gravity, m/s²; length of the step, s, 0: the world is not moved
 };
 
-/// A device with everything that runs on it: Bullet's pipeline, our own kernels, their buffers.
+/// A device with Bullet's pipeline, the kernels of this project, and their buffers.
 class DeviceSession {
  public:
-  /// @param body_capacity most bodies that are uploaded together, and most shapes
+  /// @param body_capacity largest number of bodies that are uploaded together, and of shapes
   static Result<std::unique_ptr<DeviceSession>> open(const OpenClDevice& device, std::size_t body_capacity);
 
   const OpenClDevice& device() const { return device_; }
   Bullet3Pipeline& pipeline() { return *pipeline_; }
 
-  /// Writes bodies to the device, in place of those that are there.
-  /// @param world_count more than the number of any body's world
+  /// Writes bodies to the device, replacing all others.
+  /// @param world_count larger than the world index of every body
   /// @param body_inertia principal moments of each body, kg m²; the fourth number is not used
   void upload(std::span<const DeviceBody> bodies, std::span<const DeviceInertia> inertias,
               std::span<const Float4Column> body_inertia, std::size_t world_count);
 
-  /// Takes the worlds whose bodies are on the device one step of their own.
-  /// @param worlds of the bodies, by number
-  /// @param ranges a world's bodies among those on the device; those that stand still are not stepping
+  /// Advances each world whose bodies are on the device by its own step.
+  /// @param worlds parameters of the worlds, by index
+  /// @param ranges bodies of each world on the device; worlds that are not moved have `stepping` false
   void step(std::span<const WorldStep> worlds, std::span<const BodyRange> ranges);
 
   /// Reads all bodies that are on the device.
   void read(std::span<DeviceBody> bodies);
 
-  /// What went wrong since the last call; empty when all is well.
+  /// Errors since the last call; empty if there are none.
   std::string take_error();
 
  private:
@@ -64,25 +64,25 @@ class DeviceSession {
   std::string error_;
 };
 
-/// How many bodies may be on the device at the same time: as many as have full room, fewer where its memory is short.
+/// Largest number of bodies on the device at the same time: as many as have full capacity, fewer if its memory is
+/// small.
 std::size_t bodies_at_once(const OpenClDevice& device);
 
-/// The one session of the process: Bullet's pipeline keeps global state, takes seconds to build, and never gives all of
-/// its memory back. It is built once, for a device and a number of bodies, and built anew only when these do not
-/// suffice.
+/// The only session of the process: Bullet's pipeline has global state, takes seconds to build, and leaks memory when
+/// it is destroyed. It is built once, for a device and a number of bodies, and rebuilt only when these do not suffice.
 class SessionLease {
  public:
-  /// Builds the session if there is none for the device: what can fail fails here.
+  /// Builds the session if there is none for the device, and reports all errors of building.
   static Result<OpenClDevice> prepare(const std::string& wanted_device);
 
-  /// Waits until nobody else uses the session, and has it until the end of its life.
-  /// @param body_count most bodies that are uploaded together, and most shapes
+  /// Waits until the session is free, and owns it until destroyed.
+  /// @param body_count largest number of bodies that are uploaded together, and of shapes
   SessionLease(const std::string& wanted_device, std::size_t body_count);
   ~SessionLease();
   SessionLease(const SessionLease&) = delete;
   SessionLease& operator=(const SessionLease&) = delete;
 
-  /// Null when the device has no room for the batch; then `error` says so.
+  /// Null if the device has too little memory for the batch; then `error` says so.
   DeviceSession* session() const { return session_; }
   const std::string& error() const { return error_; }
 

@@ -26,7 +26,7 @@ std::vector<KernelPatch> make_patches() {
   const char* const solve = "void BatchSolveKernelContact(";
   const char* const kernel_head = "__kernel\n__attribute__((reqd_work_group_size(WG_SIZE,1,1)))\n";
   return {
-      // Stock: friction 0.7 and restitution 0 for every pair, a step of 1/60 s, 5 mm of overlap left alone.
+      // Original: friction 0.7 and restitution 0 for every pair, a step of 1/60 s, a penetration slop of 5 mm.
       {"contact setup: code", setup, std::string(kernel_head) + setup,
        define("HOLDFAST_MARGIN", kShapeMargin) + define("HOLDFAST_EDGE_OVERLAP", kEdgeOverlap) +
            define("HOLDFAST_ERP", kErp) + define("HOLDFAST_REBOUND_SPEED", kReboundSpeed) + kContactSetupSource +
@@ -35,8 +35,9 @@ std::vector<KernelPatch> make_patches() {
        "cs.m_batchIdx = gContact[gIdx].m_batchIdx;\n"
        "holdfast_prepare_contact(&cs, &gContact[gIdx], gBodies, gShapes, aIdx, bIdx);\n"},
 
-      // Stock: four sweeps along the normals, then four of friction, which is damped away about the normal. Here each
-      // sweep has both, and there are as many as the setting says.
+      // Original: four sweeps for the normals, then four for friction, with damping about the normal. Here each sweep
+      // has
+      // both, and the setting gives the number of sweeps.
       {"contact solve: code", solve, std::string(kernel_head) + solve,
        kContactSolveSource + std::string(kernel_head) + solve},
       {"contact solve: call", solve, "\t\t\t\t\tsolveContactConstraint( gBodies, gShapes, &gConstraints[idx] );\n",
@@ -48,17 +49,17 @@ std::vector<KernelPatch> make_patches() {
        "int idx = start + lIdx;\nwhile (ldsCurBatch < maxBatch)\n"},
       {"contact solve: end of sweeps", solve, "}\n__kernel void solveSingleContactKernel(",
        "}\n}\n__kernel void solveSingleContactKernel("},
-      // A batch reads the velocities that other work-items wrote in the batch before.
+      // A batch reads velocities that other work-items have written in the previous batch.
       {"contact solve: barrier", solve, "barrier(CLK_LOCAL_MEM_FENCE)",
        "barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)"},
       {"friction solve: none of its own", "void BatchSolveKernelFriction(", "\tif( gN[cellIdx] == 0 ) \n",
        "\tif (gN[cellIdx] >= 0)\n"},
 
-      // Stock: contacts are solved by place, in cells of 6 m. Here a world is a cell, wherever its boxes are.
+      // Original: contacts are solved by position, in cells of 6 m. Here each world has its own cell.
       {"contact order", "void SetSortDataKernel(", "int newIndex = (xIdx+yIdx*nSplit.x+zIdx*nSplit.x*nSplit.y);",
        "int newIndex = (int)gBodies[idx].m_restituitionCoeff & (nSplit.x * nSplit.y * nSplit.z - 1);"},
 
-      // Stock: 1 % of the spin is lost a step.
+      // Original: 1 % of the angular velocity is lost per step.
       {"integrate: x damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.x *= angularDamping;", ""},
       {"integrate: y damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.y *= angularDamping;", ""},
       {"integrate: z damping", "integrateTransformsKernel(", "bodies[nodeID].m_angVel.z *= angularDamping;", ""},

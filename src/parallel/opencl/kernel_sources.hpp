@@ -2,9 +2,9 @@
 
 namespace holdfast::internal {
 
-/// The project's OpenCL C, from `kernels/opencl/`, as it was when this was built.
-extern const char* const kWorldStepSource;     ///< a program of its own
-extern const char* const kContactSetupSource;  ///< goes into Bullet's program that sets contacts up
-extern const char* const kContactSolveSource;  ///< goes into Bullet's program that solves them
+/// The OpenCL C of this project: the files in `kernels/opencl/` at build time.
+extern const char* const kWorldStepSource;     ///< a separate program
+extern const char* const kContactSetupSource;  ///< inserted into Bullet's program that sets up contacts
+extern const char* const kContactSolveSource;  ///< inserted into Bullet's program that solves contacts
 
 }  // namespace holdfast::internal

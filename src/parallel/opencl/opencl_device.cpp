@@ -27,7 +27,7 @@ Number number_of(cl_device_id device, cl_device_info what) {
 }
 
 std::string why_unusable(cl_device_id device) {
-  if (number_of<cl_bool>(device, CL_DEVICE_AVAILABLE) == CL_FALSE) return "the driver says that it is not available";
+  if (number_of<cl_bool>(device, CL_DEVICE_AVAILABLE) == CL_FALSE) return "the driver reports that it is not available";
   if (number_of<cl_bool>(device, CL_DEVICE_COMPILER_AVAILABLE) == CL_FALSE) return "its driver has no compiler";
   if (number_of<cl_bool>(device, CL_DEVICE_ENDIAN_LITTLE) == CL_FALSE) return "its byte order is not the host's";
   if (number_of<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE) < kWorkGroup)
@@ -75,13 +75,13 @@ std::string device_line(const OpenClDevice& device) {
   line += device.name + " (" + device.platform + ", driver " + device.version + "): ";
   if (!device.unusable.empty()) return line + "cannot be used: " + device.unusable;
   line += std::to_string(device.compute_units) + " compute units, " + std::to_string(device.memory >> 20U) + " MiB";
-  return device.is_cpu ? line : line + "; untested: nothing but CPU devices has been measured";
+  return device.is_cpu ? line : line + "; untested: only CPU devices have been measured";
 }
 
 Result<OpenClDevice> choose_device(const std::vector<OpenClDevice>& devices, const std::string& wanted) {
   if (devices.empty()) {
     return Error{.what = "no OpenCL device",
-                 .accepted = "a driver is needed, such as Debian's pocl-opencl-icd for the processor"};
+                 .accepted = "install a driver, such as Debian's pocl-opencl-icd for the processor"};
   }
   std::string names;
   for (const OpenClDevice& device : devices) names += (names.empty() ? "" : ", ") + device.name;

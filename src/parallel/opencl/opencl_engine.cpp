@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kStepsPerSecond = 240.0;
 
-/// Boxes of a layout, when the layouts of a batch are made to fit the device, which keeps all of their shapes.
+/// Assumed boxes per layout when the number of layouts in a batch is limited by the device, which stores all shapes.
 constexpr std::size_t kBoxesPerLayout = 200;
 
-/// Worlds that are on the device at the same time: a range of the batch's.
+/// Worlds that are on the device at the same time: a range of the batch.
 struct Part {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -27,7 +27,7 @@ struct Part {
   std::size_t world_count() const { return end - begin; }
 };
 
-/// Cuts the worlds, whose bodies are `ranges`, into parts of at most `most` bodies, or of one world.
+/// Divides the worlds, whose bodies are `ranges`, into parts of at most `most` bodies or of one world.
 std::vector<Part> parts_of(std::span<const BodyRange> ranges, std::size_t most) {
   std::vector<Part> parts;
   for (std::size_t world = 0; world < ranges.size(); ++world) {
@@ -39,8 +39,8 @@ std::vector<Part> parts_of(std::span<const BodyRange> ranges, std::size_t most) 
   return parts;
 }
 
-/// Worlds of a batch, stepped together on the device, in parts where they are more than fit. Holds the process's
-/// session for as long as it lives.
+/// Worlds of a batch that are stepped together on the device, in parts if they do not fit at once. Owns the session of
+/// the process until destroyed.
 class OpenClSimulation final : public Simulation {
  public:
   OpenClSimulation(const WorldBatch& batch, const Settings& settings, std::size_t bodies_at_once)
@@ -99,7 +99,7 @@ class OpenClSimulation final : public Simulation {
       const std::size_t body = device_.ranges[world].begin + i;
       const DeviceBody& now = device_.bodies[body];
       const std::size_t row = range.box_begin + i;
-      // A body that has not moved has exactly the position it was given, whatever the device's precision.
+      // A body that has not moved has exactly its given position, in spite of the precision of the device.
       state.position[row] = start_position_[row] + (vector_of(now.position) - vector_of(start_[body].position));
       state.orientation[row] = Rotation(now.orientation[3], now.orientation[0], now.orientation[1], now.orientation[2]);
       state.orientation[row].normalize();
@@ -114,15 +114,15 @@ class OpenClSimulation final : public Simulation {
  private:
   struct ClockedWorld {
     bool begun = false;
-    bool lost = false;         ///< the device has no room for it, or failed
-    double phase_begin = 0.0;  ///< of the phase that the world is in, s
+    bool lost = false;         ///< the device has too little memory for it, or failed
+    double phase_begin = 0.0;  ///< start of the current phase of the world, s
     std::uint64_t step = 0;    ///< steps taken in that phase
     Counters counters;
   };
 
   static Vec3 vector_of(const Float4Column& v) { return {v[0], v[1], v[2]}; }
 
-  /// Steps up to the last end not after `output_time`, at least one, never past the phase.
+  /// Number of steps up to the last end of a step that is not after `output_time`; at least one, never past the phase.
   static std::uint64_t steps_to_stop(const StepPlan& plan, std::uint64_t taken, double output_time) {
     const std::uint64_t left = plan.step_count() - taken;
     if (plan.end_of(plan.step_count() - 1) <= output_time) return left;
@@ -131,7 +131,7 @@ class OpenClSimulation final : public Simulation {
     return count;
   }
 
-  /// Bodies of the largest part, or shapes if there are more.
+  /// Number of bodies of the largest part, or of shapes if there are more.
   std::size_t room_needed() const {
     std::size_t room = device_.shapes.size();
     for (const Part& part : parts_) room = std::max(room, bodies_of(part).end - bodies_of(part).begin);
@@ -142,7 +142,7 @@ class OpenClSimulation final : public Simulation {
     return {device_.ranges[part.begin].begin, device_.ranges[part.end - 1].end};
   }
 
-  /// Takes all worlds `count` steps. A part that overflows the device is halved, and goes again from where it was.
+  /// Advances all worlds by `count` steps. A part that overflows the device is halved and repeats these steps.
   void take_steps(std::uint64_t count) {
     for (std::size_t i = 0; i < parts_.size();) {
       const Part part = parts_[i];
@@ -158,7 +158,7 @@ class OpenClSimulation final : public Simulation {
     }
   }
 
-  /// False, and nothing has changed, when the device reports or loses anything.
+  /// False, without any change, if the device reports an error or loses data.
   bool step_part(const Part& part, std::uint64_t count) {
     std::vector<BodyRange> ranges;
     const BodyRange all = bodies_of(part);
@@ -197,15 +197,15 @@ class OpenClSimulation final : public Simulation {
   Vec3 gravity_;
   double steps_per_second_;
   std::uint64_t sweeps_ = 0;
-  DeviceBatch device_;                ///< bodies as they were when last read
-  std::vector<DeviceBody> start_;     ///< as the device rounded it
+  DeviceBatch device_;                ///< bodies as they were last read
+  std::vector<DeviceBody> start_;     ///< the start, as rounded by the device
   std::vector<Vec3> start_position_;  ///< as given, m
-  std::vector<Part> parts_;           ///< which take turns on the device
+  std::vector<Part> parts_;           ///< that take turns on the device
   SessionLease lease_;
   std::vector<ClockedWorld> worlds_;
   std::vector<WorldStep> steps_;
   Part on_device_;
-  std::vector<DeviceBody> after_;  ///< a part as it is read
+  std::vector<DeviceBody> after_;  ///< buffer for the bodies of a part
 };
 
 std::vector<Error> unsupported(const Settings& settings) {

@@ -11,11 +11,11 @@
 
 namespace holdfast::internal {
 
-/// Bullet's OpenCL pipeline behind the `Engine` seam: batches of worlds, all stepped at once on one device.
+/// The `Engine` that uses Bullet's OpenCL pipeline: batches of worlds that are stepped at once on one device.
 class OpenClEngine final : public Engine {
  public:
-  /// Builds the device's kernels if no engine of the process has done so. An error says what of the settings cannot be
-  /// modelled, or why no device can be used.
+  /// Builds the device's kernels if no engine of the process has done so. An error says which settings it cannot model,
+  /// or why no device can be used.
   static Result<std::unique_ptr<Engine>> make(const std::string& name, const Settings& settings);
 
   const EngineTraits& traits() const override { return traits_; }

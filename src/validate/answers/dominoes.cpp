@@ -21,7 +21,7 @@ Scene domino_row(double height) {
   for (int i = 0; i < kCount; ++i)
     scene.boxes.push_back(
         standing_box({thickness, 0.5 * height, height}, {height * (4.0 + kPitch * i), 5.0 * height, 0.0}));
-  // A turn about the edge: v = ω × r, r from the edge to the centre.
+  // Rotation about the edge: v = ω × r, r from the edge to the centre.
   const double spin = 3.0 * std::sqrt(0.25 / height);
   scene.boxes[0].angular_velocity = {0.0, spin, 0.0};
   scene.boxes[0].velocity = {0.5 * height * spin, 0.0, 0.5 * thickness * spin};

@@ -27,7 +27,7 @@ double quarter_period(const RockingBlock& block, double tilt) {
   double angle = tilt;
   double velocity = 0.0;
   for (int i = 0;; ++i) {
-    // A second-order equation without damping: velocities inside the step are those of the angles' stages.
+    // A second-order equation without damping: the stages of the velocities are the rates of the angles' stages.
     const double k1 = rate(angle);
     const double k2 = rate(angle + 0.5 * kStep * velocity);
     const double k3 = rate(angle + 0.5 * kStep * velocity + 0.25 * kStep * kStep * k1);

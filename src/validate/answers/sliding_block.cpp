@@ -7,7 +7,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Takes the block through a piece of constant acceleration, from stop to stop.
+/// Moves the block through an interval of constant acceleration, from stop to stop.
 void slide(SlidingBlock& block, double acceleration, double duration, double friction) {
   double left = duration;
   while (left > 0.0) {
@@ -15,7 +15,7 @@ void slide(SlidingBlock& block, double acceleration, double duration, double fri
     if (at_rest && std::abs(acceleration) <= friction) return;
     const double heading = at_rest ? -std::copysign(1.0, acceleration) : std::copysign(1.0, block.velocity);
     const double rate = -acceleration - heading * friction;
-    // Slower and slower means that it stops after |v| / |rate|, unless the piece ends before.
+    // A decelerating block stops after |v| / |rate|, unless the interval ends before.
     const bool slows = !at_rest && rate * heading < 0.0;
     const double until_stop = slows ? -block.velocity / rate : left;
     const bool stops = slows && until_stop <= left;

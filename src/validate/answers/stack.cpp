@@ -27,7 +27,7 @@ Pendulum pendulum_of(const Stack& stack) {
   for (const double m : stack.masses) {
     mass += m;
     moment += m * z;
-    // About the box's own centre, and the parallel axis theorem.
+    // The moment about the centre of the box, and the parallel axis theorem.
     inertia += m * ((4.0 * half_length * half_length + height * height) / 12.0 + half_length * half_length + z * z);
     top = z;
     z += height;
@@ -37,7 +37,7 @@ Pendulum pendulum_of(const Stack& stack) {
           std::hypot(half_length, top)};
 }
 
-/// Angle after `duration` from rest under the load, rad; classical Runge-Kutta.
+/// Angle after `duration` from rest under the acceleration, rad; classical Runge-Kutta.
 double angle_after(const Pendulum& pendulum, double gravity, double load, double duration) {
   constexpr int kSteps = 2000;
   const double h = duration / kSteps;
@@ -80,8 +80,8 @@ Scene scene_of(const Stack& stack) {
 double tipping_load(const Stack& stack, double gravity) {
   double least = std::numeric_limits<double>::infinity();
   double mass = 0.0;
-  double moment = 0.0;  // of the masses above the joint, about the joint's height
-  // From the top down: a joint one box lower raises all that is above it.
+  double moment = 0.0;  // of the masses above the joint, relative to its height
+  // From the top down: for the next lower joint all boxes above are one box higher.
   for (auto m = stack.masses.rbegin(); m != stack.masses.rend(); ++m) {
     moment += mass * stack.box_size.z() + *m * 0.5 * stack.box_size.z();
     mass += *m;

@@ -12,13 +12,13 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double sign(double number) { return number > 0.0 ? 1.0 : number < 0.0 ? -1.0 : 0.0; }
 
-/// When a speed that changes steadily passes zero, s; infinity when it goes away from it.
+/// Time at which a speed that changes at a constant rate becomes zero, s; infinity if it does not.
 double time_to_zero(double speed, double rate) { return speed * rate < 0.0 ? -speed / rate : kNever; }
 
-/// Friction that holds a body against `push` if it can; the sign is that of the friction.
+/// Friction that balances `push` as far as it can; the sign is that of the friction.
 double holding(double push, double most) { return -std::clamp(push, -most, most); }
 
-/// Floor friction on a body: against its velocity, or against the push when it stands.
+/// Friction of the floor on a body: opposite to its velocity, or opposite to `push` if it is at rest.
 double floor_friction_on(double velocity, double push, double most) {
   return velocity != 0.0 ? -sign(velocity) * most : holding(push, most);
 }
@@ -85,7 +85,7 @@ SlidePath slide_over(const Acceleration& acceleration, double friction, double g
       Vec3& velocity = path.velocity;
       if (velocity.isZero(0.0)) {
         if (field.norm() <= limit) break;
-        // From rest it goes straight along the field.
+        // From rest it moves along the effective acceleration.
         const Vec3 start = (field.norm() - limit) * field.normalized();
         path.displacement += 0.5 * h * h * start;
         velocity = h * start;
@@ -111,7 +111,7 @@ SlidePath slide_over(const Acceleration& acceleration, double friction, double g
 
 StackedPaths slide_stacked(const Acceleration& acceleration, const StackedBlocks& blocks) {
   StackedPaths at;
-  double slip = 0.0;  // velocity of the upper block past the lower one
+  double slip = 0.0;  // velocity of the upper block relative to the lower one
   for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
     double left = phase.end - phase.begin;
     while (left > 0.0) {

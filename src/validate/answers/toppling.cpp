@@ -46,7 +46,7 @@ Toppling::State Toppling::after(const State& state, long double step) const {
 }
 
 void Toppling::advance_to(double time) {
-  // The floor holds a body that would turn backwards.
+  // The floor prevents rotation backwards.
   if (angular_acceleration(0.0L) <= 0.0L && state_.angle == 0.0L) return;
   while (time_ < static_cast<long double>(time)) {
     const long double step = std::min(kStep, static_cast<long double>(time) - time_);
@@ -99,7 +99,8 @@ double toppling_threshold(const Pivoted& body, double gravity, double angle, dou
   const auto lateness = [&](double log_excess) {
     return Toppling(body, limit * (1.0 + std::exp(log_excess)), gravity).time_to(angle) - time;
   };
-  // The time falls nearly in a straight line with the logarithm of the excess: secants find it in a few rounds.
+  // The time decreases almost linearly with the logarithm of the excess: the secant method finds it in a few
+  // iterations.
   double before = std::log(1e-4);
   double late_before = lateness(before);
   double now = std::log(1e-3);

@@ -32,7 +32,7 @@ Scene slipping_stack() {
 
 Scene assorted_scene() {
   Scene scene = slipping_stack();
-  // Tips along x from 0.25 g on, along y from 0.5 g on; does not slip.
+  // Tips along x from 0.25 g on, along y from 0.5 g on; does not slide.
   scene.boxes.push_back(box_of({0.25, 0.5, 1.0}, {10.0, 5.0, 0.0}, 1.0));
   scene.boxes.push_back(box_of(kFlat, {7.5, 9.5, 0.0}, 0.25));
   const double load = 0.5 * scene.settings.gravity;

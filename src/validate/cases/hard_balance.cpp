@@ -11,12 +11,12 @@ namespace holdfast::internal {
 
 namespace {
 
-/// How long a balance is watched. What is out of balance by 5e-4 of a length falls within 3 s: an arm e of the weight
-/// grows as cosh(p t) with p² about 5 to 10 s⁻² in these scenes.
+/// Duration of the balance cases. A body that is out of balance by 5e-4 of its length falls within 3 s: a lever arm e
+/// of the weight grows as cosh(p t) with p² about 5 to 10 s⁻² in these scenes.
 constexpr double kWatched = 5.0;
 constexpr double kFallen = 10.0 * std::numbers::pi / 180.0;
 
-/// Whether any box turns by 10° within the time.
+/// Whether any box rotates by 10° within this time.
 bool falls(Laboratory& laboratory, const Scene& scene) {
   double turn = 0.0;
   const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
@@ -27,8 +27,8 @@ bool falls(Laboratory& laboratory, const Scene& scene) {
   return turn >= kFallen || outcome.stop_reason == StopReason::failed;
 }
 
-/// A box on another, its centre of mass inside or outside of the edge below by 5e-4 of its length: rests or falls. The
-/// lower box carries both: their common centre of mass is l/4 from its middle.
+/// A box on another, with its centre of mass inside or outside the edge below by 5e-4 of its length: it rests or falls.
+/// The lower box does not tip: the common centre of mass is l/4 from its middle.
 std::vector<Measurement> overhang(Laboratory& laboratory, double excess) {
   Scene scene = empty_scene({20, 20, 10}, 0.5);
   const Vec3 size = {1.0, 1.0, 0.25};
@@ -60,7 +60,8 @@ std::vector<Measurement> harmonic_stack(Laboratory& laboratory, double share) {
 /// edges. With both contacts at their limit, N_w = μf m g / (1 + μf μw), and the moments about the foot,
 /// N_w (μw cosθ + sinθ) L = ½ m g (L cosθ − t sinθ), it just holds at
 ///     tanθ = (1 − μf μw) / (2 μf + (t/L)(1 + μf μw)),
-/// and steeper; flatter, it slides down. (Right for tanθ < 1/μf, where the wall's friction can only help upwards.)
+/// and at steeper angles; at flatter angles it slides down. (Valid for tanθ < 1/μf, where friction at the wall can only
+/// act upwards.)
 std::vector<Measurement> leaning_plank(Laboratory& laboratory, double share) {
   constexpr double kFloor = 0.5;
   constexpr double kWall = 0.3;
@@ -87,9 +88,9 @@ std::vector<Measurement> leaning_plank(Laboratory& laboratory, double share) {
   return {verdict("slides down", departure(laboratory, scene, 0.0, kSlid) > kSlid, share < 1.0)};
 }
 
-/// Five boxes in a row pressed against a frictionless wall at three times their sliding limit. No virtual motion that
-/// the contacts allow gains work from the load: they rest. How the load is shared between wall and floor is not
-/// determined: the wall carries between Σ m (a − μg) and Σ m a.
+/// Five boxes in a row pressed against a frictionless wall at three times their sliding limit. The inertial forces do
+/// no positive work in any virtual motion that the contacts allow: the boxes rest. The distribution of the force
+/// between wall and floor is not unique: the wall carries between Σ m (a − μg) and Σ m a.
 std::vector<Measurement> row_against_wall(Laboratory& laboratory) {
   constexpr double kFriction = 0.5;
   Scene scene = empty_scene({20, 20, 10}, kFriction);
@@ -109,20 +110,20 @@ std::vector<Case> hard_balance_cases() {
   std::vector<Case> cases;
   for (const double excess : {-5e-4, 5e-4})
     cases.push_back({"hard", excess < 0.0 ? "overhang_inside" : "overhang_outside",
-                     "does a box fall whose centre of mass is 5e-4 of its length inside or outside of the edge",
-                     "contact points clipped or kept with a tolerance eat the margin", true,
+                     "whether a box falls whose centre of mass is 5e-4 of its length inside or outside the edge",
+                     "contact points that are clipped or kept with a tolerance as large as the margin", true,
                      [=](Laboratory& l) { return overhang(l, excess); }});
   for (const double share : {1.0 - 1e-3, 1.0 + 1e-3})
     cases.push_back({"hard", share < 1.0 ? "harmonic_stack_holds" : "harmonic_stack_falls",
-                     "do ten boxes stepped out over an edge to 1e-3 of their limit fall",
+                     "whether ten boxes that overhang in steps, to within 1e-3 of their limit, fall",
                      "all joints are at their limit at once", false,
                      [=](Laboratory& l) { return harmonic_stack(l, share); }});
   for (const double share : {1.0 - 1e-3, 1.0 + 1e-3})
     cases.push_back({"hard", share < 1.0 ? "leaning_plank_slides" : "leaning_plank_holds",
-                     "does a plank leaning on a wall at 1e-3 of its limit slide down",
+                     "whether a plank that leans on a wall within 1e-3 of its limit slides down",
                      "contacts of edges, static indeterminacy", true,
                      [=](Laboratory& l) { return leaning_plank(l, share); }});
-  cases.push_back({"hard", "row_against_wall", "does a row pressed against a frictionless wall stay",
+  cases.push_back({"hard", "row_against_wall", "whether a row pressed against a frictionless wall stays",
                    "soft contacts sink into the wall", true, row_against_wall});
   return cases;
 }

@@ -14,8 +14,8 @@ namespace holdfast::internal {
 namespace {
 
 /// A box between two side walls, with the gap on each side, under `share` of its sliding limit along them for 2 s.
-/// Nothing presses it against a wall, so it slides as if free: −½ (a − μg) t². With no gap, states in which the box
-/// wedges itself between the walls satisfy the laws of contact too; they take a pre-stress that nothing gave.
+/// Nothing presses it against a wall, so it slides as if free: −½ (a − μg) t². Without gap, states in which the box is
+/// wedged between the walls also satisfy the contact laws; they need a pre-stress that nothing causes.
 std::vector<Measurement> snug_channel(Laboratory& laboratory, double gap, double share) {
   constexpr double kFriction = 0.5;
   constexpr double kSeconds = 2.0;
@@ -29,13 +29,13 @@ std::vector<Measurement> snug_channel(Laboratory& laboratory, double gap, double
       relative("displacement (m)", moved, -0.5 * (share - 1.0) * limit * kSeconds * kSeconds, ToleranceClass::good)};
 }
 
-/// A gap between neighbours of a stack, m; below zero: they overlap.
+/// A gap between neighbours of a stack, m; negative: they overlap.
 struct Joint {
   const char* name;
   double gap;
 };
 
-/// Whether a box of the scene turns by 10°.
+/// Whether a box of the scene rotates by 10°.
 bool topples(Laboratory& laboratory, const Scene& scene) {
   constexpr double kTen = 0.174532925199432958;
   return std::isfinite(time_to_reach(laboratory, scene, kTen, [](const StateView& state) {
@@ -45,8 +45,8 @@ bool topples(Laboratory& laboratory, const Scene& scene) {
   }));
 }
 
-/// Three cubes with a gap or an overlap at every joint and at the floor. Landing without rebound they are at rest after
-/// a second, and at no time does one move up. Then they stand at 0.95 and topple at 1.05 of g l / H, as without gaps.
+/// Three cubes with a gap or an overlap at every joint and at the floor. They land without rebound, are at rest after a
+/// second, and never move upwards. Then they stand at 0.95 and topple at 1.05 of g l / H, as without gaps.
 std::vector<Measurement> joined_stack(Laboratory& laboratory, double gap) {
   const Stack stack = even_stack(3, {0.5, 0.5, 0.5}, 0.5);
   Scene scene = scene_of(stack);
@@ -76,8 +76,8 @@ std::vector<Measurement> joined_stack(Laboratory& laboratory, double gap) {
           verdict("topples at 1.05 of its limit", topples(laboratory, above), true)};
 }
 
-/// A plate of 1 m x 1 m x 1 mm: slides at μg like any box. It goes ½ (a − μg) t² at 1.5 μg; and the smallest load that
-/// moves it by d = 1 mm within t = 2 s is μg + 2 d / t².
+/// A plate of 1 m x 1 m x 1 mm slides at μg like any box. At 1.5 μg it moves by ½ (a − μg) t²; the smallest
+/// acceleration that moves it by d = 1 mm within t = 2 s is μg + 2 d / t².
 std::vector<Measurement> thin_plate(Laboratory& laboratory) {
   constexpr double kFriction = 0.5;
   constexpr double kSeconds = 1.0;
@@ -99,11 +99,11 @@ std::vector<Measurement> thin_plate(Laboratory& laboratory) {
                    ToleranceClass::fine)};
 }
 
-/// A square plate that spins flat on the floor. With the weight on four corners at s/√2 from its middle, friction makes
-/// a torque of μ m g s/√2 however the corners share it; with I = m s²/6 the spin falls at a rate of 6 μ g / (√2 s).
-/// It halves after ω / (2 rate) and stops after an angle of ω² / (2 rate).
-/// This is the model of all engines here. A uniform pressure makes 0.3826 instead of 0.7071 μ m g s: a real plate spins
-/// 1.85 times as long. (The mean distance from the middle of a square is s (√2 + asinh 1) / 6 = 0.3826 s.)
+/// A square plate that spins flat on the floor. With the weight on four corners at s/√2 from its middle, the torque of
+/// friction is μ m g s/√2 for every distribution over the corners; with I = m s²/6 the angular velocity decreases at
+/// the rate 6 μ g / (√2 s). It is half after ω / (2 rate) and zero after an angle of ω² / (2 rate). This is the model
+/// of all engines here. Uniform pressure gives 0.3826 instead of 0.7071 μ m g s: a real plate spins 1.85 times as long.
+/// (The mean distance from the middle of a square is s (√2 + asinh 1) / 6 = 0.3826 s.)
 std::vector<Measurement> spinning_plate(Laboratory& laboratory) {
   constexpr double kFriction = 0.5;
   constexpr double kSpin = 10.0;
@@ -122,10 +122,10 @@ std::vector<Measurement> spinning_plate(Laboratory& laboratory) {
       scaled("displacement (m)", (end.position[0] - scene.boxes[0].position).norm(), 0.0, 1.0, ToleranceClass::fine)};
 }
 
-/// A box slides on one edge that runs ahead of its centre of mass, with the diagonal at φ from the vertical, tanφ = ½.
+/// A box slides on one edge in front of its centre of mass, with the diagonal at φ from the vertical, tanφ = ½.
 /// A normal force N would accelerate the edge by (N/m)(1 + 3 (sin²φ − μ sinφ cosφ)): downwards, into the floor, for
-/// μ > (1/3 + sin²φ) / (sinφ cosφ), which is least, 4/3, at this φ. At μ = 2 no finite force fits (Painlevé 1895);
-/// impulses do. Whatever they are, friction and contacts without rebound never add energy.
+/// μ > (1/3 + sin²φ) / (sinφ cosφ), which has its minimum, 4/3, at this φ. At μ = 2 there is no solution with finite
+/// forces (Painlevé 1895), but with impulses. In any case, friction and contacts without rebound never add energy.
 std::vector<Measurement> painleve(Laboratory& laboratory) {
   constexpr double kFriction = 2.0;
   constexpr double kTilt = 0.1;
@@ -160,8 +160,8 @@ std::vector<Measurement> painleve(Laboratory& laboratory) {
           verdict("gains energy", !(largest <= kAllowed * first), false)};
 }
 
-/// The same run of dominoes in two sizes, 4 : 1. Nothing but gravity sets a scale of time, so the front is √4 times as
-/// fast in the larger one, each with the engine's own step.
+/// The same row of dominoes in two sizes, 4 : 1. Only gravity sets a time scale, so that the front is √4 times as fast
+/// in the larger row; both use the engine's own step.
 std::vector<Measurement> domino_scale(Laboratory& laboratory) {
   return {relative("ratio of the fronts' speeds", domino_speed(laboratory, 1.0) / domino_speed(laboratory, 0.25), 2.0,
                    ToleranceClass::coarse)};
@@ -174,23 +174,24 @@ std::vector<Case> hard_geometry_cases() {
   for (const Joint& joint : {Joint{"0", 0.0}, Joint{"1um", 1e-6}, Joint{"1mm", 1e-3}})
     for (const double share : {1.001, 1.1, 1.5})
       cases.push_back({"hard", fmt::format("snug_channel_gap_{}_at_{:g}", joint.name, share),
-                       "how far a box slides between two walls that it just fits",
-                       "the box wedges itself between the walls, by forces that nothing brought about", true,
+                       "how far a box slides between two walls without clearance",
+                       "the box is wedged between the walls by forces that nothing causes", true,
                        [=](Laboratory& l) { return snug_channel(l, joint.gap, share); }});
   for (const Joint& joint :
        {Joint{"touching", 0.0}, Joint{"gap_1um", 1e-6}, Joint{"overlap_1um", -1e-6}, Joint{"gap_1mm", 1e-3}})
     cases.push_back({"hard", fmt::format("stack_3_{}", joint.name),
-                     "does a stack with gaps or overlaps settle without a pop and stand as without",
-                     "an overlap is pushed out at a speed, and the boxes jump", true,
+                     "whether a stack with gaps or overlaps settles without a jump and then stands as without",
+                     "the correction of overlaps adds velocity, and the boxes jump", true,
                      [=](Laboratory& l) { return joined_stack(l, joint.gap); }});
   cases.push_back(
       {"hard", "thin_plate", "how a plate of 1 mm slides", "moments of inertia in a ratio of 1e6", false, thin_plate});
   cases.push_back({"hard", "spinning_plate", "how long a square plate spins on four corners",
-                   "a torque of friction that depends on how corners share the weight", true, spinning_plate});
-  cases.push_back({"hard", "painleve", "does a box that is pushed on its edge at friction 2 gain energy",
+                   "a torque of friction that depends on the distribution of weight over the corners", true,
+                   spinning_plate});
+  cases.push_back({"hard", "painleve", "whether a box that slides on its edge with friction 2 gains energy",
                    "division by an effective mass that is not positive", true, painleve});
-  cases.push_back({"hard", "domino_scale", "how much faster dominoes four times as large fall",
-                   "tolerances in metres and steps that are coarse for small boxes", false, domino_scale});
+  cases.push_back({"hard", "domino_scale", "how much faster the front is in dominoes four times as large",
+                   "tolerances in metres, and steps that are coarse for small boxes", false, domino_scale});
   return cases;
 }
 

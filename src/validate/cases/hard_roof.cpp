@@ -10,10 +10,10 @@ namespace holdfast::internal {
 namespace {
 
 constexpr double kHeight = 2.2;   ///< of the columns, m
-constexpr double kSettled = 0.5;  ///< of gravity alone before the load, s
-constexpr double kSeconds = 1.0;  ///< under the load
+constexpr double kSettled = 0.5;  ///< of gravity alone before the acceleration, s
+constexpr double kSeconds = 1.0;  ///< under the acceleration
 
-/// A column of `count` equal boxes between floor and roof, with the play above it, under an acceleration along x.
+/// A column of `count` equal boxes between floor and roof, with a clearance above it, under an acceleration along x.
 Scene column(int count, double length, double play, double friction, double acceleration) {
   Scene scene = empty_scene({20.0, 20.0, kHeight + play}, friction);
   const double height = kHeight / count;
@@ -26,8 +26,8 @@ double path_of(Laboratory& laboratory, const Scene& scene) {
   return scene.boxes.front().position.x() - final_state(laboratory, scene).position.front().x();
 }
 
-/// Friction 0.4 is below length over height: the column slides and does not tip, so that it never presses the roof.
-/// Path ½ (a − μg) t², whatever the play.
+/// Friction 0.4 is below length over height: the column slides and does not tip, so that it never presses against the
+/// roof. Its path is ½ (a − μg) t² for every clearance.
 std::vector<Measurement> sliding_column(Laboratory& laboratory, int count, double length, double play) {
   constexpr double kFriction = 0.4;
   constexpr double kAcceleration = 5.1;
@@ -36,10 +36,11 @@ std::vector<Measurement> sliding_column(Laboratory& laboratory, int count, doubl
   return {relative("path (m)", path_of(laboratory, scene), expected, ToleranceClass::good)};
 }
 
-/// Friction 0.5 is above length over height: the column tilts and wedges between its foremost edge below and its
-/// rearmost edge above. While both slip, the moments about its centre of mass give the roof's normal force
-/// N = m g (μ h − l) / (2 l), and the friction of both, μ (m g + 2 N), is m g μ² h / l. Up to this load it holds; above
-/// it slides ½ (a − g μ² h / l) t², less what tilting through the play takes.
+/// Friction 0.5 is above length over height: the column tilts and is wedged between its front edge below and its rear
+/// edge above. While both slide, the moments about its centre of mass give the normal force of the roof:
+///   N = m g (μ h − l) / (2 l)
+/// The friction of both, μ (m g + 2 N), is m g μ² h / l. Up to this force the column holds; above it, it slides by
+/// ½ (a − g μ² h / l) t², minus the delay of tilting through the clearance.
 std::vector<Measurement> wedged_column(Laboratory& laboratory, double play, double share) {
   constexpr double kFriction = 0.5;
   constexpr double kLength = 1.0;
@@ -52,8 +53,9 @@ std::vector<Measurement> wedged_column(Laboratory& laboratory, double play, doub
   return {relative("path (m)", path, 0.5 * (share - 1.0) * limit * kSeconds * kSeconds, ToleranceClass::coarse)};
 }
 
-/// A beam on two supports that carry unlike loads, friction 0.2 everywhere. The whole slides at μg; at any load below,
-/// friction can be shared such that every box is in balance, by no more than one way of sharing near the limit.
+/// A beam on two different supports that carry different weights, friction 0.2 everywhere. All boxes slide together at
+/// μg. At any smaller acceleration, friction can be distributed so that every box is in balance; near the limit this
+/// distribution is unique.
 std::vector<Measurement> bridge(Laboratory& laboratory, double share) {
   constexpr double kFriction = 0.2;
   Scene scene = empty_scene({20.0, 20.0, 10.0}, kFriction);
@@ -78,21 +80,21 @@ constexpr Play kPlays[] = {{"0", 0.0}, {"1um", 1e-6}, {"100um", 1e-4}, {"1mm", 1
 
 std::vector<Case> hard_roof_cases() {
   std::vector<Case> cases;
-  const std::string trap = "the column is clamped between floor and roof, by forces that nothing brought about";
+  const std::string trap = "the column is clamped between floor and roof by forces that nothing causes";
   for (const Play& play : kPlays) {
     for (const auto& [count, length] : {std::pair(1, 1.2), std::pair(4, 1.0)})
       cases.push_back(
           {"hard", fmt::format("roof_slide_{}_play_{}", count, play.name),
-           "how far a column slides that just fits under the roof", trap, true,
+           "how far a column slides that exactly fits under the roof", trap, true,
            [=, count = count, length = length](Laboratory& l) { return sliding_column(l, count, length, play.size); }});
     for (const double share : {0.97, 1.5})
       cases.push_back({"hard", fmt::format("roof_wedge_{:g}_play_{}", share, play.name),
-                       "does a column that tilts under the roof wedge there, or how far does it slide", trap, true,
+                       "whether a column that tilts under the roof is wedged there, or how far it slides", trap, true,
                        [=](Laboratory& l) { return wedged_column(l, play.size, share); }});
   }
   for (const double share : {0.9, 0.95, 0.99, 1.01})
-    cases.push_back({"hard", fmt::format("bridge_{:g}", share), "does a beam on two unlike supports stay",
-                     "forces that balance exist, and are not found", true,
+    cases.push_back({"hard", fmt::format("bridge_{:g}", share), "whether a beam on two different supports stays",
+                     "forces that balance the boxes exist, and are not found", true,
                      [=](Laboratory& l) { return bridge(l, share); }});
   return cases;
 }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kMinute = 60.0;
 
-/// Rest for a minute under a share of the least of a stack's limits, all surfaces touching exactly: what does not move
-/// in the first step never moves. The limits are those of `stack.hpp`.
+/// Rest for a minute under a fraction of the smallest limit of a stack, with all surfaces touching exactly: a box that
+/// does not move in the first step never moves. The limits are those of `stack.hpp`.
 std::vector<Measurement> minute_of_rest(Laboratory& laboratory, const Stack& stack, double share) {
   Scene scene = scene_of(stack);
   const double gravity = scene.settings.gravity;
@@ -25,9 +25,9 @@ std::vector<Measurement> minute_of_rest(Laboratory& laboratory, const Stack& sta
   return rest_of(laboratory, scene);
 }
 
-/// The smallest load that tips a stack: that which moves the top box by 1 mm and by 10 mm within 2 s after 0.25 s of
-/// rest. Expected is the load that does so to a rigid pendulum on the lowest edge (`load_that_tips`), which the stack
-/// is as long as no higher joint opens.
+/// The smallest acceleration that tips a stack: that which moves the top box by 1 mm and by 10 mm within 2 s after 0.25
+/// s of rest. The expected value is that for a rigid pendulum on the lowest edge (`load_that_tips`); the stack is one
+/// as long as no higher joint opens.
 std::vector<Measurement> tipping_threshold(Laboratory& laboratory, const Stack& stack) {
   constexpr double kRest = 0.25;
   constexpr double kLoaded = 2.0;
@@ -44,7 +44,7 @@ std::vector<Measurement> tipping_threshold(Laboratory& laboratory, const Stack& 
   return measured;
 }
 
-/// Rest under gravity alone and then under half of the least limit, for boxes of very different mass.
+/// Rest under gravity alone and then under half of the smallest limit, for boxes of very different mass.
 std::vector<Measurement> uneven_rest(Laboratory& laboratory, const std::vector<double>& masses) {
   const Stack stack = {{1.0, 1.0, 0.5}, masses, 0.5};
   Scene scene = scene_of(stack);
@@ -54,8 +54,8 @@ std::vector<Measurement> uneven_rest(Laboratory& laboratory, const std::vector<d
   return rest_of(laboratory, scene);
 }
 
-/// 20 boxes of 0.5 x 0.5 x 0.25 m: 5 m high, so that the stack tips at g l / H = 0.1 g, far below its slipping. The
-/// next joint up would tip at 20/19 of that.
+/// 20 boxes of 0.5 x 0.5 x 0.25 m: 5 m high, so that the stack tips at g l / H = 0.1 g, far below its slide limit. The
+/// next higher joint would tip at 20/19 of that.
 Stack tall_stack() { return even_stack(20, {0.5, 0.5, 0.25}, 0.5); }
 
 /// 10 boxes of which the top one is 1000 times heavier. It tips at g (l/2) Σm / Σ(m z).
@@ -65,7 +65,7 @@ Stack top_heavy_stack() {
   return stack;
 }
 
-/// The upper of two boxes hangs over by 0.9 of half its length: its centre of mass is above the lower one.
+/// The upper of two boxes overhangs by 0.9 of half its length: its centre of mass is above the lower one.
 std::vector<Measurement> overhang_for_a_minute(Laboratory& laboratory) {
   Scene scene = empty_scene({20, 20, 10}, 0.5);
   const Vec3 size = {1.0, 1.0, 0.25};
@@ -74,10 +74,10 @@ std::vector<Measurement> overhang_for_a_minute(Laboratory& laboratory) {
   return rest_of(laboratory, scene);
 }
 
-/// What rests on several supports is symmetric and lies still under gravity; then a load of 0.2 g, which no joint's
-/// friction (0.5) nor any block's shape (tips from 0.5 g on, with the load on its top edge) gives way to. How the
-/// weight is shared among the supports is not determined and cannot be seen through the engine's interface;
-/// an unequal share shows as a tilt or a turn.
+/// A symmetric body on several supports is at rest under gravity, and then under an acceleration of 0.2 g: below the
+/// friction limit of every joint (0.5), and below the tipping limit of every block (0.5 g, with the force on its top
+/// edge). The distribution of the weight over the supports is not unique and cannot be read through the engine's
+/// interface; an unequal distribution is visible as a tilt or a rotation.
 std::vector<Measurement> rest_of_supported(Laboratory& laboratory, const std::vector<SceneBox>& boxes) {
   Scene scene = empty_scene({20, 20, 10}, 0.5);
   scene.boxes = boxes;
@@ -106,9 +106,9 @@ std::vector<Measurement> slab_on_four(Laboratory& laboratory) {
   return rest_of_supported(laboratory, boxes);
 }
 
-/// A slab slides over four fixed supports at 1.5 μg for 0.5 s. However its weight is shared among them, friction adds
-/// up to μ m g, so it goes ½ (a − μg) t²; and Σ N y = 0 about its middle line, which is both the balance in roll and
-/// the torque of friction in yaw: it does not turn. It reaches beyond the supports on all sides throughout.
+/// A slab slides over four fixed supports at 1.5 μg for 0.5 s. For every distribution of its weight, friction adds up
+/// to μ m g, so that it moves by ½ (a − μg) t². Σ N y = 0 about its middle line is both the balance in roll and the
+/// torque of friction in yaw: it does not rotate. It extends beyond the supports on all sides all the time.
 std::vector<Measurement> slab_slides_on_four(Laboratory& laboratory) {
   constexpr double kFriction = 0.5;
   constexpr double kSeconds = 0.5;
@@ -128,8 +128,8 @@ std::vector<Measurement> slab_slides_on_four(Laboratory& laboratory) {
           scaled("turn (rad)", turn_of(end.orientation.back()), 0.0, 1.0, ToleranceClass::fine)};
 }
 
-/// Three boxes that slip on each other for 0.5 s (`slipping_stack`): paths of ½ (0.3 g) t² for the top one, ½ (0.1 g)
-/// t² for the middle one, none for the lowest one, against the load, whatever its heading.
+/// Three boxes that slide on each other for 0.5 s (`slipping_stack`): the top one moves by ½ (0.3 g) t², the middle one
+/// by ½ (0.1 g) t², the lowest one not at all, opposite to the acceleration, for every heading.
 std::vector<Measurement> slipping(Laboratory& laboratory, double heading) {
   constexpr double kSeconds = 0.5;
   Scene scene = slipping_stack();
@@ -148,43 +148,45 @@ std::vector<Measurement> slipping(Laboratory& laboratory, double heading) {
 }  // namespace
 
 std::vector<Case> hard_stack_cases() {
-  const char* const creep = "unconverged friction and soft contacts creep without end";
-  const char* const slow = "impulses travel one box an iteration: the solver stops before the stack carries itself";
-  const char* const uneven = "heavy on light converges slowly";
-  const char* const sharing = "weight shared unequally in order of the contacts";
+  const char* const creep = "boxes creep because of unconverged friction and soft contacts";
+  const char* const slow =
+      "impulses propagate by one box per iteration: the solver stops before the stack is in balance";
+  const char* const uneven = "heavy boxes on light ones converge slowly";
+  const char* const sharing = "a distribution of weight that depends on the order of the contacts";
   std::vector<Case> cases = {
-      {"hard", "minute_slide_0.9", "does a box at 0.9 of its sliding limit lie still for a minute", creep, false,
+      {"hard", "minute_slide_0.9", "whether a box at 0.9 of its slide limit is at rest for a minute", creep, false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(1, {1.0, 1.0, 0.25}, 0.5), 0.9);
        }},
-      {"hard", "minute_tip_0.9", "does a box at 0.9 of its tipping limit stand still for a minute", creep, false,
+      {"hard", "minute_tip_0.9", "whether a box at 0.9 of its tipping limit is at rest for a minute", creep, false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(1, {0.5, 0.5, 1.0}, 0.8), 0.9);
        }},
-      {"hard", "minute_stack_5_0.9", "do five boxes at 0.9 of their sliding limit stand still for a minute", slow,
+      {"hard", "minute_stack_5_0.9", "whether five boxes at 0.9 of their slide limit are at rest for a minute", slow,
        false,
        [](Laboratory& l) {
          return minute_of_rest(l, even_stack(5, {1.0, 1.0, 0.25}, 0.4), 0.9);
        }},
-      {"hard", "minute_stack_20_0.9", "do twenty boxes at 0.9 of their tipping limit stand still for a minute", slow,
-       false, [](Laboratory& l) { return minute_of_rest(l, tall_stack(), 0.9); }},
-      {"hard", "minute_top_heavy_0.47", "do ten boxes below one 1000 times as heavy stand still for a minute", uneven,
-       false, [](Laboratory& l) { return minute_of_rest(l, top_heavy_stack(), 0.47); }},
-      {"hard", "minute_overhang_0.9", "does a box that hangs over by 0.9 of its half lie still for a minute", creep,
-       false, overhang_for_a_minute},
-      {"hard", "stack_20_tips", "smallest load that tips twenty boxes", slow, false,
+      {"hard", "minute_stack_20_0.9", "whether twenty boxes at 0.9 of their tipping limit are at rest for a minute",
+       slow, false, [](Laboratory& l) { return minute_of_rest(l, tall_stack(), 0.9); }},
+      {"hard", "minute_top_heavy_0.47", "whether a stack of ten with a top 1000 times as heavy is at rest for a minute",
+       uneven, false, [](Laboratory& l) { return minute_of_rest(l, top_heavy_stack(), 0.47); }},
+      {"hard", "minute_overhang_0.9", "whether a box that overhangs by 0.9 of half its length is at rest for a minute",
+       creep, false, overhang_for_a_minute},
+      {"hard", "stack_20_tips", "smallest acceleration that tips twenty boxes", slow, false,
        [](Laboratory& l) { return tipping_threshold(l, tall_stack()); }},
-      {"hard", "top_heavy_tips", "smallest load that tips ten boxes, the top one 1000 times heavier", uneven, false,
-       [](Laboratory& l) { return tipping_threshold(l, top_heavy_stack()); }},
-      {"hard", "slab_on_row", "does a slab on five boxes rest", sharing, true, slab_on_a_row},
-      {"hard", "row_on_slab", "do five boxes on a slab rest", sharing, true, row_on_a_slab},
-      {"hard", "slab_on_four", "does a slab on four corners rest", sharing, true, slab_on_four},
+      {"hard", "top_heavy_tips", "smallest acceleration that tips ten boxes, the top one 1000 times heavier", uneven,
+       false, [](Laboratory& l) { return tipping_threshold(l, top_heavy_stack()); }},
+      {"hard", "slab_on_row", "whether a slab on five boxes is at rest", sharing, true, slab_on_a_row},
+      {"hard", "row_on_slab", "whether five boxes on a slab are at rest", sharing, true, row_on_a_slab},
+      {"hard", "slab_on_four", "whether a slab on four corners is at rest", sharing, true, slab_on_four},
       {"hard", "slab_slides_on_four", "how a slab slides over four supports", sharing, true, slab_slides_on_four},
   };
   for (const int degrees : {0, 30, 45})
-    cases.push_back({"hard", fmt::format("slipping_stack_{}", degrees), "how far three boxes slip on each other",
-                     "friction from a normal force that is not the final one; slip along the axes of a pyramid", true,
-                     [=](Laboratory& l) { return slipping(l, degrees * std::numbers::pi / 180.0); }});
+    cases.push_back(
+        {"hard", fmt::format("slipping_stack_{}", degrees), "how far three boxes slide on each other",
+         "friction from a normal force that is not the final one; sliding along the axes of a friction pyramid", true,
+         [=](Laboratory& l) { return slipping(l, degrees * std::numbers::pi / 180.0); }});
   struct Ratio {
     const char* name;
     std::vector<double> from_floor_up;
@@ -195,8 +197,8 @@ std::vector<Case> hard_stack_cases() {
                           {"light_heavy_light", {1.0, 1000.0, 1.0}}};
   for (const Ratio& ratio : ratios)
     cases.push_back({"hard", fmt::format("rest_{}", ratio.name),
-                     "do boxes 1000 times as heavy as their neighbours rest at half their limit", uneven, true,
-                     [masses = ratio.from_floor_up](Laboratory& l) { return uneven_rest(l, masses); }});
+                     "whether boxes 1000 times as heavy as their neighbours are at rest at half their limit", uneven,
+                     true, [masses = ratio.from_floor_up](Laboratory& l) { return uneven_rest(l, masses); }});
   return cases;
 }
 

@@ -26,7 +26,7 @@ std::vector<Measurement> scaled_alike(Laboratory& laboratory, double factor) {
           scaled("difference of turns (rad)", turn, 0.0, 1.0, ToleranceClass::fine)};
 }
 
-/// No law of motion has a scale of mass; a power of two changes no digit.
+/// The laws of motion have no scale of mass; scaling by a power of two changes no bit of the result.
 std::vector<Measurement> heavier_alike(Laboratory& laboratory, int exponent) {
   const Scene scene = assorted_scene();
   const Snapshot end = final_state(laboratory, scene);
@@ -35,8 +35,8 @@ std::vector<Measurement> heavier_alike(Laboratory& laboratory, int exponent) {
           scaled("difference (m)", distance_between(end, twin), 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// The mirror image of a world runs as the image of its run. Not bit for bit: the container spans 0 to L, and L − x
-/// is rounded other than x.
+/// A mirrored world has the mirrored result. The bits may differ: the container extends from 0 to L, and L − x is
+/// rounded differently than x.
 std::vector<Measurement> mirrored_alike(Laboratory& laboratory, int axis) {
   const Scene scene = assorted_scene();
   const Snapshot end = final_state(laboratory, scene);
@@ -45,7 +45,7 @@ std::vector<Measurement> mirrored_alike(Laboratory& laboratory, int axis) {
   return {scaled("difference (m)", distance_between(end, twin), 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// Which axis is called x, and which box comes first, changes no more than the last digits.
+/// Exchanging x and y, or the order of the boxes, changes at most the last digits.
 std::vector<Measurement> swapped_alike(Laboratory& laboratory) {
   const Scene scene = assorted_scene();
   const Snapshot end = final_state(laboratory, scene);
@@ -62,7 +62,7 @@ std::vector<Measurement> reversed_alike(Laboratory& laboratory) {
   return {scaled("difference (m)", distance_between(end, twin), 0.0, 1.0, ToleranceClass::fine)};
 }
 
-/// A world ends in the same bits whatever is computed along with it, and when it is computed again.
+/// The result of a world has the same bits alone, in a batch, and when it is computed again.
 std::vector<Measurement> in_company(Laboratory& laboratory) {
   const Scene scene = assorted_scene();
   Scene harder = scene;
@@ -76,9 +76,9 @@ std::vector<Measurement> in_company(Laboratory& laboratory) {
           scaled("difference (m)", distance_between(alone, together), 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// A box slides under an oblique pulse of 1.5 μg for 0.3 s and stops at a T / (μ g) = 0.45 s. From then on it lies
-/// still, and where it lies is the same with half the step: the pulse's edges are step ends, the forces between are
-/// constant.
+/// A box slides under an oblique pulse of 1.5 μg for 0.3 s and stops at a T / (μ g) = 0.45 s. From then on it is at
+/// rest, and its position is the same with half the step: the pulse begins and ends at ends of steps, and the forces
+/// between are constant.
 std::vector<Measurement> frozen(Laboratory& laboratory) {
   constexpr double kFriction = 0.5;
   Scene scene = empty_scene({20, 20, 10}, kFriction);
@@ -99,24 +99,26 @@ std::vector<Measurement> frozen(Laboratory& laboratory) {
 std::vector<Case> hard_twin_cases() {
   std::vector<Case> cases;
   for (const double factor : {0.01, 10.0, 100.0})
-    cases.push_back({"hard", fmt::format("scaled_{:g}", factor), "does a world of another size move alike",
-                     "tolerances in metres and metres a second", true,
+    cases.push_back({"hard", fmt::format("scaled_{:g}", factor), "whether a world of another size has the same motion",
+                     "tolerances in metres and metres per second", true,
                      [=](Laboratory& l) { return scaled_alike(l, factor); }});
   for (const int exponent : {1, 10, 20, -20})
-    cases.push_back({"hard", fmt::format("masses_2_to_{}", exponent), "do heavier boxes move alike",
+    cases.push_back({"hard", fmt::format("masses_2_to_{}", exponent), "whether heavier boxes have the same motion",
                      "tolerances in newton seconds", true, [=](Laboratory& l) { return heavier_alike(l, exponent); }});
   for (const int axis : {0, 1})
-    cases.push_back({"hard", axis == 0 ? "mirrored_x" : "mirrored_y", "does a mirrored world move alike",
-                     "contacts solved in an order that favours a side", true,
+    cases.push_back({"hard", axis == 0 ? "mirrored_x" : "mirrored_y",
+                     "whether a mirrored world has the mirrored motion",
+                     "contacts solved in an order that favours one side", true,
                      [=](Laboratory& l) { return mirrored_alike(l, axis); }});
-  cases.push_back({"hard", "swapped_axes", "does a world with x and y exchanged move alike", "axes treated differently",
-                   true, swapped_alike});
-  cases.push_back({"hard", "reversed_order", "do boxes in another order move alike",
-                   "contacts solved one after the other, not to the end", true, reversed_alike});
-  cases.push_back({"hard", "in_company", "does a world depend on those computed along with it",
-                   "shared stopping tests, leftovers of the last world", true, in_company});
-  cases.push_back({"hard", "frozen", "does a box lie still after a slip, in a place that does not depend on the step",
-                   "forces spread over steps across the pulse's end", true, frozen});
+  cases.push_back({"hard", "swapped_axes", "whether a world with x and y exchanged has the same motion",
+                   "axes treated differently", true, swapped_alike});
+  cases.push_back({"hard", "reversed_order", "whether boxes in another order have the same motion",
+                   "contacts solved one after the other, without convergence", true, reversed_alike});
+  cases.push_back({"hard", "in_company", "whether a world depends on others in its batch",
+                   "shared stopping criteria, data left from the previous world", true, in_company});
+  cases.push_back({"hard", "frozen",
+                   "whether a box is at rest after sliding, at a position that does not depend on the step",
+                   "forces averaged over a step that contains the pulse's end", true, frozen});
   return cases;
 }
 

@@ -20,7 +20,7 @@ Measurement no_energy_gained(const Scene& scene, const Track& track, double ener
   return scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine);
 }
 
-/// A box falls flat from rest and stays: t = √(2H/g), v = √(2gH), all of m g H is lost.
+/// A box falls flat from rest and does not rebound: t = √(2H/g), v = √(2gH); the whole energy m g H is lost.
 std::vector<Measurement> drop_to_rest(Laboratory& laboratory, double height) {
   const Vec3 size = {1.0, 1.0, 0.5};
   Scene scene = empty_scene(kContainer, 0.5);
@@ -45,7 +45,7 @@ std::vector<Measurement> drop_to_rest(Laboratory& laboratory, double height) {
           no_energy_gained(scene, track, scene.batch().boxes.mass[0] * gravity * height)};
 }
 
-/// A box falls flat from rest and rebounds with e √(2gH): up to e² H, there at (1 + e) √(2H/g).
+/// A box falls flat from rest and rebounds with e √(2gH), to the height e² H at the time (1 + e) √(2H/g).
 std::vector<Measurement> drop_and_rebound(Laboratory& laboratory, double height, double restitution) {
   const Vec3 size = {1.0, 1.0, 0.5};
   Scene scene = empty_scene(kContainer, 0.5, restitution);
@@ -63,8 +63,8 @@ std::vector<Measurement> drop_and_rebound(Laboratory& laboratory, double height,
 }
 
 /// A flat box falls from `height` with the horizontal speed u. The normal impulse m √(2gH) allows a friction impulse of
-/// μ times that: Δu = min(u, μ √(2gH)); what is left slides (u − Δu)²/(2 μ g) far. It does not pitch while h Δu <= l
-/// √(2gH): the normal impulse has to stay inside the base.
+/// μ times that: Δu = min(u, μ √(2gH)); with the remaining velocity the box slides by (u − Δu)²/(2 μ g). It does not
+/// pitch if h Δu <= l √(2gH): then the normal impulse is inside the base.
 std::vector<Measurement> oblique_landing(Laboratory& laboratory, double height, double speed) {
   const double friction = 0.5;
   Scene scene = empty_scene(kContainer, friction);
@@ -83,19 +83,20 @@ std::vector<Measurement> oblique_landing(Laboratory& laboratory, double height, 
           no_energy_gained(scene, track, scene.batch().boxes.mass[0] * gravity * height)};
 }
 
-/// How a tilted box lands on an edge, with its centre of mass d beside and c above the edge, falling at v.
+/// A kind of landing of a tilted box on an edge, with its centre of mass d beside and c above the edge, falling with v.
 struct EdgeLanding {
   const char* name;
   double friction;
   double restitution;
 };
 
-/// Spin and velocity right after, and for ever after in a container in free fall: the edge leaves the floor at once.
-/// With the impulses N up and F sideways against the slip, k² = R²/3 the square of the radius of gyration:
+/// Angular velocity and velocity after the impact; they do not change afterwards, because the container is then in free
+/// fall and the edge leaves the floor at once. With the impulses N upwards and F sideways against the sliding, and
+/// k² = R²/3 the square of the radius of gyration:
 ///   no friction:  N = (1 + e) m v / (1 + d²/k²)                   ω = N d / (m k²)
-///   slipping:     N = (1 + e) m v / (1 + (d² − μ c d)/k²), F = μ N  ω = N (d − μ c) / (m k²), while F is less than
-///                 what stops the slip
-///   sticking:     the moment of momentum about the edge is kept, ω = v d / (k² + R²)   (e = 0)
+///   slipping:     N = (1 + e) m v / (1 + (d² − μ c d)/k²), F = μ N  ω = N (d − μ c) / (m k²), if F does not stop the
+///                 sliding
+///   sticking:     angular momentum about the edge is conserved, ω = v d / (k² + R²)   (e = 0)
 std::vector<Measurement> edge_landing(Laboratory& laboratory, const EdgeLanding& landing) {
   const Vec3 size = {1.0, 1.0, 0.4};
   const double tilt = 0.35;
@@ -106,7 +107,8 @@ std::vector<Measurement> edge_landing(Laboratory& laboratory, const EdgeLanding&
   const double square = 0.25 * (size.x() * size.x() + size.z() * size.z());  // R²
   const double gyration = square / 3.0;                                      // k²
 
-  // Turned about y, the edge at +x is the lower one; slip is towards +x, friction towards −x, the spin about −y.
+  // Rotated about y, the edge at +x is the lower one; it slides towards +x, friction acts towards −x, and the rotation
+  // is about −y.
   Scene scene = empty_scene(kContainer, landing.friction, landing.restitution);
   SceneBox box;
   box.size = size;
@@ -140,23 +142,23 @@ std::vector<Case> landing_cases() {
     cases.push_back({"rebound", std::move(name), std::move(question), trap, quick, measure});
   };
   for (const double height : {0.1, 0.5, 1.0}) {
-    add(fmt::format("drop_e_0_from_{}", height), fmt::format("a box falls {} m flat and stays", height),
-        "penetration of half a step's way", height == 0.5,
+    add(fmt::format("drop_e_0_from_{}", height), fmt::format("a box falls {} m flat and does not rebound", height),
+        "penetration by half the path of a step", height == 0.5,
         [=](Laboratory& laboratory) { return drop_to_rest(laboratory, height); });
     for (const double e : {0.5, 1.0})
       add(fmt::format("drop_e_{}_from_{}", e, height), fmt::format("a box falls {} m with restitution {}", height, e),
-          "restitution of the speed at the step's end", height == 0.5,
+          "restitution applied to the speed at the end of the step", height == 0.5,
           [=](Laboratory& laboratory) { return drop_and_rebound(laboratory, height, e); });
   }
   for (const double speed : {0.5, 1.5, 3.0})
     add(fmt::format("oblique_landing_u_{}", speed),
-        fmt::format("a flat box lands after 0.5 m of fall with {} m/s sideways", speed),
+        fmt::format("a flat box lands after a fall of 0.5 m, with {} m/s sideways", speed),
         "friction from a wrong normal impulse", speed == 3.0,
         [=](Laboratory& laboratory) { return oblique_landing(laboratory, 0.5, speed); });
   for (const EdgeLanding landing : {EdgeLanding{"sticking", 1.0, 0.0}, EdgeLanding{"slipping", 0.3, 0.0},
                                     EdgeLanding{"frictionless", 0.0, 0.0}, EdgeLanding{"rebounding", 0.0, 0.5}})
     add(fmt::format("edge_landing_{}", landing.name), fmt::format("a tilted box lands on an edge, {}", landing.name),
-        "rebound or loss that a flat landing does not show", true,
+        "rebound or energy loss that does not occur in a flat landing", true,
         [=](Laboratory& laboratory) { return edge_landing(laboratory, landing); });
   return cases;
 }

@@ -13,23 +13,23 @@ namespace {
 
 using enum ToleranceClass;
 
-/// Large enough that nothing reaches a wall; its middle is a binary fraction, for mirrored scenes.
+/// Large enough that no box reaches a wall; the centre is a binary fraction, for mirrored scenes.
 const Vec3 kContainer = {64, 64, 4};
 const Vec3 kFlatBox = {1.0, 1.0, 0.2};
 constexpr double kGravity = 9.81;
 
-/// Time after a manoeuvre in which all comes to rest, s.
+/// Time after a manoeuvre in which all boxes come to rest, s.
 constexpr double kAftermath = 5.0;
 
-/// What a container does in traffic. The front is at x = 0: braking accelerates it along +x. Edges are at times that
-/// are on the grid of no usual step.
+/// Accelerations of a container in traffic. The front is at x = 0: braking accelerates it along +x. The breakpoints are
+/// not multiples of any usual step.
 Acceleration acceleration_of(const std::vector<std::pair<double, Vec3>>& pieces) {
   Scene scene;
   for (const auto& [duration, acceleration] : pieces) scene.then(duration, acceleration);
   return scene.acceleration;
 }
 
-/// Rises steadily within `rise`, holds, and falls again, in constant pieces of equal length.
+/// Rises within `rise`, is constant, and falls again, in intervals of constant acceleration and equal length.
 Acceleration trapezoid(const Vec3& acceleration, double rise, double hold) {
   constexpr int kPieces = 40;
   std::vector<std::pair<double, Vec3>> pieces = {{0.1037, Vec3::Zero()}};
@@ -40,7 +40,7 @@ Acceleration trapezoid(const Vec3& acceleration, double rise, double hold) {
   return acceleration_of(pieces);
 }
 
-/// One pulse between rest before and after.
+/// One pulse, with intervals of zero acceleration before and after.
 Acceleration pulse(double duration, const Vec3& acceleration) {
   return acceleration_of({{0.1037, Vec3::Zero()}, {duration, acceleration}, {kAftermath, Vec3::Zero()}});
 }
@@ -50,7 +50,7 @@ Acceleration full_braking() { return pulse(1.2371, {0.8 * kGravity, 0, 0}); }
 Acceleration rearward() { return pulse(1.2371, {-0.5 * kGravity, 0, 0}); }
 Acceleration cornering(double side) { return pulse(1.7113, {0, side * 0.5 * kGravity, 0}); }
 
-/// A tractor-trailer changes lane within 5.5 s, to one side and back: 2 m/s² when it is fast (Schulze 2006).
+/// A tractor-trailer changes lane within 5.5 s, to one side and back: 2 m/s² at high speed (Schulze 2006).
 Acceleration lane_change(double side, double acceleration = 2.0) {
   return acceleration_of({{0.1037, Vec3::Zero()},
                           {2.75, {0, side * acceleration, 0}},
@@ -72,7 +72,7 @@ Vec3 moved(const Scene& scene, const Snapshot& state, std::size_t i = 0) {
   return state.position[i] - scene.boxes[i].position;
 }
 
-/// A flat box under an acceleration along an axis, against the exact stick-slip path.
+/// A flat box under an acceleration along an axis, compared with the exact stick-slip path.
 std::vector<Measurement> along(Laboratory& laboratory, int axis, const Acceleration& acceleration, double friction) {
   const Scene scene = scene_of(acceleration, friction);
   const SlidePath path = slide_along(axis, acceleration, friction, kGravity);
@@ -88,7 +88,8 @@ std::vector<Measurement> along(Laboratory& laboratory, int axis, const Accelerat
           scaled("speed left (m/s)", end.velocity[0].norm(), 0.0, 1.0, exact)};
 }
 
-/// A flat box under a horizontal motion whose direction changes while it slides, against a path integrated to 1e-8 m.
+/// A flat box under a horizontal acceleration whose direction changes while it slides, compared with a path integrated
+/// to 1e-8 m.
 std::vector<Measurement> across(Laboratory& laboratory, const Acceleration& acceleration, double friction) {
   const Scene scene = scene_of(acceleration, friction);
   const SlidePath path = slide_over(acceleration, friction, kGravity);
@@ -102,7 +103,7 @@ std::vector<Measurement> across(Laboratory& laboratory, const Acceleration& acce
           relative("time of the last stop (s)", stop_time(track, 0, friction * kGravity), path.stop_time, good)};
 }
 
-/// The same to the left and to the right: the boxes end as far from where they began.
+/// The same acceleration to the left and to the right: the displacements are mirror images.
 std::vector<Measurement> mirrored(Laboratory& laboratory, const Acceleration& left, const Acceleration& right,
                                   double friction) {
   const Scene scene = scene_of(left, friction);
@@ -114,8 +115,8 @@ std::vector<Measurement> mirrored(Laboratory& laboratory, const Acceleration& le
 }
 
 /// Two boxes with a gap between each other and to the front wall are braked at 0.8 g: both slide with 0.8 g − μ g. The
-/// first one stops at the wall after d₁, the second one at the first after d₂ more, if the braking lasts so long;
-/// otherwise friction stops it on its way. Upright faces without friction, no restitution.
+/// first one stops at the wall after d₁, the second one at the first after a further d₂, if the braking lasts long
+/// enough; otherwise friction stops them before. Vertical faces without friction, no restitution.
 std::vector<Measurement> closing_up(Laboratory& laboratory, double friction, double duration) {
   const double to_wall = 0.2037;
   const double between = 0.3519;
@@ -138,9 +139,9 @@ std::vector<Measurement> closing_up(Laboratory& laboratory, double friction, dou
           scaled("speed left (m/s)", end.velocity[0].norm() + end.velocity[1].norm(), 0.0, 1.0, exact)};
 }
 
-/// Braking at 0.3 g sends a box without friction against a box that friction 0.5 holds, 0.4 m before it, of the same
-/// mass. They meet with v = √(2 a d), go on together with v/2 and the friction of one for the weight of two, μ/2, as
-/// long as they move: 0.3 g − 0.25 g while the braking lasts, −0.25 g after.
+/// Braking at 0.3 g moves a box without friction against a box of the same mass 0.4 m in front of it, which friction
+/// 0.5 holds. They collide with v = √(2 a d) and move on together with v/2. The friction of one acts on the mass of
+/// two, μ/2, as long as they move: 0.3 g − 0.25 g during the braking, −0.25 g afterwards.
 std::vector<Measurement> pushing(Laboratory& laboratory) {
   const double gap = 0.4037;
   const double braking = 0.3 * kGravity;
@@ -157,8 +158,8 @@ std::vector<Measurement> pushing(Laboratory& laboratory) {
           relative("displacement of the second (m)", -moved(scene, end, 1).x(), -together.displacement.x(), fine)};
 }
 
-/// A row of boxes against each other and the front wall under full braking: friction holds a part, the wall the rest;
-/// nothing can move.
+/// A row of boxes in contact with each other and the front wall under full braking: friction balances a part of the
+/// inertial forces, the wall the rest; no box can move.
 std::vector<Measurement> row_at_wall(Laboratory& laboratory, int count, double friction) {
   Scene scene = empty_scene({16, 8, 4}, friction);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.5}, {1.0 * i, 3.5, 0}));
@@ -166,7 +167,7 @@ std::vector<Measurement> row_at_wall(Laboratory& laboratory, int count, double f
   return {scaled("largest displacement (m)", largest_displacement(laboratory, scene), 0.0, 1.0, exact)};
 }
 
-/// A row of boxes that touch slides to the rear as one: there is no load between them to change anything.
+/// A row of boxes that touch slides to the rear together: there are no forces between them.
 std::vector<Measurement> row_to_rear(Laboratory& laboratory, int count, double friction) {
   Scene scene = empty_scene({32, 8, 4}, friction);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.5}, {1.0 * i, 3.5, 0}));
@@ -181,7 +182,7 @@ std::vector<Measurement> row_to_rear(Laboratory& laboratory, int count, double f
   return {relative("displacement farthest off (m)", worst, expected, fine)};
 }
 
-/// A small box on a wide flat one of four times its mass, under full braking: who slides on what, exactly.
+/// A small box on a wide flat one of four times its mass, under full braking, compared with the exact stick-slip paths.
 std::vector<Measurement> box_on_box(Laboratory& laboratory, double floor_friction, double upper_friction) {
   Scene scene = scene_of_pairs(kContainer, floor_friction, upper_friction, 0.0);
   scene.boxes = {standing_box({6.0, 2.0, 0.2}, {29.0, 31.0, 0}), standing_box({0.5, 0.5, 0.1}, {31.75, 31.75, 0.2})};
@@ -203,44 +204,46 @@ std::vector<Case> manoeuvre_cases() {
   const auto add = [&](std::string name, std::string question, const char* trap, bool quick, auto measure) {
     cases.push_back({"manoeuvre", std::move(name), std::move(question), trap, quick, measure});
   };
-  const char* const edges = "first-order time stepping, steps across the pulse's edges, stops not located in time";
+  const char* const edges = "first-order time stepping, steps that contain a breakpoint, stops not located in time";
   for (const double mu : {0.2, 0.3, 0.45, 0.6})
     add(fmt::format("full_braking_mu_{}", mu), fmt::format("full braking at 0.8 g, friction {}", mu), edges, mu == 0.45,
         [=](Laboratory& l) { return along(l, 0, full_braking(), mu); });
   for (const double mu : {0.2, 0.3, 0.45, 0.5, 0.55})
     add(fmt::format("rearward_mu_{}", mu), fmt::format("0.5 g to the rear, friction {}", mu),
-        mu == 0.5 ? "exactly at the limit: no excess, no motion" : edges, mu == 0.45,
+        mu == 0.5 ? "motion although the acceleration is exactly at the limit" : edges, mu == 0.45,
         [=](Laboratory& l) { return along(l, 0, rearward(), mu); });
   for (const double mu : {0.2, 0.3, 0.45, 0.5, 0.55}) {
     add(fmt::format("cornering_left_mu_{}", mu), fmt::format("cornering at 0.5 g to the left, friction {}", mu),
-        mu == 0.5 ? "exactly at the limit: no excess, no motion" : edges, mu == 0.3,
+        mu == 0.5 ? "motion although the acceleration is exactly at the limit" : edges, mu == 0.3,
         [=](Laboratory& l) { return along(l, 1, cornering(1.0), mu); });
     if (mu < 0.5)
-      add(fmt::format("cornering_mirrored_mu_{}", mu), fmt::format("left and right corners alike, friction {}", mu),
-          "order or sign bias", mu == 0.3,
-          [=](Laboratory& l) { return mirrored(l, cornering(1.0), cornering(-1.0), mu); });
+      add(fmt::format("cornering_mirrored_mu_{}", mu),
+          fmt::format("whether left and right corners are mirror images, friction {}", mu), "a bias by order or sign",
+          mu == 0.3, [=](Laboratory& l) { return mirrored(l, cornering(1.0), cornering(-1.0), mu); });
   }
   for (const double mu : {0.1, 0.15, 0.2, 0.3})
     add(fmt::format("lane_change_mu_{}", mu), fmt::format("lane change at 2 m/s², friction {}", mu),
-        mu < 0.2038 ? "sliding turns round: errors of both halves add" : "creep below the limit",
+        mu < 0.2038 ? "sliding reverses: the errors of both halves add up" : "creep below the limit",
         mu == 0.15 || mu == 0.3, [=](Laboratory& l) { return along(l, 1, lane_change(1.0), mu); });
   add("lane_change_hard_mu_0.3", "lane change at 4 m/s², friction 0.3",
-      "sliding turns round: errors of both halves add", true,
+      "sliding reverses: the errors of both halves add up", true,
       [](Laboratory& l) { return along(l, 1, lane_change(1.0, 4.0), 0.3); });
-  add("lane_change_mirrored_mu_0.15", "lane change to the left and to the right alike", "order or sign bias", false,
+  add("lane_change_mirrored_mu_0.15", "whether lane changes to the left and to the right are mirror images",
+      "a bias by order or sign", false,
       [](Laboratory& l) { return mirrored(l, lane_change(1.0), lane_change(-1.0), 0.15); });
   for (const double mu : {0.3, 0.45}) {
     add(fmt::format("ramped_braking_mu_{}", mu),
-        fmt::format("braking that rises within 0.3 s to 0.8 g, friction {}", mu), "start of sliding within a ramp",
+        fmt::format("braking that rises within 0.3 s to 0.8 g, friction {}", mu), "the start of sliding within a ramp",
         mu == 0.45, [=](Laboratory& l) {
           return along(l, 0, trapezoid({0.8 * kGravity, 0, 0}, 0.3, 0.7113), mu);
         });
     add(fmt::format("shunting_mu_{}", mu),
-        fmt::format("a shunting impact of 1 g with 0.3 g less weight, friction {}", mu), "friction of the full weight",
-        mu == 0.45, [=](Laboratory& l) { return along(l, 0, shunting(), mu); });
+        fmt::format("a shunting impact of 1 g with 0.3 g less weight, friction {}", mu),
+        "friction computed from the full weight", mu == 0.45,
+        [=](Laboratory& l) { return along(l, 0, shunting(), mu); });
     add(fmt::format("braking_then_cornering_mu_{}", mu),
-        fmt::format("cornering at 0.5 g begins while braking at 0.8 g has the box sliding, friction {}", mu),
-        "friction not along the velocity: pyramids, frozen directions", mu == 0.45, [=](Laboratory& l) {
+        fmt::format("cornering at 0.5 g begins while the box slides under braking at 0.8 g, friction {}", mu),
+        "friction not along the velocity: friction pyramids, fixed directions", mu == 0.45, [=](Laboratory& l) {
           const Acceleration acceleration = acceleration_of({{0.1037, Vec3::Zero()},
                                                              {0.6371, {0.8 * kGravity, 0, 0}},
                                                              {0.5113, {0, 0.5 * kGravity, 0}},
@@ -249,7 +252,7 @@ std::vector<Case> manoeuvre_cases() {
         });
     add(fmt::format("braking_in_a_corner_mu_{}", mu),
         fmt::format("braking at 0.7 g within a corner of 0.5 g, friction {}", mu),
-        "friction not along the velocity: pyramids, frozen directions", mu == 0.45, [=](Laboratory& l) {
+        "friction not along the velocity: friction pyramids, fixed directions", mu == 0.45, [=](Laboratory& l) {
           const Acceleration acceleration = acceleration_of({{0.1037, Vec3::Zero()},
                                                              {0.4371, {0, 0.5 * kGravity, 0}},
                                                              {0.6113, {0.7 * kGravity, 0.5 * kGravity, 0}},
@@ -258,8 +261,8 @@ std::vector<Case> manoeuvre_cases() {
           return across(l, acceleration, mu);
         });
     add(fmt::format("diagonal_braking_mu_{}", mu),
-        fmt::format("0.6 g forward and 0.35 g aside at once, friction {}", mu), "pyramids: each axis has its own limit",
-        mu == 0.45, [=](Laboratory& l) {
+        fmt::format("0.6 g forward and 0.35 g sideways at once, friction {}", mu),
+        "friction pyramids: each axis has its own limit", mu == 0.45, [=](Laboratory& l) {
           return across(l, pulse(0.9371, {0.6 * kGravity, 0.35 * kGravity, 0}), mu);
         });
   }
@@ -268,14 +271,15 @@ std::vector<Case> manoeuvre_cases() {
         fmt::format("braking for {} s closes gaps to the wall and between two boxes", duration),
         "rebound, penetration, contact at a distance", duration > 0.5,
         [=](Laboratory& l) { return closing_up(l, 0.45, duration); });
-  add("pushing", "a box without friction pushes one with friction", "momentum at the meeting, load after it", true,
+  add("pushing", "a box without friction pushes one with friction", "momentum in the collision, force after it", true,
       pushing);
   for (const int count : {1, 3, 8}) {
     add(fmt::format("row_of_{}_at_wall", count), fmt::format("full braking of {} boxes in a row at the wall", count),
         "soft contacts, creep", count == 3, [=](Laboratory& l) { return row_at_wall(l, count, 0.45); });
     if (count > 1)
       add(fmt::format("row_of_{}_to_rear", count), fmt::format("0.5 g to the rear moves a row of {} boxes", count),
-          "loads between boxes that only touch", count == 3, [=](Laboratory& l) { return row_to_rear(l, count, 0.3); });
+          "forces between boxes that only touch", count == 3,
+          [=](Laboratory& l) { return row_to_rear(l, count, 0.3); });
   }
   struct Frictions {
     double floor;
@@ -284,9 +288,9 @@ std::vector<Case> manoeuvre_cases() {
   };
   for (const Frictions f :
        {Frictions{0.3, 0.2, "both slide, one on the other"}, Frictions{0.2, 0.4, "both slide together"},
-        Frictions{0.6, 0.3, "both slide, the lower one little"}, Frictions{0.9, 0.3, "the upper one slides alone"}})
+        Frictions{0.6, 0.3, "both slide, the lower one less"}, Frictions{0.9, 0.3, "the upper one slides alone"}})
     add(fmt::format("box_on_box_{}_on_{}", f.upper, f.floor), fmt::format("full braking, box on box: {}", f.what),
-        "friction of one contact disturbs the other", f.floor == 0.3,
+        "friction at one contact affects the other", f.floor == 0.3,
         [=](Laboratory& l) { return box_on_box(l, f.floor, f.upper); });
   return cases;
 }

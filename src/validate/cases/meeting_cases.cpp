@@ -22,8 +22,8 @@ SceneBox flat_box(double x_min, double mass, double speed) {
   return box;
 }
 
-/// Velocities after two masses have met, the second one at rest before. Momentum is kept and Newton's law of
-/// restitution holds, v₂⁺ − v₁⁺ = e v₁:
+/// Velocities after a collision of two masses, the second one at rest before. Momentum is conserved, and Newton's law
+/// of restitution holds, v₂⁺ − v₁⁺ = e v₁:
 ///   v₁⁺ = (m₁ − e m₂) v / (m₁ + m₂),  v₂⁺ = (1 + e) m₁ v / (m₁ + m₂)
 struct Meeting {
   double first;
@@ -34,7 +34,7 @@ Meeting meet(double first_mass, double second_mass, double restitution, double s
   return {(first_mass - restitution * second_mass) * speed / total, (1.0 + restitution) * first_mass * speed / total};
 }
 
-/// A box slides without friction into one at rest. Energy lost: ½ m₁ m₂ / (m₁ + m₂) (1 − e²) v².
+/// A box slides without friction against one at rest. Energy lost: ½ m₁ m₂ / (m₁ + m₂) (1 − e²) v².
 std::vector<Measurement> pair(Laboratory& laboratory, double restitution, double first_mass, double second_mass) {
   const double speed = 1.0;
   Scene scene = empty_scene(kContainer, 0.0, restitution);
@@ -56,8 +56,8 @@ std::vector<Measurement> pair(Laboratory& laboratory, double restitution, double
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
-/// Two boxes of different surfaces meet: the one that gives back less decides, as for a box and the container its own
-/// surface does.
+/// Two boxes with different surfaces collide: the smaller coefficient of restitution applies, and between a box and the
+/// container that of the box.
 std::vector<Measurement> mixed_surfaces(Laboratory& laboratory) {
   Scene scene = empty_scene(kContainer, 0.0, 0.25);
   scene.boxes = {flat_box(4.0, 100, 1.0), flat_box(5.2137, 100, 0.0)};
@@ -70,8 +70,8 @@ std::vector<Measurement> mixed_surfaces(Laboratory& laboratory) {
           scaled("speed of the second after (m/s)", end.velocity[1].x(), after.second, 1.0, fine)};
 }
 
-/// A box sliding at 3 m/s with friction 0.3 meets one at rest after 0.4 m; both slide on until friction has stopped
-/// them, each v²/(2 μ g) further. The vertical faces are without friction: they could exchange load otherwise.
+/// A box sliding at 3 m/s with friction 0.3 hits one at rest after 0.4 m; both slide on until friction stops them, each
+/// by a further v²/(2 μ g). The vertical faces are without friction, so that no vertical force acts between them.
 std::vector<Measurement> sliding_pair(Laboratory& laboratory, double restitution, double first_mass,
                                       double second_mass) {
   const double friction = 0.3;
@@ -93,9 +93,9 @@ std::vector<Measurement> sliding_pair(Laboratory& laboratory, double restitution
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
-/// Three equal boxes in a row with gaps, the first one sliding: Newton's cradle. Meetings one after the other:
+/// Three equal boxes in a row with gaps, the first one sliding: Newton's cradle. Collisions one after the other:
 ///   v₁ = (1 − e)/2 v,  v₂ = (1 + e)/2 (1 − e)/2 v,  v₃ = ((1 + e)/2)² v
-/// until the first one would catch up with the second, long after the end.
+/// until the first one reaches the second again, long after the end.
 std::vector<Measurement> cradle(Laboratory& laboratory, double restitution) {
   const double speed = 2.0;
   Scene scene = empty_scene(kContainer, 0.0, restitution);
@@ -112,8 +112,8 @@ std::vector<Measurement> cradle(Laboratory& laboratory, double restitution) {
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
-/// Two boxes meet a third one between them at the same time from both sides. By symmetry the middle one stays; each
-/// outer one leaves with −e v, as the law of restitution says at each face.
+/// Two boxes hit a third one between them at the same time from both sides. By symmetry the middle one stays; each
+/// outer one leaves with −e v by the law of restitution at its face.
 std::vector<Measurement> from_both_sides(Laboratory& laboratory, double restitution) {
   const double speed = 1.0;
   const double gap = 0.25;  // binary fractions: the scene is symmetric to the last bit
@@ -144,25 +144,26 @@ std::vector<Case> meeting_cases() {
   for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     for (const Masses m : {Masses{100, 100, "1_1"}, Masses{100, 300, "1_3"}, Masses{300, 100, "3_1"}})
       add(fmt::format("rebound_pair_e_{}_masses_{}", e, m.name),
-          fmt::format("a box meets one at rest with restitution {}, masses {}", e, m.name),
+          fmt::format("a box hits one at rest with restitution {}, masses {}", e, m.name),
           "momentum lost between bodies, restitution too high", e == 0.0 || e == 0.5,
           [=](Laboratory& laboratory) { return pair(laboratory, e, m.first, m.second); });
   }
-  add("rebound_pair_mixed_surfaces", "boxes with restitution 1 and 0.5 meet", "product or mean of both", true,
-      mixed_surfaces);
+  add("rebound_pair_mixed_surfaces", "boxes with restitution 1 and 0.5 collide",
+      "the product or mean of both coefficients", true, mixed_surfaces);
   for (const double e : {0.0, 0.5, 1.0})
-    add(fmt::format("both_sides_e_{}", e), "two boxes meet a third one from both sides at once",
+    add(fmt::format("both_sides_e_{}", e), "two boxes hit a third one from both sides at once",
         "the order of contacts breaks the symmetry", e == 0.5,
         [=](Laboratory& laboratory) { return from_both_sides(laboratory, e); });
   for (const double e : {0.5, 1.0})
-    add(fmt::format("cradle_e_{}", e), "a push goes through a row of three boxes with gaps",
-        "two meetings in a step taken as one", e == 1.0, [=](Laboratory& laboratory) { return cradle(laboratory, e); });
+    add(fmt::format("cradle_e_{}", e), "a collision propagates through a row of three boxes with gaps",
+        "two collisions in a step treated as one", e == 1.0,
+        [=](Laboratory& laboratory) { return cradle(laboratory, e); });
   for (const double e : {0.0, 0.5, 1.0})
-    add(fmt::format("sliding_pair_e_{}", e), "a sliding box meets one at rest; where do both stop",
-        "friction during the meeting, late contact", e == 0.0,
+    add(fmt::format("sliding_pair_e_{}", e), "where a sliding box and the box at rest that it hits stop",
+        "friction during the collision, late contact", e == 0.0,
         [=](Laboratory& laboratory) { return sliding_pair(laboratory, e, 100, 100); });
-  add("sliding_pair_e_0_masses_3_1", "a heavy sliding box meets a light one at rest; where do both stop",
-      "friction during the meeting, late contact", false,
+  add("sliding_pair_e_0_masses_3_1", "where a heavy sliding box and the light box at rest that it hits stop",
+      "friction during the collision, late contact", false,
       [](Laboratory& laboratory) { return sliding_pair(laboratory, 0.0, 300, 100); });
   return cases;
 }

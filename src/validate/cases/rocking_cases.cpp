@@ -16,20 +16,20 @@ using enum ToleranceClass;
 
 const Vec3 kContainer = {16, 8, 4};
 
-/// Tilts below this are no peaks, rad.
+/// Smaller tilts do not count as peaks, rad.
 constexpr double kNoise = 1e-3;
 
-/// Angle about y, rad, for a box that turns about y alone.
+/// Angle about y, rad, for a box that rotates about y only.
 double tilt_of(const Snapshot& state) {
   const Rotation& q = state.orientation[0];
   const double angle = 2.0 * std::atan2(q.y(), q.w());
   return std::remainder(angle, 2.0 * M_PI);
 }
 
-/// The largest tilt of each half swing, one side after the other.
+/// The largest tilt of each half cycle, alternating between the sides.
 std::vector<Peak> swings_of(const Track& track) {
   std::vector<Peak> swings;
-  double side = 1.0;  // it begins on the positive one, at its largest tilt
+  double side = 1.0;  // the motion begins on the positive side, at its largest tilt
   for (const Peak& peak : peaks_of(
            track, [](const Snapshot& state) { return std::abs(tilt_of(state)); }, kNoise)) {
     const auto at = std::find_if(track.begin(), track.end(), [&](const Snapshot& s) { return s.time >= peak.time; });
@@ -43,7 +43,7 @@ std::vector<Peak> swings_of(const Track& track) {
   return swings;
 }
 
-/// When the box first stands flat, s: the last step end before, and the rest of the way as a pendulum.
+/// Time at which the box first stands flat, s: from the last end of a step before it, and then as a pendulum.
 double first_impact(const Track& track, const RockingBlock& block) {
   const double acceleration = block.frequency * block.frequency * std::sin(block.slenderness);
   for (std::size_t i = 1; i < track.size(); ++i) {
@@ -55,8 +55,8 @@ double first_impact(const Track& track, const RockingBlock& block) {
   return std::numeric_limits<double>::infinity();
 }
 
-/// A box released at rest from a tilt rocks on its edges without restitution or slip (Housner 1963). Between impacts it
-/// is a pendulum, at each one it keeps the share 1 − (3/2) sin²α of its angular velocity.
+/// A box released at rest from a tilt rocks on its edges without restitution or sliding (Housner 1963). Between impacts
+/// it is a pendulum; each impact multiplies its angular velocity by 1 − (3/2) sin²α.
 std::vector<Measurement> rocking(Laboratory& laboratory, double width, double height, double share) {
   Scene scene = empty_scene(kContainer, 1.0);
   const double gravity = scene.settings.gravity;
@@ -65,7 +65,7 @@ std::vector<Measurement> rocking(Laboratory& laboratory, double width, double he
   SceneBox box;
   box.size = {width, 0.5, height};
   box.orientation = Rotation(Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitY()));
-  // The lower edge is the one at +x; it lies on the floor.
+  // The lower edge, at +x, is on the floor.
   box.position = Vec3(8.0, 4.0, 0.0) - box.orientation * Vec3(0.5 * width, 0.0, -0.5 * height);
   scene.boxes.push_back(box);
   const int last = 5;
@@ -87,13 +87,13 @@ std::vector<Measurement> rocking(Laboratory& laboratory, double width, double he
   return measurements;
 }
 
-/// A box sliding without friction trips over a kerb lower than its centre of mass; kerb and floor are without friction.
-/// The impact keeps the moment of momentum about the kerb's upper edge, where the kerb pushes and above the lower front
-/// edge, where the floor pushes: with H = h/2 − k
+/// A box slides without friction against a kerb lower than its centre of mass; kerb and floor are without friction. The
+/// impact conserves the angular momentum about the upper edge of the kerb: there the kerb pushes, and it is vertically
+/// above the lower front edge, where the floor pushes. With H = h/2 − k:
 ///   ω = v H / K,  K = l²/4 + H² + (l² + h²)/12
-/// Both pushes go on (the front edge slides back on the floor, the face up and down the kerb) and do no work:
-///   R cos(α − θ) = h/2 + ½ K ω² / g at the highest tilt θ;  it falls over when that exceeds R.
-/// With friction the block would pivot on the kerb's edge, higher: but that takes a friction coefficient above 3.
+/// Both contacts remain (the front edge slides back on the floor, the face up and down the kerb) and do no work:
+///   R cos(α − θ) = h/2 + ½ K ω² / g at the largest tilt θ; the box overturns if this exceeds R.
+/// With enough friction the box would pivot about the edge of the kerb; this needs a friction coefficient above 3.
 std::vector<Measurement> trip(Laboratory& laboratory, double kerb, double share) {
   const double length = 0.5;
   const double height = 1.0;
@@ -151,8 +151,8 @@ std::vector<Case> rocking_cases() {
     for (const double share : {0.5, 0.8, 0.95, 0.99, 1.01, 1.05})
       cases.push_back(
           {"rebound", fmt::format("kerb_{}_at_{}", kerb, share),
-           fmt::format("a box slides into a kerb {} m high at {} of the speed that throws it over", kerb, share),
-           "kerb taken for a full wall", share == 0.8 || share == 1.05,
+           fmt::format("a box slides against a kerb {} m high at {} of the speed that overturns it", kerb, share),
+           "a kerb treated as a full wall", share == 0.8 || share == 1.05,
            [=](Laboratory& laboratory) { return trip(laboratory, kerb, share); }});
   return cases;
 }

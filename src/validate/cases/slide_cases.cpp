@@ -13,8 +13,8 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr double kRest = 0.25;       ///< before the load, s
-constexpr double kPush = 2.0;        ///< for which the load lasts, s
+constexpr double kRest = 0.25;       ///< before the acceleration, s
+constexpr double kPush = 2.0;        ///< duration of the acceleration, s
 constexpr double kPrecision = 1e-7;  ///< to which an exact threshold is found
 
 struct Heading {
@@ -31,8 +31,7 @@ Vec3 towards(double degrees) {
   return {std::cos(angle), std::sin(angle), 0.0};
 }
 
-/// Largest distance along the floor of any box from where it began, m; infinite when the run failed. Seen enough at
-/// `limit`.
+/// Largest distance along the floor of any box from its start, m; infinite if the run failed. Ends the run at `limit`.
 double largest_drift(Laboratory& laboratory, const Scene& scene, double limit) {
   double largest = 0.0;
   const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
@@ -44,9 +43,10 @@ double largest_drift(Laboratory& laboratory, const Scene& scene, double limit) {
 }
 
 /// The smallest acceleration that moves any box of the scene by more than 1 mm and by more than 10 mm. Just above the
-/// threshold, μ (g + a_z), boxes and stacks go ½ (a − threshold) t² (all boxes of a stack alike: the floor brakes the
-/// whole by the threshold, no box can be braked by more): the limit d is passed from a = threshold + 2 d / t² on.
-/// @param scene without motion
+/// threshold, μ (g + a_z), boxes and stacks move by ½ (a − threshold) t². (All boxes of a stack move alike: the floor
+/// decelerates the whole stack by the threshold, and no box can be decelerated by more.) The limit d is exceeded from
+/// a = threshold + 2 d / t² on.
+/// @param scene without accelerations
 /// @param heave vertical acceleration of the container, from the start on, m/s²
 std::vector<Measurement> slide_threshold(Laboratory& laboratory, const Scene& scene, double friction,
                                          const Vec3& heading, double heave = 0.0) {
@@ -54,7 +54,7 @@ std::vector<Measurement> slide_threshold(Laboratory& laboratory, const Scene& sc
   std::vector<Measurement> measurements;
   for (const double limit : {0.001, 0.01}) {
     const double expected = friction * (gravity + heave) + 2.0 * limit / (kPush * kPush);
-    const double found = border_near(expected, kPrecision, [&](double acceleration) {
+    const double found = threshold_near(expected, kPrecision, [&](double acceleration) {
       Scene pushed = scene;
       pushed.then(kRest, heave * Vec3::UnitZ()).then(kPush, acceleration * heading + heave * Vec3::UnitZ());
       return largest_drift(laboratory, pushed, limit) > limit;
@@ -66,7 +66,7 @@ std::vector<Measurement> slide_threshold(Laboratory& laboratory, const Scene& sc
 }
 
 /// The sliding test of Martinez-Franco et al. (section 4.2): a box of 25 x 110 x 55 cm, friction 0.1 to 0.8, a = μ g.
-/// It lies on its largest face: l/h = 4.4 along x and 2.2 along y, above every μ, so that it slides before it tips in
+/// It is on its largest face: l/h = 4.4 along x and 2.2 along y, above every μ, so that it slides before it tips in
 /// every heading.
 Scene sliding_test(double friction) {
   Scene scene = empty_scene({10, 10, 3}, friction);
@@ -97,9 +97,9 @@ Scene flat_box(double friction = 0.5) {
   return scene;
 }
 
-/// A flat box under a constant acceleration of 1.5 μg along x for a second. Sliding against the acceleration with
-/// a − μg, it has gone −½ (a − μg) t², and its kinetic energy is the work of the inertial force, m a |x|, less
-/// that of friction, μ m g |x|.
+/// A flat box under a constant acceleration of 1.5 μg along x for a second. It slides opposite to the acceleration with
+/// a − μg and moves by −½ (a − μg) t². Its kinetic energy is the work of the inertial force, m a |x|, minus that of
+/// friction, μ m g |x|.
 std::vector<Measurement> slide_path(Laboratory& laboratory) {
   const double friction = 0.5;
   Scene scene = flat_box(friction);
@@ -114,7 +114,7 @@ std::vector<Measurement> slide_path(Laboratory& laboratory) {
                    ToleranceClass::exact)};
 }
 
-/// Ten seconds at (1 ± margin) μg: nothing, or ½ margin μg t².
+/// Ten seconds at (1 ± margin) μg: no displacement, or ½ margin μg t².
 std::vector<Measurement> slide_near_limit(Laboratory& laboratory, double margin) {
   const double limit = 0.5 * empty_scene({1, 1, 1}, 0.5).settings.gravity;
   Scene below = flat_box();
@@ -127,8 +127,8 @@ std::vector<Measurement> slide_near_limit(Laboratory& laboratory, double margin)
                    -0.5 * margin * limit * 100.0, ToleranceClass::fine)};
 }
 
-/// Every 5 degrees: at (1 − 1e-3) μg rest; at (1 + 1e-3) μg the path ½ 1e-3 μg t²; at 1.5 μg slip against the
-/// acceleration. The cone is round: no heading differs from another. The worst heading counts.
+/// Every 5 degrees: at (1 − 1e-3) μg rest; at (1 + 1e-3) μg the path ½ 1e-3 μg t²; at 1.5 μg sliding opposite to the
+/// acceleration. The friction cone is circular: all headings are equivalent. The largest error counts.
 std::vector<Measurement> slide_every_heading(Laboratory& laboratory) {
   const double limit = 0.5 * empty_scene({1, 1, 1}, 0.5).settings.gravity;
   double creep = 0.0;
@@ -153,10 +153,11 @@ std::vector<Measurement> slide_every_heading(Laboratory& laboratory) {
           scaled("largest turn of the slip off the load (rad)", turn, 0.0, 1.0, ToleranceClass::fine)};
 }
 
-/// A brake pulse: the box speeds up to (a − μg) T, then friction stops it after (a − μg) T / (μg). Altogether
-/// ½ (a − μg) T² + ½ ((a − μg) T)² / (μg) = ½ (a − μg) T² a / (μg), at the time a T / (μg) after the pulse's beginning.
-/// @param wait  before the pulse, s
-/// @param pulse its duration T, s
+/// A brake pulse: the box accelerates to (a − μg) T, then friction stops it after (a − μg) T / (μg). In total it moves
+/// by ½ (a − μg) T² + ½ ((a − μg) T)² / (μg) = ½ (a − μg) T² a / (μg), and stops a T / (μg) after the start of the
+/// pulse.
+/// @param wait  time before the pulse, s
+/// @param pulse duration T of the pulse, s
 std::vector<Measurement> slide_pulse(Laboratory& laboratory, double wait, double pulse) {
   Scene scene = flat_box();
   const double limit = 0.5 * scene.settings.gravity;
@@ -172,7 +173,7 @@ std::vector<Measurement> slide_pulse(Laboratory& laboratory, double wait, double
           scaled("creep in the second after the stop (m)", later - stopped, 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// Vibration of 1 kHz, +A +A −A −A at 4 kHz, with A = 0.99 μg: always below the limit, so the box rests.
+/// Vibration of 1 kHz, +A +A −A −A at 4 kHz, with A = 0.99 μg: always below the limit, so that the box is at rest.
 std::vector<Measurement> slide_vibration(Laboratory& laboratory) {
   Scene scene = flat_box();
   const double amplitude = 0.99 * 0.5 * scene.settings.gravity;
@@ -182,9 +183,9 @@ std::vector<Measurement> slide_vibration(Laboratory& laboratory) {
   return {scaled("largest drift in 60 s (m)", largest_drift(laboratory, scene, 1.0), 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// Newmark's sliding block (Geotechnique 15, 1965): a sine of 1 Hz, cut into 48 pieces a cycle, plus a bias. The
-/// reference is integrated piece by piece in closed form. With A = 1.5 μg and no bias every cycle but the last ends as
-/// it began, slipping the same way forth and back; the last slip ends differently, in the rest that follows.
+/// Newmark's sliding block (Geotechnique 15, 1965): a sine of 1 Hz, divided into 48 intervals per cycle, plus a bias.
+/// The reference is integrated in closed form, interval by interval. With A = 1.5 μg and no bias, the block slides
+/// equally far forth and back in every cycle except the last, whose sliding ends during the rest that follows.
 std::vector<Measurement> newmark_block(Laboratory& laboratory, double bias_share) {
   Scene scene = flat_box();
   const double limit = 0.5 * scene.settings.gravity;
@@ -201,7 +202,7 @@ std::vector<Measurement> newmark_block(Laboratory& laboratory, double bias_share
                  ToleranceClass::good)};
 }
 
-/// A container that falls faster than gravity: the box stays behind, z = ½ (−a_z − g) t².
+/// A container that falls with more than g: the box rises relative to it, z = ½ (−a_z − g) t².
 std::vector<Measurement> lift_off(Laboratory& laboratory) {
   Scene scene = flat_box();
   const double gravity = scene.settings.gravity;
@@ -212,8 +213,7 @@ std::vector<Measurement> lift_off(Laboratory& laboratory) {
           scaled("turn (rad)", turn_of(end.orientation[0]), 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// Boxes on each other without friction stay behind together, x = −½ a t²: nothing turns them, and nothing tells them
-/// apart.
+/// Boxes on each other without friction all move by x = −½ a t² relative to the container: no torque acts on them.
 std::vector<Measurement> frictionless(Laboratory& laboratory, int count) {
   Scene scene = empty_scene({60, 60, 10}, 0.0);
   for (int i = 0; i < count; ++i) {
@@ -236,8 +236,8 @@ std::vector<Measurement> frictionless(Laboratory& laboratory, int count) {
       scaled("largest turn (rad)", turn, 0.0, 1.0, ToleranceClass::exact)};
 }
 
-/// μ = l/h: friction at its limit passes through the edge, so that the box slides without any moment that would turn
-/// it. Turning grows from rounding only, e^(5 t).
+/// μ = l/h: the contact force at the friction limit acts at the edge, so that the box slides without a tipping moment.
+/// Rotation grows only from rounding, as e^(5 t).
 std::vector<Measurement> doubly_degenerate(Laboratory& laboratory) {
   const auto moved = [&](double share, double& turn) {
     Scene scene = empty_scene({20, 20, 5}, 0.5);
@@ -257,7 +257,7 @@ std::vector<Measurement> doubly_degenerate(Laboratory& laboratory) {
           verdict("does not turn at 1.001 of it", turn_above < 1e-3, true)};
 }
 
-/// Flat boxes, one on the other: every interface has the limit μg, whatever the height.
+/// Flat boxes, one on the other: every interface has the limit μg, at any height.
 std::vector<Measurement> stack_slides(Laboratory& laboratory, int count) {
   Scene scene = empty_scene({20, 20, 5}, 0.4);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.2}, {9.5, 9.5, 0.2 * i}));
@@ -270,49 +270,54 @@ std::vector<Case> slide_cases() {
   std::vector<Case> cases = {
       {"slide", "slide_path", "how far and how fast a box slides at 1.5 times its limit",
        "first-order time stepping lengthens the path by the factor 1 + h/t", true, slide_path},
-      {"slide", "slide_near_limit_1e-3", "rest or slip at 0.999 and 1.001 of the limit, 10 s",
+      {"slide", "slide_near_limit_1e-3", "rest or sliding at 0.999 and 1.001 of the limit, 10 s",
        "soft contacts creep below the limit", true,
        [](Laboratory& laboratory) { return slide_near_limit(laboratory, 1e-3); }},
-      {"slide", "slide_near_limit_1e-6", "the same a thousand times nearer to the limit",
-       "single precision; a solver's tolerance above the margin", true,
+      {"slide", "slide_near_limit_1e-6", "the same, a thousand times closer to the limit",
+       "single precision; a tolerance of the solver above the margin", true,
        [](Laboratory& laboratory) { return slide_near_limit(laboratory, 1e-6); }},
-      {"slide", "slide_every_heading", "the same limit and straight slip in every heading",
-       "a friction pyramid holds up to 1.41 times more on the diagonals and turns the slip", false,
+      {"slide", "slide_every_heading", "the same limit, and sliding in a straight line, in every heading",
+       "a friction pyramid is up to 1.41 times too strong on the diagonals and changes the direction of sliding", false,
        slide_every_heading},
       {"slide", "slide_brake_pulse", "where a box stops after a brake pulse",
-       "slips back in the step in which it stops", true,
+       "the box slides back in the step in which it stops", true,
        [](Laboratory& laboratory) { return slide_pulse(laboratory, 0.0, 0.5); }},
-      {"slide", "slide_pulse_off_grid", "the same when the pulse begins, ends and the box stops between steps",
-       "steps that straddle the pulse's edges", true,
+      {"slide", "slide_pulse_off_grid",
+       "the same, when the pulse begins and ends and the box stops between ends of steps",
+       "steps that contain the start or end of the pulse", true,
        [](Laboratory& laboratory) { return slide_pulse(laboratory, 0.1037, 0.4321); }},
       {"slide", "slide_vibration", "rest under vibration of 1 kHz just below the limit",
-       "friction of the last step left in the warm start", false, slide_vibration},
-      {"slide", "newmark_block", "no drift under a symmetric sine above the limit", "one way is favoured", false,
-       [](Laboratory& laboratory) { return newmark_block(laboratory, 0.0); }},
-      {"slide", "newmark_block_biased", "drift under a sine with a bias", "stops and starts smeared over a step", false,
+       "friction of the last step in the warm start", false, slide_vibration},
+      {"slide", "newmark_block", "no drift under a symmetric sine above the limit", "a bias towards one direction",
+       false, [](Laboratory& laboratory) { return newmark_block(laboratory, 0.0); }},
+      {"slide", "newmark_block_biased", "drift under a sine with a bias", "stops and starts spread over a step", false,
        [](Laboratory& laboratory) { return newmark_block(laboratory, 0.2); }},
-      {"slide", "slide_lift_off", "height of a box over a floor that falls away", "the floor holds on to the box", true,
+      {"slide", "slide_lift_off", "height of a box over a floor that falls away", "the floor pulls on the box", true,
        lift_off},
-      {"slide", "slide_frictionless", "path of a tall box without friction", "unequal corner loads turn the box", true,
+      {"slide", "slide_frictionless", "path of a tall box without friction",
+       "unequal forces at the corners rotate the box", true,
        [](Laboratory& laboratory) { return frictionless(laboratory, 1); }},
       {"slide", "slide_frictionless_tower", "five tall boxes without friction stay together",
-       "unequal corner loads turn the boxes", true, [](Laboratory& laboratory) { return frictionless(laboratory, 5); }},
-      {"slide", "slide_doubly_degenerate", "a box with μ = l/h slides upright", "tips instead, by rounding", true,
-       doubly_degenerate},
+       "unequal forces at the corners rotate the boxes", true,
+       [](Laboratory& laboratory) { return frictionless(laboratory, 5); }},
+      {"slide", "slide_doubly_degenerate", "a box with μ = l/h slides upright", "the box tips because of rounding",
+       true, doubly_degenerate},
       {"slide", "slide_stack_5", "smallest acceleration that slides any of five boxes on each other",
-       "friction that has not converged: stacks creep apart far below the limit", false,
+       "friction that has not converged: stacks creep far below the limit", false,
        [](Laboratory& laboratory) { return stack_slides(laboratory, 5); }},
       {"slide", "slide_stack_10", "smallest acceleration that slides any of ten boxes on each other",
-       "friction that has not converged: stacks creep apart far below the limit", false,
+       "friction that has not converged: stacks creep far below the limit", false,
        [](Laboratory& laboratory) { return stack_slides(laboratory, 10); }},
   };
   for (const double heave : {-0.5, 0.5}) {
-    cases.push_back({"slide", fmt::format("slide_heave_{:+.1f}_g", heave),
-                     fmt::format("smallest acceleration that slides a box while the floor rises with {:+.1f} g", heave),
-                     "the weight taken as m g", true, [=](Laboratory& laboratory) {
-                       const Scene scene = flat_box();
-                       return slide_threshold(laboratory, scene, 0.5, Vec3::UnitX(), heave * scene.settings.gravity);
-                     }});
+    cases.push_back(
+        {"slide", fmt::format("slide_heave_{:+.1f}_g", heave),
+         fmt::format("smallest acceleration that slides a box while the floor accelerates upwards with {:+.1f} g",
+                     heave),
+         "the normal force assumed to be m g", true, [=](Laboratory& laboratory) {
+           const Scene scene = flat_box();
+           return slide_threshold(laboratory, scene, 0.5, Vec3::UnitX(), heave * scene.settings.gravity);
+         }});
   }
   const std::vector<Case> tests = sliding_tests();
   cases.insert(cases.end(), tests.begin(), tests.end());

@@ -16,20 +16,20 @@ namespace holdfast::internal {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRest = 0.25;  ///< before the load, s
-constexpr double kPush = 5.0;   ///< for which the load lasts, s
+constexpr double kRest = 0.25;  ///< before the acceleration, s
+constexpr double kPush = 5.0;   ///< duration of the acceleration, s
 constexpr double kTipped = 10.0 * kDegree;
 constexpr double kPrecision = 1e-7;    ///< to which an exact threshold is found
-constexpr double kHighFriction = 2.0;  ///< above what any body here needs to pivot without slip
+constexpr double kHighFriction = 2.0;  ///< above the coefficient that any body here needs to pivot without sliding
 
-/// A box in the middle of a large container, high enough for it to fall in any way.
+/// A box in the middle of a large container, which is high enough for any fall.
 Scene scene_of(const Vec3& size, double friction = kHighFriction) {
   Scene scene = empty_scene({40, 40, 20}, friction);
   scene.boxes.push_back(standing_box(size, {20 - 0.5 * size.x(), 20 - 0.5 * size.y(), 0}));
   return scene;
 }
 
-/// True when any box is turned by 10 degrees, or has gone further than `reach`, m, before the end of the acceleration.
+/// True when any box rotates by 10 degrees, or moves by more than `reach`, m, before the end of the acceleration.
 bool tips(Laboratory& laboratory, const Scene& scene, double reach) {
   bool tipped = false;
   const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
@@ -42,15 +42,16 @@ bool tips(Laboratory& laboratory, const Scene& scene, double reach) {
 }
 
 /// The smallest acceleration that tips something of the scene within 5 s.
-/// @param scene without motion
-/// @param body  what turns, as a whole: the expected threshold is that of its exact toppling by 10 degrees within 5 s
+/// @param scene without accelerations
+/// @param body  the boxes that tip, as one rigid body: the expected threshold is that of its exact toppling by 10
+/// degrees
+///   within 5 s
 Measurement tip_threshold(Laboratory& laboratory, const Scene& scene, const Pivoted& body, const Vec3& heading) {
   const double gravity = scene.settings.gravity;
   const double expected = toppling_threshold(body, gravity, kTipped, kPush);
-  // The centre of mass of whatever is tipped is at most two arms from the pivot; half as much again is for good
-  // measure.
+  // The centre of mass of a tipping box is at most two arms from the pivot; half of that is added as a margin.
   const double reach = 3.0 * body.arm * kTipped;
-  const double found = border_near(expected, kPrecision, [&](double acceleration) {
+  const double found = threshold_near(expected, kPrecision, [&](double acceleration) {
     Scene pushed = scene;
     pushed.then(kRest, Vec3::Zero()).then(kPush, acceleration * heading);
     return tips(laboratory, pushed, reach);
@@ -59,10 +60,10 @@ Measurement tip_threshold(Laboratory& laboratory, const Scene& scene, const Pivo
 }
 
 /// The rolling test of Martinez-Franco et al. (section 4.3): l/h from 0.2 to 0.8, friction high enough not to slide
-/// (the paper raises it until the box rolls). The box has a square base and is a metre high. Along an edge's normal it
-/// tips about the edge: a h/2 = g l/2, a = g l/h. Along a diagonal the load on the base moves towards the corner, a
-/// distance l/√2 away, and leaves the base there: a h/2 = g l/√2, a = √2 g l/h. (The components a/√2 reach g l/h on
-/// both edges at once.)
+/// (the paper raises it until the box rolls). The box has a square base and is a metre high. Along the normal of an
+/// edge it tips about the edge: a h/2 = g l/2, a = g l/h. Along a diagonal the centre of pressure moves towards the
+/// corner, at a distance of l/√2, and the box tips when it is there: a h/2 = g l/√2, a = √2 g l/h. (The components a/√2
+/// reach g l/h at both edges at once.)
 std::vector<Case> rolling_tests() {
   struct Heading {
     const char* name;
@@ -80,7 +81,7 @@ std::vector<Case> rolling_tests() {
       const double length = tenths / 10.0;
       cases.push_back({"tip", fmt::format("tip_ratio_{:.1f}_{}", length, heading.name),
                        fmt::format("smallest acceleration that tips a box of l/h = {:.1f}", length),
-                       "contacts that give way move the pivot inwards", heading.name == headings[0].name,
+                       "soft contacts move the pivot inwards", heading.name == headings[0].name,
                        [=](Laboratory& laboratory) -> std::vector<Measurement> {
                          const Pivoted body = heading.diagonal ? about_corner(length, 1.0) : about_edge(length, 1.0);
                          return {tip_threshold(laboratory, scene_of({length, length, 1.0}), body, heading.direction)};
@@ -91,14 +92,14 @@ std::vector<Case> rolling_tests() {
 }
 
 /// The box of the toppling cases: l/h = 0.5, a metre high. Until 45 degrees and at 1.1 g l/h it needs a friction of
-/// 0.52 to pivot without slip, so that the exact motion is that of `Toppling`. (Not much further: the pivot is then
-/// pulled up, it lifts off before 60 degrees at any friction.)
+/// 0.52 to pivot without sliding, so that the exact motion is that of `Toppling`. (Not much farther: the vertical force
+/// on the pivot becomes zero, and it lifts off before 60 degrees at any friction.)
 const Vec3 kTopplingBox(0.5, 0.5, 1.0);
 const Pivoted kToppling = about_edge(0.5, 1.0);
-/// A panel, wide and low: l/h = 0.3, twice as wide as high. It needs a friction of 0.31 until 45 degrees.
+/// A panel: l/h = 0.3, twice as wide as high. It needs a friction coefficient of 0.31 until 45 degrees.
 const Vec3 kPanel(0.15, 1.0, 0.5);
 
-/// Ten seconds at 0.999 and 1.001 of g l/h: at rest, and tipped.
+/// Ten seconds at 0.999 and 1.001 of g l/h: at rest, or tipped.
 std::vector<Measurement> tip_near_limit(Laboratory& laboratory) {
   Scene below = scene_of(kTopplingBox);
   const double limit = 0.5 * below.settings.gravity;
@@ -125,8 +126,8 @@ std::vector<Measurement> tip_cube(Laboratory& laboratory) {
                  ToleranceClass::fine)};
 }
 
-/// The angle of a toppling box against the exact one: when that is 30 and 45 degrees, and the largest error on the way,
-/// in degrees. Load over the threshold by `share`, after a rest.
+/// The angle of a toppling box compared with the exact one: when that is 30 and 45 degrees, and the largest error
+/// before, in degrees. The acceleration exceeds the threshold by the fraction `share`, after an interval of rest.
 std::vector<Measurement> topple(Laboratory& laboratory, const Vec3& size, double share) {
   Scene scene = scene_of(size);
   const double gravity = scene.settings.gravity;
@@ -135,10 +136,10 @@ std::vector<Measurement> topple(Laboratory& laboratory, const Vec3& size, double
   Toppling exact(body, acceleration, gravity);
   const double half_way = exact.time_to(30.0 * kDegree);
   const double end = exact.time_to(45.0 * kDegree);
-  // Phases end where the exact angles are reached, and so do steps.
+  // Phases, and therefore steps, end at the times at which the exact angles are reached.
   scene.then(kRest, Vec3::Zero()).then(half_way, {acceleration, 0, 0}).then(end - half_way, {acceleration, 0, 0});
 
-  std::vector<std::pair<double, double>> angles;  // time of the load, angle
+  std::vector<std::pair<double, double>> angles;  // time since the start of the acceleration, angle
   laboratory.run(scene, [&](const Moment& moment) {
     if (moment.time > kRest) angles.emplace_back(moment.time - kRest, turn_of(moment.state.orientation[0]));
     return true;
@@ -157,7 +158,7 @@ std::vector<Measurement> topple(Laboratory& laboratory, const Vec3& size, double
           scaled("largest error below 45 degrees (degrees)", worst / kDegree, 0.0, 1.0, ToleranceClass::good)};
 }
 
-/// The box of the toppling cases, tilted about its lower edge on the side that a push along x tips it to.
+/// The box of the toppling cases, tilted about the lower edge over which an acceleration along x tips it.
 Scene tilted(double angle) {
   Scene scene = scene_of(kTopplingBox);
   SceneBox& box = scene.boxes[0];
@@ -168,13 +169,14 @@ Scene tilted(double angle) {
   return scene;
 }
 
-/// Under a < g l/h the box, let go at rest, topples from θ_c = α − atan(a/g) on: there its centre of mass is above the
-/// pivot, seen along the sum of gravity and inertial force. 1e-4 off, it has decided after three seconds (e^(3.6 t)).
+/// Under a < g l/h the box, released at rest, topples from θ_c = α − atan(a/g) on: there its centre of mass is above
+/// the pivot, along the effective gravity. From 1e-4 beside θ_c, the direction is clear after three seconds (e^(3.6
+/// t)).
 std::vector<Measurement> point_of_no_return(Laboratory& laboratory) {
   const double gravity = scene_of(kTopplingBox).settings.gravity;
   const double acceleration = 0.5 * 0.5 * gravity;
   const double critical = kToppling.lean - std::atan(acceleration / gravity);
-  const double found = border_near(critical, kPrecision, [&](double angle) {
+  const double found = threshold_near(critical, kPrecision, [&](double angle) {
     Scene scene = tilted(angle);
     scene.then(6.0, {acceleration, 0, 0});
     bool falls = false;
@@ -189,13 +191,14 @@ std::vector<Measurement> point_of_no_return(Laboratory& laboratory) {
 }
 
 /// The shortest pulse of 1.5 g l/h that overturns the box, by the exact criterion (`overturning_pulse`), not that for
-/// slender blocks. It needs a friction of 0.56, at the start. The bound of 1 % tells the formulas apart.
+/// slender blocks. It needs a friction coefficient of 0.56, at the start. A tolerance of 1 % distinguishes the
+/// formulas.
 std::vector<Measurement> overturning(Laboratory& laboratory) {
   const Scene scene = scene_of(kTopplingBox);
   const double gravity = scene.settings.gravity;
   const double acceleration = 1.5 * 0.5 * gravity;
   const double expected = overturning_pulse(kToppling, acceleration, gravity);
-  const double found = border_near(expected, kPrecision, [&](double pulse) {
+  const double found = threshold_near(expected, kPrecision, [&](double pulse) {
     Scene pushed = scene;
     pushed.then(kRest, Vec3::Zero()).then(pulse, {acceleration, 0, 0}).then(5.0, Vec3::Zero());
     const double over = kToppling.lean + 10.0 * kDegree;
@@ -205,10 +208,10 @@ std::vector<Measurement> overturning(Laboratory& laboratory) {
   return {relative("shortest pulse that overturns it (s)", found, expected, ToleranceClass::coarse)};
 }
 
-/// Pushed over at 1.2 g l/h and left to itself from 40 degrees on, the box ends flat on its side. (The pivot lifts off
-/// at 71 degrees. It does not rock on: landing on a face of length h and height l, the rate after the impact about the
-/// far edge would be 1 − (3/2) h²/(l² + h²) = −0.2 of the one before.) From the push's end on nothing does work on it:
-/// its energy never grows.
+/// Tipped with 1.2 g l/h up to 40 degrees, and then under gravity alone, the box ends flat on its side. (The pivot
+/// lifts off at 71 degrees. The box does not rock further: for a landing on a face of length h and height l, the
+/// angular velocity after the impact about the far edge would be 1 − (3/2) h²/(l² + h²) = −0.2 of that before.) After
+/// the acceleration no work is done on the box: its energy never increases.
 std::vector<Measurement> lands_flat(Laboratory& laboratory) {
   Scene scene = scene_of(kTopplingBox);
   const double gravity = scene.settings.gravity;
@@ -240,16 +243,16 @@ std::vector<Measurement> lands_flat(Laboratory& laboratory) {
           scaled("growth of energy (J/kg)", rise, 0.0, gravity * kTopplingBox.z(), ToleranceClass::fine)};
 }
 
-/// Flat boxes of a metre by 0.2 m on each other: of all parts of the stack the whole, of height H, tips first, at g
-/// l/H.
+/// Flat boxes of a metre by 0.2 m on each other: of all upper parts of the stack the whole stack, of height H, tips
+/// first, at g l/H.
 Scene stack_of(int count) {
   Scene scene = empty_scene({40, 40, 20}, kHighFriction);
   for (int i = 0; i < count; ++i) scene.boxes.push_back(standing_box({1.0, 1.0, 0.2}, {19.5, 19.5, 0.2 * i}));
   return scene;
 }
 
-/// While the stack turns by 10 degrees nothing in it opens or slips: the bending moment of a turning column is at most
-/// (1/27) m g H sin θ or so, that which an interface bears in its place (2/3) m g l/2.
+/// While the stack rotates by 10 degrees no joint opens or slides: the bending moment of a rotating column is at most
+/// about (1/27) m g H sin θ; an interface at that height can transmit (2/3) m g l/2.
 std::vector<Measurement> stack_tips(Laboratory& laboratory, int count) {
   return {tip_threshold(laboratory, stack_of(count), about_edge(1.0, 0.2 * count), Vec3::UnitX())};
 }
@@ -266,26 +269,26 @@ std::vector<Measurement> stack_rests(Laboratory& laboratory) {
 std::vector<Case> tip_cases() {
   std::vector<Case> cases = rolling_tests();
   const std::vector<Case> others = {
-      {"tip", "tip_near_limit", "rest or fall at 0.999 and 1.001 of the limit", "contacts that give way tip below it",
-       true, tip_near_limit},
-      {"tip", "tip_cube_high_friction", "a cube of friction 2 tips and does not slide", "friction capped at 1", true,
+      {"tip", "tip_near_limit", "rest or fall at 0.999 and 1.001 of the limit",
+       "soft contacts let it tip below the limit", true, tip_near_limit},
+      {"tip", "tip_cube_high_friction", "a cube of friction 2 tips and does not slide", "friction limited to 1", true,
        tip_cube},
-      {"tip", "tip_point_of_no_return", "tilt from which a loaded box falls over", "energy from correcting positions",
-       true, point_of_no_return},
-      {"tip", "tip_overturning_pulse", "shortest pulse that overturns a box", "energy gained or lost on the way", true,
+      {"tip", "tip_point_of_no_return", "tilt from which a box under an acceleration falls over",
+       "energy from position correction", true, point_of_no_return},
+      {"tip", "tip_overturning_pulse", "shortest pulse that overturns a box", "energy gained or lost in between", true,
        overturning},
-      {"tip", "tip_lands_on_its_side", "a box pushed over ends flat on its side",
-       "the contact's axis flips at 45 degrees; the landing adds energy", true, lands_flat},
-      {"tip", "tip_stack_20_rests", "20 boxes on each other stand still at 0.9 of their limit",
-       "sweeps over the contacts do not reach from bottom to top", false, stack_rests},
+      {"tip", "tip_lands_on_its_side", "a box that is tipped over ends flat on its side",
+       "the contact normal changes at 45 degrees; the landing adds energy", true, lands_flat},
+      {"tip", "tip_stack_20_rests", "20 boxes on each other are at rest at 0.9 of their limit",
+       "sweeps over the contacts do not propagate from bottom to top", false, stack_rests},
       {"tip", "tip_stack_5", "smallest acceleration that tips 5 boxes on each other",
-       "sweeps over the contacts do not reach from bottom to top", false,
+       "sweeps over the contacts do not propagate from bottom to top", false,
        [](Laboratory& laboratory) { return stack_tips(laboratory, 5); }},
       {"tip", "tip_stack_10", "smallest acceleration that tips 10 boxes on each other",
-       "sweeps over the contacts do not reach from bottom to top", false,
+       "sweeps over the contacts do not propagate from bottom to top", false,
        [](Laboratory& laboratory) { return stack_tips(laboratory, 10); }},
       {"tip", "tip_stack_20", "smallest acceleration that tips 20 boxes on each other",
-       "sweeps over the contacts do not reach from bottom to top", false,
+       "sweeps over the contacts do not propagate from bottom to top", false,
        [](Laboratory& laboratory) { return stack_tips(laboratory, 20); }},
   };
   cases.insert(cases.end(), others.begin(), others.end());
@@ -294,7 +297,7 @@ std::vector<Case> tip_cases() {
       cases.push_back(
           {"tip", fmt::format("topple_{}_{}_percent_over", name, percent),
            fmt::format("angle of a toppling {}, {} % over its limit", name, percent),
-           "geometry of first order in the step; a late or early start", true,
+           "first-order integration of the rotation; a late or early start", true,
            [size = size, percent](Laboratory& laboratory) { return topple(laboratory, size, percent / 100.0); }});
     }
   }

@@ -13,8 +13,8 @@ namespace {
 const Vec3 kContainer = {16, 8, 4};
 const Vec3 kFlatBox = {1.0, 1.0, 0.5};
 
-/// A box slides without friction at `speed` to the front wall, flat, and leaves it with the share `restitution`.
-/// Newton's law at all four corners alike: v⁺ = −e v⁻, no rotation; the rest is uniform motion.
+/// A box slides without friction at `speed` to the front wall, with its face parallel to the wall, and rebounds.
+/// Newton's law is the same at all four corners: v⁺ = −e v⁻, no rotation; the remaining motion is uniform.
 std::vector<Measurement> wall(Laboratory& laboratory, double restitution, double speed) {
   const double gap = 0.2137;
   const double after = 0.31;
@@ -34,8 +34,8 @@ std::vector<Measurement> wall(Laboratory& laboratory, double restitution, double
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
-/// A box slides along the gap `gap` to a wall without friction under a steady braking of 0.8 g and stays there.
-///   t = √(2 d / (a − μ g)),  v = √(2 d (a − μ g)); no restitution: it stops, flat
+/// A box slides over the distance `gap` to a frictionless wall under constant braking of 0.8 g and stays there.
+///   t = √(2 d / (a − μ g)),  v = √(2 d (a − μ g)); without restitution it stops, parallel to the wall
 std::vector<Measurement> braked_into_wall(Laboratory& laboratory, double gap) {
   const double friction = 0.3;
   Scene scene = scene_of_pairs(kContainer, friction, friction, 0.0);
@@ -63,7 +63,7 @@ std::vector<Measurement> braked_into_wall(Laboratory& laboratory, double gap) {
           scaled("energy gained (share)", energy_gain(scene, track) / energy, 0.0, 1.0, fine)};
 }
 
-/// A side of the container, by the axis it is across and the end of it.
+/// A side of the container, by the axis perpendicular to it and the end of that axis.
 struct Wall {
   const char* name;
   int axis;
@@ -72,9 +72,9 @@ struct Wall {
 constexpr Wall kWalls[] = {{"floor", 2, false}, {"front", 0, false}, {"rear", 0, true},
                            {"left", 1, false},  {"right", 1, true},  {"roof", 2, true}};
 
-/// A box is pressed gently against a side of the container, 5 cm away, without friction, and comes to rest there: it
-/// has gone exactly the 5 cm. It feels 0.5 m/s² towards the side; nothing else where that is across, gravity's rest
-/// where it is floor or roof.
+/// A box without friction moves to a side of the container, 5 cm away, and comes to rest there: it has moved by exactly
+/// 5 cm. The effective gravity has 0.5 m/s² towards the side; for floor and roof that replaces gravity, for the other
+/// sides gravity also acts, downwards.
 std::vector<Measurement> wall_in_place(Laboratory& laboratory, const Wall& wall) {
   constexpr double kGap = 0.05;
   constexpr double kPush = 0.5;  // m/s²
@@ -84,7 +84,7 @@ std::vector<Measurement> wall_in_place(Laboratory& laboratory, const Wall& wall)
   box.position[wall.axis] = wall.far ? kContainer[wall.axis] - half - kGap : half + kGap;
   scene.boxes.push_back(box);
   Vec3 acceleration = Vec3::Zero();
-  // The boxes feel gravity minus a: what they are to feel along the axis, with the sign turned.
+  // The boxes feel g − a: the sign of the wanted acceleration along the axis is reversed.
   const double felt = wall.far ? kPush : -kPush;
   acceleration[wall.axis] = wall.axis == 2 ? -scene.settings.gravity - felt : -felt;
   scene.then(2.0, acceleration);
@@ -101,9 +101,9 @@ std::vector<Case> wall_cases() {
     for (const double speed : {0.1, 0.5, 1.0, 3.0}) {
       if (speed == 0.1 && restitution != 0.5) continue;
       cases.push_back({"rebound", fmt::format("rebound_wall_e_{}_v_{}", restitution, speed),
-                       fmt::format("a box meets a wall at {} m/s with restitution {}", speed, restitution),
+                       fmt::format("a box hits a wall at {} m/s with restitution {}", speed, restitution),
                        speed == 0.1 ? "restitution ignored at low speed"
-                                    : "contact made too early or too late; position correction adds speed",
+                                    : "contact too early or too late; position correction adds speed",
                        speed == 1.0 || speed == 0.1,
                        [=](Laboratory& laboratory) { return wall(laboratory, restitution, speed); }});
     }
@@ -114,8 +114,8 @@ std::vector<Case> wall_cases() {
                      [=](Laboratory& laboratory) { return braked_into_wall(laboratory, gap); }});
   for (const Wall& wall : kWalls)
     cases.push_back({"rebound", fmt::format("wall_in_place_{}", wall.name),
-                     fmt::format("where a box rests that is pressed gently against the {}", wall.name),
-                     "a wall out of its place, a contact made at a distance or only when deep", true,
+                     fmt::format("where a box comes to rest that is lightly pressed against the {}", wall.name),
+                     "a wall at a wrong position, a contact at a distance or only at a penetration", true,
                      [wall](Laboratory& laboratory) { return wall_in_place(laboratory, wall); }});
   return cases;
 }

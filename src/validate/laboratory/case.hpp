@@ -10,15 +10,14 @@
 
 namespace holdfast::internal {
 
-/// A question with a known answer. Adding one is adding an entry to the table of its suite.
+/// A question with a known answer. To add a case, add an entry to the table of its suite.
 struct Case {
   std::string suite;     ///< slide, tip, rebound, manoeuvre, hard
   std::string name;      ///< unique, snake_case: "slide_mu_0.5_along_x"
   std::string question;  ///< what is asked, one clause: "smallest acceleration that slides a box of friction 0.5"
-  std::string trap;      ///< what goes wrong typically, one clause
+  std::string trap;      ///< typical failure mode of engines, one clause
   bool quick = false;    ///< part of a quick run: below 0.2 s of processor time with Bullet's default
-  /// Runs what it takes and returns what was measured. The expected value and where it comes from are in a comment
-  /// beside it.
+  /// Runs the scenes of the case and returns the measurements. A comment beside it derives the expected values.
   std::function<std::vector<Measurement>(Laboratory&)> measure;
 };
 
@@ -29,7 +28,7 @@ std::vector<Case> rebound_cases();
 std::vector<Case> manoeuvre_cases();
 std::vector<Case> hard_cases();
 
-/// All of them, suite after suite.
+/// All cases, suite by suite.
 std::vector<Case> all_cases();
 
 }  // namespace holdfast::internal

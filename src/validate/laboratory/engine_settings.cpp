@@ -6,7 +6,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Bullet with a step, a number of iterations, and either friction as shipped (1F: one direction, fixed order) or
+/// Bullet with a step, a number of iterations, and either Bullet's default friction (1F: one direction, fixed order) or
 /// 2F R (two directions, random order).
 EngineSetting bullet(const char* engine, const char* name, double steps_per_second, int iterations,
                      bool quick = false) {
@@ -18,7 +18,8 @@ EngineSetting bullet(const char* engine, const char* name, double steps_per_seco
           quick};
 }
 
-/// The native engine at one of its accuracies, quick, and taken through loads, where told.
+/// The native engine at one of its accuracies; the arguments say whether it is part of a quick run and of the load
+/// suite.
 EngineSetting native_setting(const char* name, Accuracy accuracy, bool quick, bool loads) {
   return {.engine = "native",
           .name = name,

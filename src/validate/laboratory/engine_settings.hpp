@@ -6,8 +6,8 @@
 
 namespace holdfast::internal {
 
-/// The engines and settings that are validated: the curves of speed against error. The first one of each engine is its
-/// default.
+/// The engines and settings that are validated: the points in the plot of speed against error. The first setting of
+/// each engine is its default.
 const std::vector<EngineSetting>& engine_settings();
 
 }  // namespace holdfast::internal

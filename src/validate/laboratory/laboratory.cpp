@@ -13,10 +13,10 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Passes what the drive loop sees of one world on to an observer, until that has seen enough.
+/// Passes the steps of one world to an observer until the observer has finished.
 class ObservingRecorder final : public Recorder {
  public:
-  /// @param seen_enough called once, when the observer has
+  /// @param seen_enough called once, when the observer has finished
   ObservingRecorder(const Observer& observer, std::function<void()> seen_enough)
       : observer_(observer), seen_enough_(std::move(seen_enough)) {}
 
@@ -44,7 +44,7 @@ class ObservingRecorder final : public Recorder {
   Outcome outcome_;
 };
 
-/// The settings of a scene with the solver's part filled in.
+/// The settings of a scene together with those of the solver.
 Settings settings_of(const Scene& scene, const EngineSetting& setting) {
   Settings settings = scene.settings;
   setting.choose(settings);
@@ -76,7 +76,7 @@ std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<co
   WorldBatch batch;
   for (const Scene& scene : scenes) scene.append_to(batch);
 
-  // The run ends when nobody watches any more, or when asked to from outside.
+  // The run ends when all observers have finished, or when it is aborted.
   std::atomic<bool> over = false;
   std::size_t watching = scenes.size();
   std::vector<Observer> watched;
@@ -166,7 +166,7 @@ double smallest_amplitude(double low, double high, double precision, const std::
   if (exceeds(low)) return low;
   if (!exceeds(high)) return high;
   while (high - low > precision * high) {
-    // Halving the logarithm finds thresholds of a few per cent as precisely as those near the bracket's end.
+    // Bisection of the logarithm finds small thresholds with the same relative precision as large ones.
     const double middle = low > 0.0 && high > 4.0 * low ? std::sqrt(low * high) : 0.5 * (low + high);
     (exceeds(middle) ? high : low) = middle;
   }

@@ -14,49 +14,49 @@
 
 namespace holdfast::internal {
 
-/// An engine with a choice of its solver's settings: one curve's point, one column of the tables.
+/// An engine with settings of its solver: one point of a curve in the report, one column of its tables.
 struct EngineSetting {
   std::string engine;                     ///< name of the engine
   std::string name;                       ///< of the setting: "240 Hz, 50 it, 2F R"
   std::function<void(Settings&)> choose;  ///< sets step and solver in a scene's settings
   bool quick = false;                     ///< part of a quick run
   bool reference = false;                 ///< one of the references of the load suite
-  bool loads = true;                      ///< taken through the load suite; not where a load costs minutes
-  bool quick_cases_only = false;          ///< of a device: a step of one box takes it as long as one of a full load
+  bool loads = true;                      ///< part of the load suite; false if a loading takes minutes
+  bool quick_cases_only = false;  ///< for a device, where a step of one box takes as long as one of a full container
 };
 
-/// Makes an engine by name. The laboratory does not know how.
+/// Creates an engine by name; provided by the user of the laboratory.
 using EngineFactory = std::function<Result<std::unique_ptr<Engine>>(const std::string& name, const Settings& settings)>;
 
-/// What an observer sees after each step: all in double, as the engine has it.
+/// The data passed to an observer after each step, in double precision as in the engine.
 struct Moment {
   double time = 0.0;  ///< s
   double step = 0.0;  ///< length of the step that ended, s; 0 at the start
   StateView state;
 };
 
-/// Sees the start and every step end. Returns false when it has seen enough: the run ends there.
+/// Called at the start and after every step. Returns false to end the run.
 using Observer = std::function<bool(const Moment&)>;
 
-/// What running scenes cost, and how the runs ended.
+/// Cost of running scenes, and how the runs ended.
 struct RunCost {
   double cpu_seconds = 0.0;
   double box_seconds = 0.0;  ///< boxes that can move, times simulated seconds
 };
 
-/// Runs scenes on one engine and setting, and adds up what that costs.
+/// Runs scenes on one engine and setting, and adds up their cost.
 class Laboratory {
  public:
   /// @param abort ends the run in progress when set
   Laboratory(EngineFactory factory, const EngineSetting& setting, const std::atomic<bool>& abort);
 
-  /// Runs the scene from its start to the end of its motion, or until the observer has seen enough.
-  /// Without gravity-only settling unless the scene's settings ask for it. A world that fails (not finite) ends early;
-  /// the observer then has not seen the end.
+  /// Runs the scene from its start to the end of its acceleration, or until the observer has finished. There is no
+  /// settling unless the scene's settings require it. A world that fails (not finite) ends early; the observer is then
+  /// not called for the end.
   Outcome run(const Scene& scene, const Observer& observer);
 
-  /// Runs several scenes as the worlds of one batch, with the settings of the first and an observer each, until all
-  /// have ended or all observers have seen enough.
+  /// Runs several scenes as the worlds of one batch, with the settings of the first and one observer each, until all
+  /// have ended or all observers have finished.
   std::vector<Outcome> run(std::span<const Scene> scenes, std::span<const Observer> observers);
 
   const EngineSetting& setting() const { return setting_; }
@@ -69,7 +69,7 @@ class Laboratory {
   RunCost cost_;
 };
 
-/// States at given times, linearly interpolated between step ends; what most cases ask for.
+/// States at given times, linearly interpolated between the ends of steps; most cases need only these.
 struct Snapshot {
   double time = 0.0;
   std::vector<Vec3> position;
@@ -78,25 +78,26 @@ struct Snapshot {
   std::vector<Vec3> angular_velocity;
 };
 
-/// Runs the scene and returns the last state it reached.
+/// Runs the scene and returns its last state.
 Snapshot final_state(Laboratory& laboratory, const Scene& scene);
 
-/// Runs the scenes as the worlds of one batch and returns the last state that each reached.
+/// Runs the scenes as the worlds of one batch and returns the last state of each.
 std::vector<Snapshot> final_states(Laboratory& laboratory, std::span<const Scene> scenes);
 
-/// Largest distance of any box from where it began, at any step of the run, m. Infinite when the run failed.
+/// Largest distance of any box from its start, over all steps of the run, m. Infinite if the run failed.
 double largest_displacement(Laboratory& laboratory, const Scene& scene);
 
-/// Angle by which a body is turned from the identity, rad.
+/// Angle of a rotation, rad.
 double turn_of(const Rotation& container_from_body);
 
-/// The first time at which `quantity` of the state reaches `level` from below, linearly interpolated between step
-/// ends, s; infinity when it never does.
+/// The first time at which `quantity` of the state reaches `level` from below, linearly interpolated between the ends
+/// of steps, s; infinity if it never does.
 double time_to_reach(Laboratory& laboratory, const Scene& scene, double level,
                      const std::function<double(const StateView&)>& quantity);
 
-/// The smallest amplitude at which `exceeds` is true, by bisection, to a share of `precision`; assumes one border
-/// between `low` (false) and `high` (true). `high` when it is false even there; `low` when it is true already there.
+/// The smallest amplitude at which `exceeds` is true, by bisection to the relative precision `precision`; assumes one
+/// threshold between `low` (false) and `high` (true). `high` if it is false even there; `low` if it is already true
+/// there.
 double smallest_amplitude(double low, double high, double precision, const std::function<bool(double)>& exceeds);
 
 }  // namespace holdfast::internal

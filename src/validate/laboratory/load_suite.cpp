@@ -23,7 +23,7 @@ double distance(const LoadRun& a, const LoadRun& b, std::size_t sample) {
   return largest;
 }
 
-/// Samples up to the one at which the references part, which is no longer predictable.
+/// Number of samples before the references separate: from then on the motion is not predictable.
 std::size_t predictable_samples(const LoadRun& reference, const LoadRun& second) {
   const std::size_t count = std::min(reference.positions.size(), second.positions.size());
   for (std::size_t sample = 0; sample < count; ++sample)
@@ -50,7 +50,7 @@ LoadVerdict judge(const LoadRun& run) {
   return verdict;
 }
 
-/// Ranks from 1; equal values share the mean of theirs.
+/// Ranks from 1; equal values get the mean of their ranks.
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

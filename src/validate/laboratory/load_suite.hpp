@@ -10,7 +10,7 @@
 
 namespace holdfast::internal {
 
-/// A real load under a road acceleration: no exact answer, so engines are compared with a converged reference.
+/// A real loading under a road acceleration. It has no exact answer; engines are compared with a converged reference.
 struct LoadWorld {
   std::string layout;        ///< name
   std::string acceleration;  ///< name
@@ -18,11 +18,11 @@ struct LoadWorld {
 };
 
 /// Every layout under full braking (0.8 g), hard acceleration (0.5 g) and cornering to both sides (0.5 g): half a
-/// second at rest, one second of it, half a second at rest. Friction coefficient 0.45, so that 0.5 g is not exactly
-/// marginal.
+/// second of gravity alone, one second of the acceleration, half a second of gravity alone. Friction coefficient 0.45,
+/// so that 0.5 g is not exactly marginal.
 std::vector<LoadWorld> load_worlds(std::span<const Layout> layouts);
 
-/// What is kept of a run of a load: positions of all boxes at equal intervals, in double.
+/// The record of a run: positions of all boxes at equal intervals, in double.
 struct LoadRun {
   std::vector<std::vector<Vec3>> positions;  ///< [sample][box], m
   double cpu_seconds = 0.0;
@@ -30,22 +30,23 @@ struct LoadRun {
   bool failed = false;
 };
 
-/// Runs a load; samples every 10 ms.
+/// Runs a world of the suite; samples every 10 ms.
 LoadRun run_load(Laboratory& laboratory, const LoadWorld& world);
 
-/// The outcome of all loads with one setting against the reference's, as measurements:
+/// Compares the runs of all worlds with one setting with those of the reference, as measurements:
 ///
-/// - displacement error while predictable: of each world the largest distance of any box from where the reference has
-///   it, up to the time at which the two references differ by more than 1 mm somewhere; median and largest over worlds
-/// - share of worlds where "any box fell" (5 cm) and "any box moved" (10 cm) come out differently over the whole run
+/// - displacement error while predictable: for each world the largest distance of any box from its position in the
+///   reference, up to the time at which the two references differ by more than 1 mm anywhere; median and largest over
+///   worlds
+/// - share of worlds where "any box fell" (5 cm) and "any box moved" (10 cm) differ at the end of the run
 /// - mean difference of the number of fallen boxes
 /// - one minus Spearman's rank correlation of the largest displacement over worlds
-/// @param runs, reference, second an entry a world, in the same order
+/// @param runs, reference, second one entry per world, in the same order
 std::vector<Measurement> compare_loads(std::span<const LoadRun> runs, std::span<const LoadRun> reference,
                                        std::span<const LoadRun> second);
 
-/// The two settings that serve as references, the finer one first: they differ in step, iterations and precision, and
-/// how far they agree says how far either can be trusted.
+/// The two settings that are references, the finer step first: they differ in step and iterations, and their agreement
+/// shows how far they can be trusted.
 const std::vector<EngineSetting>& load_references();
 
 }  // namespace holdfast::internal

@@ -5,34 +5,34 @@
 
 namespace holdfast::internal {
 
-/// How close to the known answer a case asks an engine to come; the same for all engines and settings.
+/// Class of the tolerance of a measurement; the same for all engines and settings.
 enum class ToleranceClass {
-  exact,    ///< 1e-12: what has no reason to be off at all, rest above all
+  exact,    ///< 1e-12: results without any reason for an error, such as rest
   fine,     ///< 1e-6: closed formulas
   good,     ///< 1e-4: trajectories integrated in time
-  coarse,   ///< 1e-2: order of magnitude, laws of scale
+  coarse,   ///< 1e-2: orders of magnitude, scaling laws
   verdict,  ///< right or wrong
 };
 
-/// The bound on the error that a class stands for; 0.5 for verdicts, whose error is 0 or 1.
+/// The tolerance of a class; 0.5 for verdicts, whose error is 0 or 1.
 double tolerance_of(ToleranceClass tolerance);
 std::string to_string(ToleranceClass tolerance);
 
-/// One number measured against a known one.
+/// One measured number and its known value.
 struct Measurement {
-  std::string metric;  ///< what, with its unit: "displacement (m)"
+  std::string metric;  ///< name with unit: "displacement (m)"
   double value = 0.0;
   double expected = 0.0;
-  double error = 0.0;  ///< not negative; relative unless the metric's maker says otherwise; infinite when lost
+  double error = 0.0;  ///< not negative; relative unless it was created with a scale; infinite if the value is lost
   ToleranceClass tolerance = ToleranceClass::fine;
 
-  bool passes() const { return error <= tolerance_of(tolerance); }  // false for not-a-number
+  bool passes() const { return error <= tolerance_of(tolerance); }  // false for NaN
 };
 
 /// Error relative to the expected value, which is not zero: |value / expected − 1|.
 Measurement relative(std::string metric, double value, double expected, ToleranceClass tolerance);
 
-/// Error as a share of a scale of the same unit: |value − expected| / scale. For answers that may be zero.
+/// Error relative to a scale of the same unit: |value − expected| / scale. For values that may be zero.
 Measurement scaled(std::string metric, double value, double expected, double scale, ToleranceClass tolerance);
 
 /// A yes or no that must be as expected: error 0 or 1.

@@ -49,7 +49,7 @@ void Scene::append_to(WorldBatch& batch) const {
 Scene empty_scene(const Vec3& container_size, double friction, double restitution) {
   Scene scene;
   scene.settings.container.size = container_size;
-  // One side of a product each, so that single boxes can be given another one.
+  // One factor of a product each, so that single boxes can have another coefficient.
   scene.settings.box_friction = std::sqrt(friction);
   scene.settings.container.friction = std::sqrt(friction);
   scene.settings.contact.restitution = restitution;

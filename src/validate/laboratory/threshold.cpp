@@ -6,9 +6,9 @@
 
 namespace holdfast::internal {
 
-double border_near(double expected, double precision, const std::function<bool(double)>& exceeds) {
+double threshold_near(double expected, double precision, const std::function<bool(double)>& exceeds) {
   const bool border_is_below = exceeds(expected);
-  double near = expected;  // always on the same side of the border as what is expected
+  double near = expected;  // always on the same side of the threshold as the expected value
   double far = expected;
   for (double share = precision;; share *= 10.0) {
     far = border_is_below ? expected * std::max(0.0, 1.0 - share) : expected * (1.0 + share);

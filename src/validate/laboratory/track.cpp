@@ -98,7 +98,7 @@ double energy_gain(const Scene& scene, const Track& track) {
   for (std::size_t i = 1; i < track.size(); ++i) {
     const Snapshot& before = track[i - 1];
     const Snapshot& after = track[i];
-    // No step straddles a change of the acceleration: that of the middle holds for all of it.
+    // No step crosses a change of the acceleration: the value at its middle applies to the whole step.
     const Vec3 field =
         Vec3(0, 0, -scene.settings.gravity) - acceleration_at(scene.acceleration, 0.5 * (before.time + after.time));
     for (std::size_t k = 0; k < boxes.mass.size(); ++k)

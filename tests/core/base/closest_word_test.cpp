@@ -6,7 +6,7 @@
 
 using holdfast::internal::closest_word;
 
-TEST_CASE("closest_word: a slip finds the word, another word finds nothing", "[core][closest_word]") {
+TEST_CASE("closest_word: a typing error finds the word, another word finds nothing", "[core][closest_word]") {
   const std::array<std::string_view, 4> words{"BoxFriction", "GroundFriction", "Mass", "TimeoutInSeconds"};
   CHECK(closest_word("BoxFricton", words) == "BoxFriction");
   CHECK(closest_word("boxfriction", words) == "BoxFriction");
@@ -19,7 +19,7 @@ TEST_CASE("closest_word: a slip finds the word, another word finds nothing", "[c
   CHECK(closest_word(std::string(100000, 'a'), words) == std::nullopt);
 }
 
-TEST_CASE("closest_word: a swap of neighbours is one slip", "[core][closest_word]") {
+TEST_CASE("closest_word: a swap of neighbours is one error", "[core][closest_word]") {
   const std::array<std::string_view, 2> words{"form", "foam"};
   CHECK(closest_word("from", words) == "form");
 }

@@ -7,7 +7,7 @@ using holdfast::internal::parse_integer;
 using holdfast::internal::parse_number;
 using holdfast::internal::rounded_text;
 
-TEST_CASE("number_text: a number is a whole finite decimal text", "[core][number_text]") {
+TEST_CASE("number_text: the whole text must be a finite decimal number", "[core][number_text]") {
   CHECK(parse_number("12") == 12.0);
   CHECK(parse_number("-0.5") == -0.5);
   CHECK(parse_number("+1e-3") == 1e-3);
@@ -20,7 +20,7 @@ TEST_CASE("number_text: a number is a whole finite decimal text", "[core][number
   }
 }
 
-TEST_CASE("number_text: a whole number has no point and fits", "[core][number_text]") {
+TEST_CASE("number_text: an integer has no decimal point and is in range", "[core][number_text]") {
   CHECK(parse_integer("12") == 12);
   CHECK(parse_integer("+12") == 12);
   CHECK(parse_integer("-3") == -3);
@@ -30,7 +30,7 @@ TEST_CASE("number_text: a whole number has no point and fits", "[core][number_te
   }
 }
 
-TEST_CASE("number_text: text of a number is the shortest that gives it back", "[core][number_text]") {
+TEST_CASE("number_text: the text of a number is the shortest that reads as the same number", "[core][number_text]") {
   CHECK(number_text(0.1) == "0.1");
   CHECK(number_text(240.0) == "240");
   CHECK(number_text(0.70710678118654757) == "0.7071067811865476");

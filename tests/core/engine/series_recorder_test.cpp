@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// One box of 1 x 2 x 3 m whose states a test sets by hand, and a recorder.
+/// One box of 1 x 2 x 3 m whose states the test sets, and a recorder.
 class HandDriven {
  public:
   explicit HandDriven(const RecordingPlan& plan, const Settings& settings = {})
@@ -76,7 +76,7 @@ TEST_CASE("series_recorder: an end on the interval is not sampled twice", "[core
   HandDriven world({.interval = 0.1});
   world.start();
   world.step(0.2);
-  // The end of the file as an add of decimal times leaves it.
+  // The end of the file with the rounding of a sum of decimal times.
   world.step(0.1 + 0.2);
   CHECK(world.finish().series.time.size() == 4);
 
@@ -106,7 +106,7 @@ TEST_CASE("series_recorder: states are linear between the ends of a step", "[cor
   }
 }
 
-TEST_CASE("series_recorder: orientations go the shorter way round", "[core][series_recorder]") {
+TEST_CASE("series_recorder: orientations are interpolated along the shorter arc", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1});
   world.start();
   world.now.orientation[0].coeffs() = -Rotation(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())).coeffs();
@@ -148,7 +148,7 @@ TEST_CASE("series_recorder: the force is -m a and never a negative zero", "[core
   CHECK(is_positive_zero(series.force[0].x));
 }
 
-TEST_CASE("series_recorder: what is too small for a float is 0, not -0", "[core][series_recorder]") {
+TEST_CASE("series_recorder: a number too small for a float is 0, not -0", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1});
   world.start();
   world.now.velocity[0] = Vec3(-1e-60, 0, 0);
@@ -210,7 +210,7 @@ TEST_CASE("series_recorder: kinetic energy of a spinning, tilted box", "[core][s
   CHECK(record.peak_total_kinetic_energy == Approx(expected).epsilon(1e-12));
 }
 
-TEST_CASE("series_recorder: peaks are over all steps, though samples miss them", "[core][series_recorder]") {
+TEST_CASE("series_recorder: peaks are over all steps, also between samples", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1});
   world.start();
   world.now.position[0] += Vec3(0, 0.5, 0);
@@ -228,7 +228,7 @@ TEST_CASE("series_recorder: peaks are over all steps, though samples miss them",
   CHECK(record.peak_total_kinetic_energy == 3000.0);
 }
 
-TEST_CASE("series_recorder: the ends are the last sample, to the bit", "[core][series_recorder]") {
+TEST_CASE("series_recorder: end values have the same bits as the last sample", "[core][series_recorder]") {
   for (const double end_time : {0.2, 0.1 + 0.1, 0.237}) {
     HandDriven world({.interval = 0.1});
     world.start();
@@ -262,12 +262,12 @@ TEST_CASE("series_recorder: displacement and tilt from the layout's or the settl
     CHECK(record.end.peak_displacement[0] == (settled ? 0.0F : 0.25F));
     CHECK(record.end.tilt[0] == Approx(settled ? 0.0 : 0.5 * 180 / kPi).margin(1e-6));
     CHECK(record.series.fallen_count[0] == (settled ? 0U : 1U));
-    // The table keeps the layout's pose in any case.
+    // The table always has the layout's pose.
     CHECK(record.boxes.initial_position[0].z == 1.5F);
   }
 }
 
-TEST_CASE("series_recorder: without series peaks and ends are kept all the same", "[core][series_recorder]") {
+TEST_CASE("series_recorder: peaks and end values are recorded without series too", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1, .series = false});
   world.start();
   CHECK(world.recorder.output_time() == std::numeric_limits<double>::infinity());
@@ -295,7 +295,7 @@ TEST_CASE("series_recorder: the table of boxes", "[core][series_recorder]") {
   CHECK(boxes.initial_position[0].x == 0.75F);
 }
 
-TEST_CASE("series_recorder: the plan comes from the settings", "[core][series_recorder]") {
+TEST_CASE("series_recorder: the options come from the settings", "[core][series_recorder]") {
   Settings settings;
   settings.results_interval = 0.25;
   settings.screening.reference_pose = ReferencePose::settled;

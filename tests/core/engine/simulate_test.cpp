@@ -14,12 +14,12 @@ namespace {
 
 const Layout kOneBox = layout_of({box({1, 1, 0}, {1, 1, 1})});
 
-/// A motion with breakpoints that no step of 1/240 s meets.
+/// An acceleration with breakpoints that are no multiples of 1/240 s.
 Acceleration pulse() {
   return acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(2, -1, 0)}, {0.5, Vec3(0, 0, 0)}});
 }
 
-/// What the drive loop says.
+/// The calls that a recorder receives.
 struct Heard {
   struct Stretch {
     double begin, end;
@@ -32,7 +32,7 @@ struct Heard {
   Vec3 settled_position;
 };
 
-/// Keeps what it hears; asks for no samples.
+/// Stores the calls that it receives; needs no samples.
 class Listener final : public Recorder {
  public:
   Heard heard;
@@ -49,7 +49,7 @@ class Listener final : public Recorder {
   }
 };
 
-/// Runs one box with a listener.
+/// Simulates one box with a recorder that stores its calls.
 Heard listen(const Script& script, const Acceleration& acceleration, const Settings& settings) {
   const Acceleration* const accelerations[] = {&acceleration};
   WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, settings);
@@ -70,7 +70,7 @@ Settings sleeping() {
 
 }  // namespace
 
-TEST_CASE("simulate: steps follow each other without gap and straddle no breakpoint", "[core][simulate]") {
+TEST_CASE("simulate: steps follow each other without gap and cross no breakpoint", "[core][simulate]") {
   const Acceleration acceleration = pulse();
   const Heard heard = listen({}, acceleration, {});
   double time = 0.0;
@@ -90,7 +90,7 @@ TEST_CASE("simulate: steps follow each other without gap and straddle no breakpo
   CHECK(heard.outcome.counters.steps == heard.steps.size());
 }
 
-TEST_CASE("simulate: a pulse gives its exact velocity whatever the step", "[core][simulate]") {
+TEST_CASE("simulate: a pulse gives the exact velocity at any step", "[core][simulate]") {
   for (const double rate : {7.0, 60.0, 240.0}) {
     const Run one = run(ScriptedEngine({.steps_per_second = rate}), kOneBox, pulse(), {});
     CHECK(one.state.velocity[0].x() == Approx(-2 * 0.4004).epsilon(1e-12));
@@ -98,7 +98,7 @@ TEST_CASE("simulate: a pulse gives its exact velocity whatever the step", "[core
   }
 }
 
-TEST_CASE("simulate: the sampling interval never changes the motion", "[core][simulate]") {
+TEST_CASE("simulate: the sampling interval does not affect the motion", "[core][simulate]") {
   Settings settings;
   const auto hash = [&](double interval) {
     settings.results_interval = interval;
@@ -110,7 +110,7 @@ TEST_CASE("simulate: the sampling interval never changes the motion", "[core][si
   CHECK(hash(100.0) == expected);
 }
 
-TEST_CASE("simulate: an engine that takes many steps at once loses no sample", "[core][simulate]") {
+TEST_CASE("simulate: no sample is lost when an engine takes many steps at once", "[core][simulate]") {
   Settings settings;
   settings.results_interval = 0.01;
   const Acceleration acceleration = constant(2.0, 1.0);
@@ -125,7 +125,7 @@ TEST_CASE("simulate: an engine that takes many steps at once loses no sample", "
   CHECK(run_fast.record.series.displacement[20].x == Approx(-stop * stop * 0.2 / stop));
 }
 
-TEST_CASE("simulate: an end after the motion is at rest, one before cuts it", "[core][simulate]") {
+TEST_CASE("simulate: after the acceleration ends it is zero, and an earlier end shortens it", "[core][simulate]") {
   const Acceleration acceleration = constant(2.0, 1.0);
   CHECK(latest_end(acceleration, {}) == 1.0);
   Settings settings;
@@ -140,7 +140,7 @@ TEST_CASE("simulate: an end after the motion is at rest, one before cuts it", "[
   CHECK(longer.displacement().x() == Approx(-4.0));
 }
 
-TEST_CASE("simulate: a motion without time ends at once, at 0", "[core][simulate]") {
+TEST_CASE("simulate: an acceleration without duration ends at once, at 0", "[core][simulate]") {
   const Run none = run(ScriptedEngine({}), kOneBox, Acceleration{}, {});
   CHECK(none.record.outcome.end_time == 0.0);
   CHECK_FALSE(std::signbit(none.record.outcome.end_time));
@@ -149,7 +149,7 @@ TEST_CASE("simulate: a motion without time ends at once, at 0", "[core][simulate
   CHECK(none.displacement() == Vec3(0, 0, 0));
 }
 
-TEST_CASE("simulate: settling is not recorded and starts the world where it ends", "[core][simulate]") {
+TEST_CASE("simulate: settling is not recorded, and the world starts where it ends", "[core][simulate]") {
   Settings settings;
   settings.screening.settle_seconds = 0.35;
   const Heard heard = listen({}, constant(2.0, 1.0), settings);
@@ -193,7 +193,7 @@ TEST_CASE("simulate: a state that is not finite while settling", "[core][simulat
   CHECK(one.displacement() == Vec3(0, 0, 0));
 }
 
-TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simulate]") {
+TEST_CASE("simulate: a world that fails does not affect the others", "[core][simulate]") {
   const Acceleration acceleration = constant(2.0, 1.0);
   const Acceleration* const accelerations[] = {&acceleration};
   const std::vector<Layout> layouts = {kOneBox, kOneBox, kOneBox};
@@ -214,7 +214,7 @@ TEST_CASE("simulate: a world that fails leaves the others alone", "[core][simula
   }
 }
 
-TEST_CASE("simulate: what the engine finds wrong is in the status", "[core][simulate]") {
+TEST_CASE("simulate: problems that the engine finds are in the status", "[core][simulate]") {
   const Run one = run(ScriptedEngine({.status = Status::not_converged}), kOneBox, constant(1, 1), {});
   CHECK(one.record.outcome.status == Status::not_converged);
   CHECK(one.record.outcome.stop_reason == StopReason::timeout);
@@ -223,14 +223,14 @@ TEST_CASE("simulate: what the engine finds wrong is in the status", "[core][simu
   CHECK(both.record.outcome.status == (Status::not_converged | Status::non_finite));
 }
 
-TEST_CASE("simulate: sleeping waits for the last change of the motion", "[core][simulate]") {
+TEST_CASE("simulate: sleeping waits for the last change of the acceleration", "[core][simulate]") {
   const Acceleration acceleration = acceleration_of({{1, Vec3(0, 0, 0)}, {1, Vec3(1, 0, 0)}});
   const Run one = run(ScriptedEngine({.still_from = 0.0}), kOneBox, acceleration, sleeping());
   CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
   CHECK(one.record.outcome.end_time == Approx(2.5));
 }
 
-TEST_CASE("simulate: sleeping takes half a second of quiet", "[core][simulate]") {
+TEST_CASE("simulate: sleeping takes half a second at low speed", "[core][simulate]") {
   const Acceleration acceleration = constant(0.5, 1.0);
   const Run one = run(ScriptedEngine({.still_from = 3.0}), kOneBox, acceleration, sleeping());
   CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
@@ -238,7 +238,7 @@ TEST_CASE("simulate: sleeping takes half a second of quiet", "[core][simulate]")
   CHECK(one.record.series.time.back() == one.record.outcome.end_time);
 }
 
-TEST_CASE("simulate: what never sleeps ends at the timeout, or after a minute", "[core][simulate]") {
+TEST_CASE("simulate: a world that never sleeps ends at the timeout, or after a minute", "[core][simulate]") {
   const Acceleration acceleration = constant(0.5, 1.0);
   CHECK(latest_end(acceleration, sleeping()) == 61.0);
   const Run one = run(ScriptedEngine({}), kOneBox, acceleration, sleeping());
@@ -252,7 +252,7 @@ TEST_CASE("simulate: what never sleeps ends at the timeout, or after a minute", 
   CHECK(early.record.outcome.stop_reason == StopReason::timeout);
 }
 
-TEST_CASE("simulate: an abort leaves the rest undone", "[core][simulate]") {
+TEST_CASE("simulate: an abort ends the simulation", "[core][simulate]") {
   const Acceleration acceleration = constant(1.0, 1.0);
   const Acceleration* const accelerations[] = {&acceleration};
   WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, {});
@@ -302,7 +302,7 @@ TEST_CASE("simulate: a world is the same alone, in a batch and together with oth
   }
 }
 
-TEST_CASE("simulate: worlds that advance all together keep their own motions", "[core][simulate]") {
+TEST_CASE("simulate: worlds that advance together keep their own accelerations", "[core][simulate]") {
   const Layout layouts[] = {kOneBox, kOneBox};
   const Acceleration first = pulse();
   const Acceleration second = acceleration_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
@@ -320,7 +320,7 @@ TEST_CASE("simulate: worlds that advance all together keep their own motions", "
   }
 }
 
-TEST_CASE("simulate: a world ends alone where all advance together", "[core][simulate]") {
+TEST_CASE("simulate: worlds that advance together end separately", "[core][simulate]") {
   const Layout layouts[] = {kOneBox, kOneBox};
   const Acceleration acceleration = pulse();
   const Acceleration* const accelerations[] = {&acceleration};
@@ -332,7 +332,7 @@ TEST_CASE("simulate: a world ends alone where all advance together", "[core][sim
   CHECK(runs[1].record.outcome.end_time == Approx(0.2).margin(1.0 / 240));
 }
 
-TEST_CASE("simulate: a world whose engine lost contacts fails with the last good state", "[core][simulate]") {
+TEST_CASE("simulate: a world whose engine lost contacts fails with the last valid state", "[core][simulate]") {
   const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), {});
   CHECK(lost.record.outcome.stop_reason == StopReason::failed);
   CHECK(has(lost.record.outcome.status, Status::capacity));

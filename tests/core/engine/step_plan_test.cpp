@@ -5,7 +5,7 @@
 using holdfast::internal::Phase;
 using holdfast::internal::StepPlan;
 
-TEST_CASE("step_plan: equal steps, none longer than wanted, end exactly at the phase's end", "[core][step_plan]") {
+TEST_CASE("step_plan: equal steps, none longer than requested, end exactly with the phase", "[core][step_plan]") {
   const Phase phase{0.3, 1.0001, {}};
   const StepPlan plan(phase, 240.0);
   CHECK(plan.step_count() == 169);
@@ -13,13 +13,13 @@ TEST_CASE("step_plan: equal steps, none longer than wanted, end exactly at the p
   CHECK(plan.end_of(plan.step_count() - 1) == phase.end);
 }
 
-TEST_CASE("step_plan: a whole number of steps is not made one more by rounding", "[core][step_plan]") {
+TEST_CASE("step_plan: rounding adds no step to a whole number of steps", "[core][step_plan]") {
   CHECK(StepPlan({1.3, 13.3, {}}, 240.0).step_count() == 2880);
   CHECK(StepPlan({0.0, 0.1, {}}, 240.0).step_count() == 24);
   CHECK(StepPlan({0.0, 1e-5, {}}, 240.0).step_count() == 1);
 }
 
-TEST_CASE("step_plan: the step to take follows from the time reached", "[core][step_plan]") {
+TEST_CASE("step_plan: the next step follows from the time reached", "[core][step_plan]") {
   const StepPlan plan({13.3, 13.65, {}}, 240.0);
   CHECK(plan.steps_before(13.3) == 0);
   for (std::uint64_t i = 0; i < plan.step_count(); ++i) CHECK(plan.steps_before(plan.end_of(i)) == i + 1);

@@ -23,7 +23,7 @@ std::vector<Vec3> phases(const Acceleration& acceleration, double end) {
 
 }  // namespace
 
-TEST_CASE("acceleration: phases cover the time without gap; gaps and the rest are at rest", "[core][acceleration]") {
+TEST_CASE("acceleration: phases cover the time without gap, with zero outside segments", "[core][acceleration]") {
   const Acceleration acceleration = acceleration_of({{1, 2, 5}, {4, 1, -5}});
   CHECK(phases(acceleration, 6) == std::vector<Vec3>{{0, 1, 0}, {1, 3, 5}, {3, 4, 0}, {4, 5, -5}, {5, 6, 0}});
 }
@@ -36,7 +36,7 @@ TEST_CASE("acceleration: phases are cut at the end of the simulated time", "[cor
   CHECK(phases(Acceleration{}, 3) == std::vector<Vec3>{{0, 3, 0}});
 }
 
-TEST_CASE("acceleration: rounding of decimal times makes no phase of its own", "[core][acceleration]") {
+TEST_CASE("acceleration: rounding of decimal times adds no phase", "[core][acceleration]") {
   const Acceleration acceleration = acceleration_of({{0, 0.1, 1}, {0.1, 0.2, 2}, {0.3, 0.1, 3}});
   REQUIRE(0.1 + 0.2 != 0.3);
   CHECK(phases(acceleration, 0.4).size() == 3);

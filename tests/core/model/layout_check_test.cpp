@@ -34,7 +34,7 @@ using Messages = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("layout_check: touching boxes inside the container are sound", "[core][layout_check]") {
+TEST_CASE("layout_check: touching boxes inside the container are valid", "[core][layout_check]") {
   const Outcome outcome = check(cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {4.87, 1.33, 1.2}}));
   CHECK(outcome.errors.empty());
   CHECK(outcome.warnings.empty());
@@ -57,7 +57,7 @@ TEST_CASE("layout_check: a box inside another, and the same box twice, overlap",
   CHECK(check(layout).errors.size() == 1);
 }
 
-TEST_CASE("layout_check: up to 0.1 mm is taken as rounding and said once", "[core][layout_check]") {
+TEST_CASE("layout_check: up to 0.1 mm is taken as rounding and reported once", "[core][layout_check]") {
   const Outcome outcome = check(cubes({{-0.00002, 0, 0}, {0.9999, 0, 0}, {0, 0.99995, 0}}));
   CHECK(outcome.errors.empty());
   CHECK(outcome.warnings == Messages{"a.txt: overlaps and protrusions within the tolerance are ignored: 4, the largest "
@@ -83,7 +83,7 @@ TEST_CASE("layout_check: a box outside names the side and by how much", "[core][
         Messages{"a.txt:2: box 1 is outside the container at the roof: 300 mm" + size});
 }
 
-TEST_CASE("layout_check: an open side does not bound", "[core][layout_check]") {
+TEST_CASE("layout_check: an open side is no boundary", "[core][layout_check]") {
   Settings settings;
   settings.container.open_sides = {"rear", "roof"};
   CHECK(check(cubes({{5, 0, 1.5}}), settings).errors.empty());
@@ -101,7 +101,7 @@ TEST_CASE("layout_check: zero, negative and non-finite extents", "[core][layout_
                                          "a.txt:4: box 3 has a corner that is not finite"});
 }
 
-TEST_CASE("layout_check: a box no thicker than rounding is none", "[core][layout_check]") {
+TEST_CASE("layout_check: a box no thicker than rounding is refused", "[core][layout_check]") {
   Layout layout = cubes({{0, 0, 0}, {2, 0, 0}});
   layout.boxes[0].corner_max.z() = 1e-300;
   layout.boxes[1].corner_max.z() = 0.0002;
@@ -127,7 +127,7 @@ TEST_CASE("layout_check: many errors are counted, not listed", "[core][layout_ch
   CHECK(outcome.errors.back() == "a.txt: further errors: 4930");
 }
 
-TEST_CASE("layout_check: the sweep finds the same pairs as looking at all of them", "[core][layout_check]") {
+TEST_CASE("layout_check: the sweep finds the same pairs as a check of all pairs", "[core][layout_check]") {
   Layout layout;
   Random random(1);
   for (long i = 0; i < 200; ++i) {

@@ -7,7 +7,7 @@ using namespace holdfast::internal;
 
 namespace {
 
-/// Whether the key takes the text; the settings are a fresh set with material 1.
+/// Whether the key accepts the text, in new settings with material 1.
 bool takes(const char* section, const char* name, const char* text) {
   Settings settings;
   const SettingKey* key = find_setting(section, name);
@@ -15,7 +15,7 @@ bool takes(const char* section, const char* name, const char* text) {
   return key->set(settings, 1, text);
 }
 
-/// The value as text after it was set from text.
+/// Sets the value from a text and returns its text.
 std::string round_trip(const char* section, const char* name, const char* text) {
   Settings settings;
   const SettingKey* key = find_setting(section, name);
@@ -51,7 +51,7 @@ TEST_CASE("setting_table: the declared default is the default of the member", "[
   }
 }
 
-TEST_CASE("setting_table: what a key writes it reads again", "[core][setting_table]") {
+TEST_CASE("setting_table: a key reads what it writes", "[core][setting_table]") {
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     for (const char* text : {"1", "0.3333333333333333", "1e-3", "true", "settled", "pairs", "free", "y", "sleeping",
@@ -151,7 +151,7 @@ TEST_CASE("setting_table: booleans, words and lists", "[core][setting_table]") {
   CHECK_FALSE(takes("Export Settings", "SavePath", ""));
 }
 
-TEST_CASE("setting_table: keys are found by their section, name or alias alone", "[core][setting_table]") {
+TEST_CASE("setting_table: keys are found only by exact section and name or alias", "[core][setting_table]") {
   CHECK(find_setting("Export Settings", "ResultsIntervalInSeconds") ==
         find_setting("Export Settings", "ResultsIntervallInSeconds"));
   CHECK(find_setting("Contact", "BoxFriction") == nullptr);
@@ -174,14 +174,14 @@ TEST_CASE("setting_table: contradictions between keys", "[core][setting_table]")
   CHECK(conflicts[0].section == "Material 3");
   CHECK(conflicts[0].name == "Mass");
   CHECK(conflicts[0].error.message() ==
-        "a material has both a mass and a density: [Material 3] Mass; give one of them");
+        "a material has both a mass and a density: [Material 3] Mass; give only one of them");
   CHECK(conflicts[1].error.message() ==
-        "a material has a friction of its own while FrictionModel is pairs: [Material 3] Friction; "
-        "leave it out, or take FrictionModel = product");
+        "a material has its own friction while FrictionModel is pairs: [Material 3] Friction; "
+        "remove it, or set FrictionModel = product");
   CHECK(conflicts[2].error.message() ==
         "a batch has no folder to read from: [Simulation Settings] BatchSimulation; "
-        "give BatchPath, or take BatchSimulation = false");
+        "give BatchPath, or set BatchSimulation = false");
   CHECK(conflicts[3].error.message() ==
-        "the settled pose is asked for without time to settle: [Screening] ReferencePose; "
-        "give SettleSeconds, or take ReferencePose = layout");
+        "the settled pose is requested without time to settle: [Screening] ReferencePose; "
+        "give SettleSeconds, or set ReferencePose = layout");
 }

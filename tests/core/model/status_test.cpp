@@ -13,7 +13,7 @@ TEST_CASE("status: names of the bits, joined", "[core][status]") {
   CHECK(to_string(Status::too_large) == "too_large");
 }
 
-TEST_CASE("status: bits are told apart", "[core][status]") {
+TEST_CASE("status: bits are independent", "[core][status]") {
   const Status both = Status::non_finite | Status::capacity;
   CHECK(has(both, Status::non_finite));
   CHECK(has(both, Status::capacity));

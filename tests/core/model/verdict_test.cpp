@@ -7,7 +7,7 @@ using namespace holdfast::internal;
 
 namespace {
 
-/// Ends of boxes with these displacements, m, and nothing else.
+/// End values of boxes with these displacements, m; all other values are zero.
 EndTable ends(std::vector<Float3> displacement) {
   const std::size_t count = displacement.size();
   EndTable end;
@@ -64,7 +64,7 @@ TEST_CASE("verdict: unstable is fallen or moved while settling", "[core][verdict
   CHECK_FALSE(judge_box(end, 0, kThresholds).fallen);
 }
 
-TEST_CASE("verdict: a state that is not a number makes no verdict of a fall", "[core][verdict]") {
+TEST_CASE("verdict: a NaN displacement is not a fall", "[core][verdict]") {
   CHECK_FALSE(is_fallen({0, 0, NAN}, kThresholds));
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("verdict: a box that is no lower has a drop of 0, not of -0", "[core][
   CHECK(judge_box(ends({{0, 0, 0.5F}}), 0, kThresholds).drop == -0.5F);
 }
 
-TEST_CASE("verdict: a world counts its boxes and keeps the largest", "[core][verdict]") {
+TEST_CASE("verdict: a world counts its boxes and has the largest of their values", "[core][verdict]") {
   EndTable end = ends({{0, 0, -0.2F}, {0.3F, 0.4F, 0}, {}});
   end.tilt = {90.0F, 0.0F, 0.0F};
   end.kinetic_energy = {1.5F, 2.0F, 0.0F};
@@ -108,7 +108,7 @@ TEST_CASE("verdict: a world is judged by the worst that happened in it", "[core]
   CHECK(verdict(end, Status::not_converged) == "failed");
 }
 
-TEST_CASE("verdict: nothing is said of a world that was not simulated", "[core][verdict]") {
+TEST_CASE("verdict: a world that was not simulated has no counts", "[core][verdict]") {
   const WorldVerdict world = judge_world(Status::bad_layout, StopReason::not_run, 0.0, {}, kThresholds);
   CHECK(world.verdict == Verdict::failed);
   for (const std::uint32_t count : {world.fallen_boxes, world.moved_boxes, world.tilted_boxes, world.unstable_boxes})

@@ -20,7 +20,7 @@ WorldBatch batch_of(const std::vector<Layout>& layouts, const Settings& settings
 
 }  // namespace
 
-TEST_CASE("world: worlds of every pair, motion fastest, one range of the columns each", "[core][world]") {
+TEST_CASE("world: one world per pair, acceleration fastest, each with a range of the columns", "[core][world]") {
   const std::vector<Layout> layouts = {stack(2, {0, 0, 0}, {1, 1, 1}), stack(3, {0, 0, 0}, {1, 1, 1})};
   const Acceleration one, two;
   const Acceleration* const accelerations[] = {&one, &two};
@@ -67,14 +67,14 @@ TEST_CASE("world: mass and inertia of a uniform box", "[core][world]") {
   CHECK(batch.boxes.inertia[0].z() == Approx(1500.0 / 12 * (1 + 4)));
 }
 
-TEST_CASE("world: a density that is no density is the mass of every box", "[core][world]") {
+TEST_CASE("world: with ConstantDensity off the density value is the mass of every box", "[core][world]") {
   Settings settings;
   settings.constant_density = false;
   settings.density_value = 12.0;
   CHECK(batch_of({layout_of({box({0, 0, 0}, {1, 2, 3})})}, settings).boxes.mass[0] == 12.0);
 }
 
-TEST_CASE("world: materials set boxes apart", "[core][world]") {
+TEST_CASE("world: boxes have the properties of their material", "[core][world]") {
   Settings settings;
   settings.box_friction = 0.6;
   settings.contact.restitution = 0.1;
@@ -92,7 +92,7 @@ TEST_CASE("world: materials set boxes apart", "[core][world]") {
   CHECK((batch.state.position[1] - Vec3(1.6, 0.5, 0.3)).norm() < 1e-15);
 }
 
-TEST_CASE("world: a view is the world's own range", "[core][world]") {
+TEST_CASE("world: a view is the range of the world", "[core][world]") {
   const WorldBatch batch = batch_of({stack(2, {0, 0, 0}, {1, 1, 1}), stack(1, {5, 0, 0}, {2, 2, 2})}, Settings{});
   const StateView state = view(batch.state, batch.worlds[1]);
   REQUIRE(state.position.size() == 1);
@@ -104,7 +104,7 @@ TEST_CASE("world: a view is the world's own range", "[core][world]") {
   CHECK(boxes.half_extents[0] == Vec3(1, 1, 1));
 }
 
-TEST_CASE("world: the hash sees every bit of every column, and nothing of other worlds", "[core][world]") {
+TEST_CASE("world: the hash depends on every bit of every column, and not on other worlds", "[core][world]") {
   WorldBatch batch = batch_of({stack(2, {0, 0, 0}, {1, 1, 1}), stack(2, {0, 0, 0}, {1, 1, 1})}, Settings{});
   const auto hash = [&](std::size_t world) { return state_hash(view(batch.state, batch.worlds[world])); };
   const std::uint64_t whole = hash(0);
@@ -133,7 +133,7 @@ TEST_CASE("world: the hash is the FNV-1a of the state's bytes", "[core][world]")
   CHECK(state_hash(view(batch.state, batch.worlds[0])) == expected);
 }
 
-TEST_CASE("world: one number that is not finite is found in any column", "[core][world]") {
+TEST_CASE("world: a single number that is not finite is found in any column", "[core][world]") {
   WorldBatch batch = batch_of({stack(2, {0, 0, 0}, {1, 1, 1})}, Settings{});
   const auto finite = [&] { return is_finite(view(batch.state, batch.worlds[0])); };
   CHECK(finite());

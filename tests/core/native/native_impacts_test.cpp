@@ -236,18 +236,18 @@ TEST_CASE("native_impacts: an oblique elastic impact is nearly the same at every
   Settings settings = open_floor(0.0);
   settings.contact.restitution = 1.0;
   const Layout layout = layout_of({box({9, 10, 0}, {0.8, 0.8, 0.5}), box({10.5, 10, 0}, {0.9, 0.8, 0.5})});
-  std::vector<double> parting;
+  std::vector<double> separation_speed;
   for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
     settings.native.accuracy = accuracy;
     const Run run = native_run(layout, constant(0, 0.5), settings, [](StateColumns& state) {
       state.velocity[0].x() = 2;
       state.orientation[0] = Rotation(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
     });
-    parting.push_back(run.state.velocity[1].x() - run.state.velocity[0].x());
+    separation_speed.push_back(run.state.velocity[1].x() - run.state.velocity[0].x());
   }
-  CAPTURE(text(parting[0]), text(parting[1]), text(parting[2]));
-  CHECK(parting[0] == Approx(parting[2]).epsilon(5e-3));
-  CHECK(parting[1] == Approx(parting[2]).epsilon(5e-3));
+  CAPTURE(text(separation_speed[0]), text(separation_speed[1]), text(separation_speed[2]));
+  CHECK(separation_speed[0] == Approx(separation_speed[2]).epsilon(5e-3));
+  CHECK(separation_speed[1] == Approx(separation_speed[2]).epsilon(5e-3));
 }
 
 TEST_CASE("native_impacts: an elastic box bounces to where it came from", "[core][native_impacts]") {
@@ -289,9 +289,9 @@ TEST_CASE("native_impacts: restitution is the box's on the floor, the smaller on
     for (const auto& [first, second, restitution] : {std::tuple(1, 2, 0.3), std::tuple(1, 1, 0.9)}) {
       const Layout layout = layout_of({box({5, 5, 0}, {1, 1, 1}, first), box({6.5, 5, 0}, {1, 1, 1}, second)});
       const Run run = native_run(layout, constant(0, 1), settings, [](StateColumns& s) { s.velocity[0].x() = 2; });
-      const double parting = run.state.velocity[1].x() - run.state.velocity[0].x();
-      CAPTURE(static_cast<int>(accuracy), first, second, text(parting));
-      CHECK(parting == Approx(2 * restitution).epsilon(1e-4));
+      const double normal_speed = run.state.velocity[1].x() - run.state.velocity[0].x();
+      CAPTURE(static_cast<int>(accuracy), first, second, text(normal_speed));
+      CHECK(normal_speed == Approx(2 * restitution).epsilon(1e-4));
     }
   }
 }

@@ -20,7 +20,7 @@ Block turned(Block block, double degrees, const Vec3& about) {
   return block;
 }
 
-/// Points in the order of their coordinates, so that a test can name them.
+/// Points sorted by their coordinates, so that a test can refer to them by index.
 std::vector<ContactPoint> sorted(std::vector<ContactPoint> points) {
   const auto key = [](const ContactPoint& point) {
     const Vec3 rounded = (point.position * 1e6).array().round();
@@ -48,7 +48,8 @@ TEST_CASE("plain_contacts: a block on the floor touches at its four lower corner
   CHECK(contact_points(HalfSpace{}, block_at({2, 3, 0.6}, {1, 2, 1}), kMargin).empty());
 }
 
-TEST_CASE("plain_contacts: on its edge it touches at two corners, on its corner at one", "[core][plain_contacts]") {
+TEST_CASE("plain_contacts: a block on its edge touches at two corners, on its corner at one",
+          "[core][plain_contacts]") {
   const double half_diagonal = std::sqrt(0.5);
   const Block on_edge = turned(block_at({0, 0, half_diagonal}, {1, 1, 1}), 45, Vec3::UnitY());
   const auto two = sorted(contact_points(HalfSpace{}, on_edge, kMargin));
@@ -64,7 +65,8 @@ TEST_CASE("plain_contacts: on its edge it touches at two corners, on its corner 
   check_point(one[0], {0, 0, 0}, Vec3::UnitZ(), 0);
 }
 
-TEST_CASE("plain_contacts: of two stacked blocks the common rectangle's corners", "[core][plain_contacts]") {
+TEST_CASE("plain_contacts: two stacked blocks touch at the corners of their common rectangle",
+          "[core][plain_contacts]") {
   const Block lower = block_at({0, 0, 0.5}, {2, 2, 1});
   const Block upper = block_at({0.75, 0.5, 1.5005}, {1, 2, 1});
   const auto points = sorted(contact_points(lower, upper, kMargin));
@@ -73,14 +75,14 @@ TEST_CASE("plain_contacts: of two stacked blocks the common rectangle's corners"
   check_point(points[1], {0.25, 1, 1.00025}, Vec3::UnitZ(), 5e-4);
   check_point(points[2], {1, -0.5, 1.00025}, Vec3::UnitZ(), 5e-4);
   check_point(points[3], {1, 1, 1.00025}, Vec3::UnitZ(), 5e-4);
-  // The other way round the same points, the normal the other way.
+  // Swapping the blocks gives the same points and the opposite normal.
   const auto swapped = sorted(contact_points(upper, lower, kMargin));
   REQUIRE(swapped.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) check_point(swapped[i], points[i].position, -Vec3::UnitZ(), 5e-4);
   CHECK(contact_points(lower, upper, 4e-4).empty());
 }
 
-TEST_CASE("plain_contacts: of two squares turned by 45 degrees the octagon's corners", "[core][plain_contacts]") {
+TEST_CASE("plain_contacts: two squares at 45 degrees touch at the corners of an octagon", "[core][plain_contacts]") {
   const Block lower = block_at({0, 0, 0.5}, {2, 2, 1});
   const Block upper = turned(block_at({0, 0, 1.5}, {2, 2, 1}), 45, Vec3::UnitZ());
   const auto points = sorted(contact_points(lower, upper, kMargin));
@@ -90,7 +92,7 @@ TEST_CASE("plain_contacts: of two squares turned by 45 degrees the octagon's cor
   check_point(points[7], {1, short_leg, 1}, Vec3::UnitZ(), 0);
 }
 
-TEST_CASE("plain_contacts: a tilted block on another touches with its edge", "[core][plain_contacts]") {
+TEST_CASE("plain_contacts: a tilted block touches another with its edge", "[core][plain_contacts]") {
   const Block lower = block_at({0, 0, 0.5}, {2, 2, 1});
   const Block upper = turned(block_at({0, 0, 1 + std::sqrt(0.5)}, {1, 1, 1}), 45, Vec3::UnitY());
   const auto points = sorted(contact_points(lower, upper, kMargin));
@@ -100,7 +102,8 @@ TEST_CASE("plain_contacts: a tilted block on another touches with its edge", "[c
 }
 
 TEST_CASE("plain_contacts: crossing edges touch in one point", "[core][plain_contacts]") {
-  // Two bars on edge, one along x, one along y on top of it: the normal is z, a face's normal of neither.
+  // Two bars standing on an edge, one along x and one along y on top of it: the normal is z, which is no face normal of
+  // either.
   const double half_diagonal = std::sqrt(0.5);
   const Block lower = turned(block_at({0, 0, 0}, {4, 1, 1}), 45, Vec3::UnitX());
   const Block upper = turned(block_at({0.25, 0.5, 2 * half_diagonal + 2e-4}, {1, 4, 1}), 45, Vec3::UnitY());
@@ -114,8 +117,8 @@ TEST_CASE("plain_contacts: crossing edges touch in one point", "[core][plain_con
 
 TEST_CASE("plain_contacts: edges that cross almost in a face's plane give that face's points",
           "[core][plain_contacts]") {
-  // The upper block leans by half a degree about a diagonal; its lowest corner hangs outside the lower block, so that
-  // two edges touch each. No point overlaps, none is further than the margin.
+  // The upper block leans by half a degree about a diagonal. Its lowest corner is outside the lower block, so that
+  // edges touch edges. No point penetrates, and none is farther than the margin.
   const Block lower = block_at({0, 0, 0.5}, {1, 1, 1});
   Block upper = turned(block_at({0.1, 0.1, 1.6}, {1, 1, 1}), 0.5, Vec3(-1, 1, 0));
   upper = turned(upper, 7, Vec3::UnitZ());
@@ -142,11 +145,11 @@ TEST_CASE("plain_contacts: blocks that share an edge or a corner do not touch", 
     CHECK(contact_points(block, block_at({across, 0.3, across}, {1, 1, 1}), kMargin).empty());
     CHECK(contact_points(block, block_at({across, across, across}, {1, 1, 1}), kMargin).empty());
   }
-  // With more of a face in common they do.
+  // With a larger common part of a face they touch.
   CHECK(contact_points(block, block_at({1 - 1e-3, 0, 1}, {1, 1, 1}), kMargin).size() == 4);
 }
 
-TEST_CASE("plain_contacts: any two blocks touch the same way wherever they are together", "[core][plain_contacts]") {
+TEST_CASE("plain_contacts: contacts of two blocks do not depend on their common pose", "[core][plain_contacts]") {
   const Block lower = block_at({0, 0, 0.5}, {2, 2, 1});
   const Block upper = turned(block_at({0.7, 0.5, 1.5}, {1, 2, 1}), 20, Vec3::UnitZ());
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();

@@ -1,4 +1,4 @@
-// Known answers for the plain engine. Where forces are constant its steps are exact, so that bounds are those of
+// Known answers for the plain engine. Its steps are exact under constant forces, so that the bounds are those of
 // rounding.
 
 #include "core/reference/plain_engine.hpp"
@@ -36,7 +36,7 @@ Eigen::Matrix3d inertia_of(const WorldBatch& batch, std::size_t i) {
   return axes * batch.boxes.inertia[i].asDiagonal() * axes.transpose();
 }
 
-/// Kinetic energy and that in the field of gravity and acceleration, J.
+/// Kinetic energy plus potential energy under the effective gravity, J.
 double energy_of(const WorldBatch& batch, const Vec3& field) {
   double energy = 0.0;
   for (std::size_t i = 0; i < batch.boxes.mass.size(); ++i) {
@@ -47,7 +47,7 @@ double energy_of(const WorldBatch& batch, const Vec3& field) {
   return energy;
 }
 
-/// Takes a world of one phase forward, step by step, with a look at each.
+/// Advances a world of one phase step by step, and calls a function after each step.
 void watch(const Layout& layout, const Settings& settings, const Phase& phase,
            const std::function<void(WorldBatch&)>& prepare, const std::function<void(const WorldBatch&)>& look) {
   const Acceleration acceleration = acceleration_of({{phase.end, phase.acceleration}});
@@ -114,7 +114,7 @@ TEST_CASE("plain_engine: tipping begins at g l/h, alone and as a stack of three"
 TEST_CASE("plain_engine: an offset centre of mass tips at g x/z", "[core][plain_engine]") {
   Settings settings = open_floor(2.0);
   settings.materials[1].centre_of_mass = {0.1, 0, -0.2};
-  // It lies 0.3 m up, 0.35 m behind the front edge and 0.15 m before the rear edge.
+  // It is 0.3 m above the floor, 0.35 m behind the front edge and 0.15 m in front of the rear edge.
   for (const double limit : {kGravity * 0.35 / 0.3, -kGravity * 0.15 / 0.3}) {
     const Run below = plain_run(one_box(kTall), constant(0.999 * limit, 2), settings);
     const Run above = plain_run(one_box(kTall), constant(1.001 * limit, 2), settings);
@@ -142,7 +142,7 @@ TEST_CASE("plain_engine: a landing ends on the floor, without rebound", "[core][
   CHECK(landing.state.velocity[0].norm() < 1e-9);
 }
 
-TEST_CASE("plain_engine: a rebound has the restitution's share of the speed", "[core][plain_engine]") {
+TEST_CASE("plain_engine: the speed after a rebound is that before it times the restitution", "[core][plain_engine]") {
   const double restitution = GENERATE(1.0, 0.5);
   Settings settings = open_floor(0.5);
   settings.contact.restitution = restitution;
@@ -153,12 +153,12 @@ TEST_CASE("plain_engine: a rebound has the restitution's share of the speed", "[
       one_box(kFlat, height), settings, {0.0, 0.7, Vec3::Zero()}, [](WorldBatch&) {},
       [&](const WorldBatch& batch) { largest = std::max(largest, batch.state.velocity[0].z()); });
   CAPTURE(restitution, largest, restitution * impact);
-  // The largest speed seen is at the end of the step of the impact, up to g h after it.
+  // The largest speed is at the end of the step with the impact, and differs by up to g h from that at the impact.
   CHECK(largest < restitution * impact + 1e-3);
   CHECK(largest > restitution * impact - kGravity * kStep - 1e-3);
 }
 
-TEST_CASE("plain_engine: an elastic box bounces to where it came from", "[core][plain_engine]") {
+TEST_CASE("plain_engine: an elastic box bounces back to its height", "[core][plain_engine]") {
   Settings settings = open_floor(0.5);
   settings.contact.restitution = 1.0;
   const double height = 0.4;
@@ -171,7 +171,7 @@ TEST_CASE("plain_engine: an elastic box bounces to where it came from", "[core][
   CHECK(bounces.displacement().norm() < 1e-3);
 }
 
-TEST_CASE("plain_engine: two boxes that collide keep their momentum", "[core][plain_engine]") {
+TEST_CASE("plain_engine: a collision of two boxes conserves momentum", "[core][plain_engine]") {
   Settings settings = open_floor(0.0);
   const double restitution = GENERATE(0.0, 1.0, 0.3);
   settings.contact.restitution = restitution;
@@ -188,21 +188,22 @@ TEST_CASE("plain_engine: two boxes that collide keep their momentum", "[core][pl
   CHECK(run.displacement(0).x() == Approx(0.5 + 0.75 * first).margin(1e-2));
 }
 
-TEST_CASE("plain_engine: a frictionless wall stops what is across it, and lets it slide along",
+TEST_CASE("plain_engine: a frictionless wall stops the normal velocity, and lets a box slide along",
           "[core][plain_engine]") {
   const Layout layout = layout_of({box({0.2, 10, 0}, kFlat)});
   const Run run = plain_run(layout, acceleration_of({{1, Vec3(2, -1, 0)}}), open_floor(0.0));
   CHECK(run.displacement().x() == Approx(-0.2).margin(1e-8));
-  // In the step of an impact a body has its new velocity all along, in every direction: off by a h² / 2 at most.
+  // In the step of an impact a body has its new velocity from the start, in every direction: an error of a h² / 2 at
+  // most.
   CHECK(run.displacement().y() == Approx(0.5).margin(1.1 * kStep * kStep));
   CHECK(std::abs(run.displacement().z()) < 1e-8);
-  // Friction of the wall alone holds with mu times the push. It acts off the centre of mass, at the wall, and the
-  // floor takes no part.
+  // Only the friction of the wall acts, with mu times the normal force. It acts at the wall, not at the centre of mass;
+  // the floor has no friction.
   Settings rough = open_floor(0.0);
   rough.contact.box_wall = 0.3;
   const Run along = plain_run(layout_of({box({0, 10, 0}, kFlat)}), acceleration_of({{1, Vec3(8, -4, 0)}}), rough);
   CAPTURE(along.displacement().transpose());
-  // Until it has gone through the play that it has at the wall, nothing holds.
+  // Before the clearance at the wall is closed, no force acts.
   CHECK(along.displacement().y() == Approx(0.5 * (4 - 0.3 * 8)).epsilon(1e-4));
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("plain_engine: a fixed box holds another", "[core][plain_engine]") {
   CHECK(moved < 1e-8);
 }
 
-TEST_CASE("plain_engine: a box that spins freely keeps its angular momentum and energy", "[core][plain_engine]") {
+TEST_CASE("plain_engine: free rotation conserves angular momentum and energy", "[core][plain_engine]") {
   Settings settings = open_floor(0.5);
   settings.gravity = 0.0;
   const Vec3 spin(1, 0.1, 5);
@@ -246,7 +247,7 @@ TEST_CASE("plain_engine: a box that spins freely keeps its angular momentum and 
   CHECK(energy_error < 1e-4);
 }
 
-TEST_CASE("plain_engine: energy never rises, whatever falls on whatever", "[core][plain_engine]") {
+TEST_CASE("plain_engine: energy never increases when boxes fall on each other", "[core][plain_engine]") {
   Settings settings = open_floor(0.4);
   settings.container.size = {3, 2, 10};
   std::mt19937 generator(GENERATE(1U, 2U, 3U));
@@ -279,20 +280,20 @@ TEST_CASE("plain_engine: energy never rises, whatever falls on whatever", "[core
           outside = std::max({outside, -position.minCoeff(), position.x() - 3, position.y() - 2});
       });
   CAPTURE(highest_rise / weight, dropped / weight);
-  // As a height by which all boxes together would have been lifted.
+  // As the height by which it would lift all boxes together.
   CHECK(highest_rise < 1e-4 * weight);
   CHECK(dropped > 0.5 * weight);
   CHECK(outside == 0.0);
 }
 
-TEST_CASE("plain_engine: overlaps of a layout come apart without speed", "[core][plain_engine]") {
+TEST_CASE("plain_engine: overlaps of a layout are corrected without adding velocity", "[core][plain_engine]") {
   const Layout layout = layout_of({box({5, 5, 0}, {1, 1, 1}), box({6 - 1e-3, 5, 0}, {1, 1, 1})});
   const Run run = plain_run(layout, constant(0, 0.2), open_floor(0.5));
   CHECK(run.displacement(1).x() - run.displacement(0).x() == Approx(1e-3 - 1e-5).margin(1e-6));
   CHECK(run.state.velocity[0].norm() < 1e-8);
 }
 
-TEST_CASE("plain_engine: steps follow the settings, and never straddle a change of the acceleration",
+TEST_CASE("plain_engine: steps follow the settings, and never cross a change of the acceleration",
           "[core][plain_engine]") {
   const Acceleration pulse = acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(3, 0, 0)}, {0.3, Vec3(0, 0, 0)}});
   Settings settings = open_floor(0.0);

@@ -10,15 +10,15 @@ namespace {
 constexpr double kTolerance = 1e-13;  ///< m/s
 constexpr std::uint64_t kMostSweeps = 5000;
 
-/// A point mass, which nothing turns.
+/// A point mass, which does not rotate.
 Mover mass(double kilograms, const Vec3& velocity) { return {.inverse_mass = 1.0 / kilograms, .velocity = velocity}; }
 
-/// On the ground, body 1, with the law's point below body 0.
+/// A contact with the ground, body 1, at a point below body 0.
 PointLaw on_ground(double friction) { return {.a = 1, .b = 0, .normal = Vec3::UnitZ(), .friction = friction}; }
 
 }  // namespace
 
-TEST_CASE("plain_solver: a mass that falls is held, one that rises is left alone", "[core][plain_solver]") {
+TEST_CASE("plain_solver: a falling mass is stopped, a rising one is not changed", "[core][plain_solver]") {
   std::vector<Mover> falling = {mass(2, {0, 0, -3}), Mover{}};
   const Solution held = solve(falling, {on_ground(0)}, kTolerance, kMostSweeps);
   CHECK(falling[0].velocity.norm() < 1e-14);
@@ -28,7 +28,7 @@ TEST_CASE("plain_solver: a mass that falls is held, one that rises is left alone
   CHECK(rising[0].velocity == Vec3(0, 0, 3));
 }
 
-TEST_CASE("plain_solver: friction stops a slow slip and slows a fast one, against it", "[core][plain_solver]") {
+TEST_CASE("plain_solver: friction stops slow sliding and slows fast sliding", "[core][plain_solver]") {
   std::vector<Mover> slow = {mass(2, {0.9, -1.2, -3.1}), Mover{}};
   solve(slow, {on_ground(0.5)}, kTolerance, kMostSweeps);
   CHECK(slow[0].velocity.norm() < 1e-12);
@@ -39,14 +39,14 @@ TEST_CASE("plain_solver: friction stops a slow slip and slows a fast one, agains
   CHECK((solution.impulses[0] - Vec3(-1.8, 2.4, 6)).norm() < 1e-12);
 }
 
-TEST_CASE("plain_solver: two masses that collide keep their momentum", "[core][plain_solver]") {
+TEST_CASE("plain_solver: a collision of two masses conserves momentum", "[core][plain_solver]") {
   std::vector<Mover> movers = {mass(1, {3, 0, 0}), mass(2, {-1, 0, 0})};
   solve(movers, {{.a = 0, .b = 1, .normal = Vec3::UnitX()}}, kTolerance, kMostSweeps);
   CHECK(movers[0].velocity.x() == Approx(1.0 / 3));
   CHECK(movers[1].velocity.x() == Approx(1.0 / 3));
 }
 
-TEST_CASE("plain_solver: a push off the centre turns a body", "[core][plain_solver]") {
+TEST_CASE("plain_solver: an impulse off the centre of mass rotates a body", "[core][plain_solver]") {
   // A rod of 12 kg and 1 m that falls on one end: u = v + ω r with v' = v + y/m, ω' = r y/I gives y = m v / (1 + m
   // r²/I).
   Mover rod{.inverse_mass = 1.0 / 12, .inverse_inertia = Eigen::Matrix3d::Identity(), .velocity = {0, 0, -1}};
@@ -59,7 +59,7 @@ TEST_CASE("plain_solver: a push off the centre turns a body", "[core][plain_solv
   CHECK(relative_velocity(movers, law).norm() < 1e-12);
 }
 
-TEST_CASE("plain_solver: nothing to solve is no sweep, and too few are reported", "[core][plain_solver]") {
+TEST_CASE("plain_solver: no contacts take no sweep, and too few sweeps are reported", "[core][plain_solver]") {
   std::vector<Mover> movers = {mass(1, {0, 0, -1}), mass(1, {0, 0, -1}), Mover{}};
   CHECK(solve(movers, {}, kTolerance, kMostSweeps).sweeps == 0);
   const PointLaw lower{.a = 2, .b = 0, .normal = Vec3::UnitZ()};

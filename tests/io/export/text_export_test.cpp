@@ -8,7 +8,7 @@ using namespace results_fixture;
 
 namespace {
 
-/// The lines that are no comments.
+/// The lines that are not comments.
 std::vector<std::string> data_lines(const std::string& path) {
   std::istringstream stream(file_bytes(path));
   std::vector<std::string> lines;
@@ -19,7 +19,7 @@ std::vector<std::string> data_lines(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("text_export: the seed's three kinds of file", "[io][results]") {
+TEST_CASE("text_export: the three kinds of text files of StableCargo", "[io][results]") {
   Run run = make_run({{3, 4}, {2, 2}});
   run.description.layout_names = {"a.txt", "a.dat"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("text_export: the seed's three kinds of file", "[io][results]") {
   CHECK(batch[0].starts_with("a.txt\tbraking.txt\t"));
 }
 
-TEST_CASE("text_export: a world that was not simulated has no outcome", "[io][results]") {
+TEST_CASE("text_export: a world that was not simulated has nan as its results", "[io][results]") {
   const Folder folder;
   write_run_to(folder / "results.h5", make_run({{0, 0}}), never());
   require_ok(export_text(folder / "results.h5", folder / "text", "batch"));
@@ -78,7 +78,7 @@ TEST_CASE("text_export: a part is refused, and so is a folder that cannot be mad
   CHECK(export_text(path, path + "/text", "b"));
 }
 
-TEST_CASE("text_export: names too long for a file are told before", "[io][results]") {
+TEST_CASE("text_export: names too long for a file are reported before the run", "[io][results]") {
   const Folder folder;
   const std::string text = folder / "text";
   // "[SOLUTION_RESUMED]$" and "$" leave 235 bytes of 255.

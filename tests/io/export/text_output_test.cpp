@@ -13,7 +13,7 @@ bool is_nothing(const std::string&) { return false; }
 
 }  // namespace
 
-TEST_CASE("text_output: a file is new or replaced, and nothing is left beside it", "[io]") {
+TEST_CASE("text_output: a file is created or replaced, without temporary files", "[io]") {
   const Folder folder;
   const std::string path = folder / "a.txt";
   for (const std::string text : {"first\n", "", "second\n"}) {
@@ -24,7 +24,7 @@ TEST_CASE("text_output: a file is new or replaced, and nothing is left beside it
   }
 }
 
-TEST_CASE("text_output: a link stays one", "[io]") {
+TEST_CASE("text_output: a symbolic link is not replaced", "[io]") {
   const Folder folder;
   require_ok(write_text_file(folder / "a.txt", "first\n"));
   std::filesystem::create_symlink("a.txt", folder / "link");
@@ -33,7 +33,7 @@ TEST_CASE("text_output: a link stays one", "[io]") {
   CHECK(file_bytes(folder / "a.txt") == "second\n");
 }
 
-TEST_CASE("text_output: what cannot be written, or is something else, is told", "[io]") {
+TEST_CASE("text_output: an unwritable path or a file of another kind is an error", "[io]") {
   const Folder folder;
   require_ok(write_text_file(folder / "a.txt", "text\n"));
   require_ok(write_text_file(folder / "empty.txt", ""));

@@ -31,7 +31,7 @@ TEST_CASE("announced_boxes: a count in words must be that of the file", "[io][an
   CHECK(contradicted("7 boxes of 3 kinds", 3) == Count(7));
 }
 
-TEST_CASE("announced_boxes: of two whole numbers the second is the count, or the first", "[io][announced_boxes]") {
+TEST_CASE("announced_boxes: of two integers the second is the count, or the first", "[io][announced_boxes]") {
   CHECK(contradicted("30 77", 77) == Count());
   CHECK(contradicted("30 77", 30) == Count());
   CHECK(contradicted("30\t77", 76) == Count(77));
@@ -48,11 +48,11 @@ TEST_CASE("announced_boxes: other headers announce nothing", "[io][announced_box
   }
 }
 
-TEST_CASE("announced_boxes: a layout that was cut off is told by name, with both numbers", "[io][announced_boxes]") {
+TEST_CASE("announced_boxes: a truncated layout gives a warning with both numbers", "[io][announced_boxes]") {
   std::vector<Error> warnings;
   REQUIRE(parse_layout(memory_file("# made by hand\n3 boxes\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1\n"), Settings{}, warnings));
   CHECK(messages_of(warnings) ==
-        Messages{"a.txt:2: the header announces 3 boxes and the file has 2, as a copy that was cut off would"});
+        Messages{"a.txt:2: the header announces 3 boxes and the file has 2, as in a truncated copy"});
 }
 
 TEST_CASE("announced_boxes: the layouts that come with the program agree with their headers", "[io][announced_boxes]") {

@@ -50,7 +50,7 @@ TEST_CASE("config_reader: a config of StableCargo", "[io][config_reader]") {
   CHECK(config->given.contains({"Simulation Settings", "BatchPath"}));
 }
 
-TEST_CASE("config_reader: white space, comments, colons and repeated sections are free", "[io][config_reader]") {
+TEST_CASE("config_reader: white space, comments, colons and repeated sections are accepted", "[io][config_reader]") {
   const Result<Config> config = parse(
       "\xEF\xBB\xBF; a comment\r\n\r\n  [ Contact ] ; another\r\n\tRestitution : 0.25 ; a third\r\n"
       "# " +
@@ -83,9 +83,8 @@ TEST_CASE("config_reader: materials", "[io][config_reader]") {
         Messages{"in/c.ini:4:2: the key is given twice: Mass; its first value is on line 2"});
   for (const std::string bad :
        {"[Material]", "[Material x]", "[Material -1]", "[Material 1.5]", "[Material 2147483648]"})
-    CHECK(errors_of(bad + "\nMass = 5\n") ==
-          Messages{"in/c.ini:1:1: a material section without the id of a material: " + bad +
-                   "; [Material N] with a whole number N from 0 to 2147483647"});
+    CHECK(errors_of(bad + "\nMass = 5\n") == Messages{"in/c.ini:1:1: a material section without a material id: " + bad +
+                                                      "; [Material N] with a whole number N from 0 to 2147483647"});
 }
 
 TEST_CASE("config_reader: a wrong value names its column and what is accepted", "[io][config_reader]") {
@@ -121,7 +120,7 @@ TEST_CASE("config_reader: a misspelt key or section is named with a suggestion",
   CHECK(errors_of("[X]\n").front().starts_with("in/c.ini:1:1: unknown section: [X]; one of [Physics Engine], "));
 }
 
-TEST_CASE("config_reader: of many unknown keys and sections the first are named, and the others counted",
+TEST_CASE("config_reader: of many unknown keys and sections the first are named, the others counted",
           "[io][config_reader]") {
   std::string text = "[Contact]\n";
   for (int i = 0; i < 19; ++i) text += "BoxBox" + std::to_string(i) + " = 1\n";
@@ -140,7 +139,7 @@ TEST_CASE("config_reader: a key given twice names the first line", "[io][config_
         Messages{"in/c.ini:5:1: the key is given twice: BoxBox; its first value is on line 2"});
 }
 
-TEST_CASE("config_reader: lines that are no keys", "[io][config_reader]") {
+TEST_CASE("config_reader: lines without a key are errors", "[io][config_reader]") {
   const std::string accepted = "; [section] or key = value";
   CHECK(errors_of("[Contact]\n BoxBox 0.5\n") ==
         Messages{"in/c.ini:2:2: neither a section nor a key with a value: BoxBox 0.5" + accepted});
@@ -156,7 +155,7 @@ TEST_CASE("config_reader: lines that are no keys", "[io][config_reader]") {
   CHECK(errors_of("[Contact]\n = 0.5\n") == Messages{"in/c.ini:2:2: a value without a key: 0.5; key = value"});
 }
 
-TEST_CASE("config_reader: a line too long for the parser is an error, not a cut", "[io][config_reader]") {
+TEST_CASE("config_reader: a line too long for the parser is an error, and is not truncated", "[io][config_reader]") {
   const std::string start = "[Export Settings]\nSavePath = ";
   const Result<Config> longest = parse(start + std::string(187, 'p') + "\n");
   REQUIRE(longest);
@@ -171,7 +170,7 @@ TEST_CASE("config_reader: a zero byte does not hide the rest of a line", "[io][c
         Messages{"in/c.ini:2:1: the line has a zero byte: BoxBox = 0.5?junk; text"});
 }
 
-TEST_CASE("config_reader: keys without effect are said", "[io][config_reader]") {
+TEST_CASE("config_reader: keys without effect give a warning", "[io][config_reader]") {
   CHECK(warnings_of("[Renderer Engine]\nDrawAxis=true\nTexturePack =\nUseRenderer=0\n") ==
         Messages{"in/c.ini:2:1: DrawAxis has no effect yet: true", "in/c.ini:3:1: TexturePack has no effect yet",
                  "in/c.ini:4:1: UseRenderer has no effect yet: 0"});
@@ -179,16 +178,16 @@ TEST_CASE("config_reader: keys without effect are said", "[io][config_reader]") 
         Messages{"in/c.ini:2:1: BoxBox has no effect while FrictionModel is product"});
   CHECK(warnings_of("[Contact]\nFrictionModel=pairs\n[Simulation Settings]\nBoxFriction = 0.5\n") ==
         Messages{"in/c.ini:4:1: BoxFriction has no effect while FrictionModel is pairs"});
-  CHECK(warnings_of("; nothing\n") == Messages{"in/c.ini: sets no key, all defaults hold"});
+  CHECK(warnings_of("; nothing\n") == Messages{"in/c.ini: sets no key, so that all keys have their defaults"});
 }
 
-TEST_CASE("config_reader: contradictions point at the key to change", "[io][config_reader]") {
+TEST_CASE("config_reader: contradictions name the key to change", "[io][config_reader]") {
   CHECK(errors_of("[Material 4]\nDensity = 100\nMass = 3\n") ==
-        Messages{"in/c.ini:3:1: a material has both a mass and a density: [Material 4] Mass; give one of them"});
+        Messages{"in/c.ini:3:1: a material has both a mass and a density: [Material 4] Mass; give only one of them"});
   CHECK(errors_of("[Simulation Settings]\nBatchSimulation = true\nBatchPath =\n") ==
         Messages{"in/c.ini:2:1: a batch has no folder to read from: [Simulation Settings] BatchSimulation; "
-                 "give BatchPath, or take BatchSimulation = false"});
+                 "give BatchPath, or set BatchSimulation = false"});
   CHECK(errors_of("[Contact]\nFrictionModel = pairs\n[Material 1]\nFriction = 1\n") ==
-        Messages{"in/c.ini:4:1: a material has a friction of its own while FrictionModel is pairs: [Material 1] "
-                 "Friction; leave it out, or take FrictionModel = product"});
+        Messages{"in/c.ini:4:1: a material has its own friction while FrictionModel is pairs: [Material 1] "
+                 "Friction; remove it, or set FrictionModel = product"});
 }

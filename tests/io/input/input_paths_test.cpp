@@ -20,7 +20,7 @@ constexpr const char* kLayout = "1 2\n0 0 0 80 59 106 1\n";
 constexpr const char* kAcceleration = "# t\n0 1 0 0 0\n";
 constexpr const char* kConfig = "[Contact]\nRestitution = 0\n";
 
-/// A folder that is removed with its object.
+/// A folder that is removed together with its object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -59,7 +59,7 @@ Result<std::vector<std::string>> layouts(std::vector<std::string> paths, std::ve
 
 }  // namespace
 
-TEST_CASE("input_paths: the kind of a file shows in its first lines", "[io][input_paths]") {
+TEST_CASE("input_paths: the first lines show the kind of a file", "[io][input_paths]") {
   CHECK(classify(kLayout) == InputKind::layout);
   CHECK(classify("1 2\n0 0 0 80 59 106 1 extra\n") == InputKind::layout);
   CHECK(classify("1 2 3 4 5\n0 0 0 80 59 106 1\n") == InputKind::layout);
@@ -120,7 +120,7 @@ TEST_CASE("input_paths: a folder gives its files of the kind in byte order", "[i
   CHECK(found(acceleration_paths(paths, none, warnings)) == Messages{folder.path("x_acceleration.txt")});
 }
 
-TEST_CASE("input_paths: files are taken as they are named, in that order, also twice", "[io][input_paths]") {
+TEST_CASE("input_paths: named files are used in the given order, also twice", "[io][input_paths]") {
   const TemporaryFolder folder;
   const std::string b = folder.write("b", kLayout), a = folder.write("a", "no layout at all");
   const std::string other = folder.write("inner/b", kLayout);
@@ -136,10 +136,10 @@ TEST_CASE("input_paths: a list on standard input", "[io][input_paths]") {
   CHECK(found(layouts({"-"}, warnings, a + "\r\n\n  " + folder.path("inner") + "\n" + a)) == Messages{a, b, a});
   CHECK(found(layouts({b, "-", b}, warnings, a)) == Messages{b, a, b});
   CHECK(messages_of(layouts({"-"}, warnings, "\n")) ==
-        Messages{"the list of paths on standard input is empty; one path a line"});
+        Messages{"the list of paths on standard input is empty; one path per line"});
 }
 
-TEST_CASE("input_paths: what is missing or empty is an error, all of it is named", "[io][input_paths]") {
+TEST_CASE("input_paths: every missing or empty path is an error", "[io][input_paths]") {
   const TemporaryFolder folder;
   const std::string only = folder.write("only/acceleration", kAcceleration);
   std::vector<Error> warnings;
@@ -172,7 +172,7 @@ TEST_CASE("input_paths: inputs of all kinds", "[io][input_paths]") {
   CHECK((*files)[3].path == folder.path("in/c"));
 }
 
-TEST_CASE("input_paths: a batch folder holds both kinds", "[io][input_paths]") {
+TEST_CASE("input_paths: a batch folder has both kinds", "[io][input_paths]") {
   const TemporaryFolder folder;
   folder.write("2", kLayout);
   folder.write("1", kLayout);

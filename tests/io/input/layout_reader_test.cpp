@@ -14,7 +14,7 @@ Result<Layout> parse(const std::string& text, const Settings& settings = {}) {
   return parse_layout(memory_file(text), settings, warnings);
 }
 
-/// Messages for a file of a header and these box lines.
+/// Messages for a file with a header and these box lines.
 Messages errors_of(const std::string& boxes) { return messages_of(parse("1 2\n" + boxes)); }
 
 constexpr const char* kNumber = "; a finite number of cm such as 80 or 12.5";
@@ -42,7 +42,7 @@ TEST_CASE("layout_reader: the published example", "[io][layout_reader]") {
   CHECK(layout->boxes[2].line == 4);
 }
 
-TEST_CASE("layout_reader: white space, comments and number forms are free", "[io][layout_reader]") {
+TEST_CASE("layout_reader: white space, comments and forms of numbers are accepted", "[io][layout_reader]") {
   const Result<Layout> layout = parse(
       "\xEF\xBB\xBF\r\n# made by hand\r\n  7 \r\n\r\n\t0 0 0\t+8e1  5.9e+1 106.0 1 # first\r\n"
       "   # none\r\n80 0 0 160 59 106 0");
@@ -54,7 +54,7 @@ TEST_CASE("layout_reader: white space, comments and number forms are free", "[io
   CHECK(layout->boxes[1].line == 7);
 }
 
-TEST_CASE("layout_reader: further columns are kept out with one warning", "[io][layout_reader]") {
+TEST_CASE("layout_reader: further columns are ignored with one warning", "[io][layout_reader]") {
   std::vector<Error> warnings;
   REQUIRE(
       parse_layout(memory_file("1\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1 x y\n20 0 0 29 9 9 1 4\n"), Settings{}, warnings));
@@ -62,7 +62,7 @@ TEST_CASE("layout_reader: further columns are kept out with one warning", "[io][
         Messages{"a.txt:3:17: columns after the seventh are ignored, here and in all further lines"});
 }
 
-TEST_CASE("layout_reader: numbers must be whole, finite, decimal", "[io][layout_reader]") {
+TEST_CASE("layout_reader: coordinates must be finite decimal numbers", "[io][layout_reader]") {
   CHECK(errors_of("0 0 0 nan 9 9 1") == Messages{std::string("a.txt:2:7: x2 of box 1 is not a number: nan") + kNumber});
   CHECK(errors_of("0 0 0 9 inf 9 1") == Messages{std::string("a.txt:2:9: y2 of box 1 is not a number: inf") + kNumber});
   CHECK(errors_of("0x10 0 0 9 9 9 1") ==
@@ -74,7 +74,7 @@ TEST_CASE("layout_reader: numbers must be whole, finite, decimal", "[io][layout_
         Messages{std::string("a.txt:2:11: z2 of box 1 is not a number: 9cm") + kNumber});
 }
 
-TEST_CASE("layout_reader: a corner that no container reaches is a slip", "[io][layout_reader]") {
+TEST_CASE("layout_reader: a corner outside any container is an error", "[io][layout_reader]") {
   Settings open;
   open.container.open_sides = {"front", "rear"};
   const std::string accepted = "; a number of cm from -1000000 to 1000000";
@@ -84,23 +84,23 @@ TEST_CASE("layout_reader: a corner that no container reaches is a slip", "[io][l
   CHECK(parse("1\n-1000000 0 0 1000000 9 9 1", open));
 }
 
-TEST_CASE("layout_reader: the material is a whole number from 0", "[io][layout_reader]") {
+TEST_CASE("layout_reader: the material is an integer from 0", "[io][layout_reader]") {
   for (const std::string bad : {"1.0", "-1", "wood", "2147483648", "99999999999999999999"}) {
     CHECK(errors_of("0 0 0 9 9 9 " + bad) ==
           Messages{"a.txt:2:13: the material of box 1 is not an id: " + bad + "; a whole number from 0 to 2147483647"});
   }
 }
 
-TEST_CASE("layout_reader: too few columns, no boxes, nothing at all", "[io][layout_reader]") {
+TEST_CASE("layout_reader: too few columns, no boxes, an empty file", "[io][layout_reader]") {
   CHECK(errors_of("  0 0 0 9 9 9") == Messages{"a.txt:2:3: box 1 has too few columns: 6; the seven columns are "
                                                "x1 y1 z1 x2 y2 z2 material"});
   CHECK(errors_of("") ==
-        Messages{"a.txt: has no boxes; a layout is a header line, then a line a box: x1 y1 z1 x2 y2 z2 material"});
+        Messages{"a.txt: has no boxes; a layout is a header line, then one line per box: x1 y1 z1 x2 y2 z2 material"});
   CHECK(messages_of(parse(" \n# nothing\n")) ==
-        Messages{"a.txt: is empty; a layout is a header line, then a line a box: x1 y1 z1 x2 y2 z2 material"});
+        Messages{"a.txt: is empty; a layout is a header line, then one line per box: x1 y1 z1 x2 y2 z2 material"});
 }
 
-TEST_CASE("layout_reader: a box where the header should be is not lost silently", "[io][layout_reader]") {
+TEST_CASE("layout_reader: a box in the place of the header is an error", "[io][layout_reader]") {
   CHECK(messages_of(parse("0 0 0 80 59 106 1\n80 0 0 160 59 106 1\n")) ==
         Messages{"a.txt:1:1: the header is missing, the first line is a box: 0 0 0 80 59 106 1; the first line is a "
                  "header of numbers, such as the seed and the number of boxes"});
@@ -132,17 +132,17 @@ TEST_CASE("layout_reader: the geometry is checked", "[io][layout_reader]") {
         Messages{"a.txt:2: box 1 is outside the container at the rear: 130 mm; the container is 587 x 233 x 220 cm"});
 }
 
-TEST_CASE("layout_reader: y up is turned, not mirrored", "[io][layout_reader]") {
+TEST_CASE("layout_reader: a layout with y up is rotated, not mirrored", "[io][layout_reader]") {
   Settings settings;
   settings.up_axis = UpAxis::y;
-  // A box at the file's origin, and one on top of it at the far end of z.
+  // A box at the origin of the file, and one on top of it at the other end of z.
   const Result<Layout> layout = parse("1\n0 0 0 80 106 59 1\n0 106 174 80 212 233 1\n", settings);
   REQUIRE(layout);
   CHECK(layout->boxes[0].corner_min == Vec3(0.0, 2.33 - 0.59, 0.0));
   CHECK(layout->boxes[0].corner_max == Vec3(0.8, 2.33, 1.06));
   CHECK(layout->boxes[1].corner_min == Vec3(0.0, 0.0, 1.06));
   CHECK(layout->boxes[1].corner_max == Vec3(0.8, 2.33 - 1.74, 2.12));
-  // Right-handed stays right-handed: the images of the file's axes.
+  // The images of the file's axes are right-handed.
   const Vec3 x(1, 0, 0), y(0, 0, 1), z(0, -1, 0);
   CHECK(x.cross(y) == z);
 }
@@ -158,7 +158,7 @@ TEST_CASE("layout_reader: a full width with y up touches both walls exactly", "[
   CHECK(layout->boxes[0].corner_min.y() == layout->boxes[1].corner_max.y());
 }
 
-TEST_CASE("layout_reader: bytes that are no text are named, not obeyed", "[io][layout_reader]") {
+TEST_CASE("layout_reader: control characters in a file do not reach messages", "[io][layout_reader]") {
   CHECK(errors_of(std::string("\x89HDF\0 0 0 1 1 1 1", 17)).front() ==
         std::string("a.txt:2:1: x1 of box 1 is not a number: ?HDF?") + kNumber);
 }

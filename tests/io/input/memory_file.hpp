@@ -8,7 +8,7 @@
 
 namespace holdfast::internal::test {
 
-/// An input file that exists in memory only.
+/// An input file in memory only.
 inline TextFile memory_file(std::string text, const std::string& path = "a.txt") {
   std::string sha256 = sha256_of(text);
   return {path, path.substr(path.rfind('/') + 1), std::move(text), std::move(sha256)};
@@ -22,7 +22,7 @@ inline Messages messages_of(const std::vector<Error>& errors) {
   return messages;
 }
 
-/// The messages of what should be an error; a single note when it is none.
+/// The messages of a result that should be an error; a single note if it is not one.
 template <class T>
 Messages messages_of(const Result<T>& result) {
   return result ? Messages{"no error"} : messages_of(result.errors());

@@ -12,7 +12,7 @@ using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 using results_fixture::Folder;
 
-TEST_CASE("text_file: a file is read whole, whatever its length", "[io][text_file]") {
+TEST_CASE("text_file: a file of any length is read completely", "[io][text_file]") {
   const Folder folder;
   for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 200000U}) {
     const std::string path = folder / "a.txt";
@@ -26,17 +26,17 @@ TEST_CASE("text_file: a file is read whole, whatever its length", "[io][text_fil
   }
 }
 
-TEST_CASE("text_file: a file of the kernel, which tells no size, is read", "[io][text_file]") {
+TEST_CASE("text_file: a file of the kernel, which reports no size, is read", "[io][text_file]") {
   const Result<TextFile> file = read_text_file("/proc/self/status");
   REQUIRE(file);
   CHECK(file->text.find("holdfast_tests") != std::string::npos);
 }
 
-TEST_CASE("text_file: what is no regular file is refused without waiting for it", "[io][text_file]") {
+TEST_CASE("text_file: a path that is not a regular file is refused without waiting", "[io][text_file]") {
   const Folder folder;
   const std::string pipe = folder / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  const std::string cure = "; save what it gives in a file, and name that";
+  const std::string cure = "; save its output in a file, and give that file";
   CHECK(messages_of(read_text_file(pipe)) == Messages{pipe + ": is a pipe, not a file" + cure});
   CHECK(messages_of(read_text_file("/dev/zero")) == Messages{"/dev/zero: is a device, not a file" + cure});
   CHECK(messages_of(read_text_file(folder / "")) == Messages{(folder / "") + ": is a folder; a file is needed here"});
@@ -45,7 +45,7 @@ TEST_CASE("text_file: what is no regular file is refused without waiting for it"
 }
 
 TEST_CASE("text_file: the hash is SHA-256", "[io][text_file]") {
-  // FIPS 180-4's examples, and the empty message.
+  // The examples of FIPS 180-4, and the empty message.
   CHECK(sha256_of("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256_of("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   CHECK(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==

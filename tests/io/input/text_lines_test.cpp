@@ -18,7 +18,7 @@ TEST_CASE("text_lines: lines end with LF or CRLF and are counted from 1", "[io][
   CHECK_FALSE(LineReader("").next());
 }
 
-TEST_CASE("text_lines: fields know their columns, comments end them", "[io][text_lines]") {
+TEST_CASE("text_lines: fields have their columns, and end at comments", "[io][text_lines]") {
   std::vector<Field> fields;
   split_fields("\t12  a b# c", fields);
   REQUIRE(fields.size() == 3);
@@ -30,7 +30,7 @@ TEST_CASE("text_lines: fields know their columns, comments end them", "[io][text
   CHECK(fields.empty());
 }
 
-TEST_CASE("text_lines: what a message shows is short and printable", "[io][text_lines]") {
+TEST_CASE("text_lines: the text in a message is short and printable", "[io][text_lines]") {
   CHECK(shown("12,5") == "12,5");
   CHECK(shown("a\x1b[2Jb\tc") == "a?[2Jb?c");
   CHECK(shown(std::string(61, 'x')) == std::string(60, 'x') + "...");

@@ -32,7 +32,7 @@ std::vector<std::byte> through_filters(const DatasetSpec& spec, const std::vecto
 
 }  // namespace
 
-TEST_CASE("chunk_codec: HDF5's own filters read it, whatever the type", "[io][results]") {
+TEST_CASE("chunk_codec: HDF5's own filters read chunks of every type", "[io][results]") {
   std::mt19937 random(3);
   for (const DatasetSpec& spec : kSchema) {
     constexpr std::size_t kText = 13;
@@ -45,7 +45,7 @@ TEST_CASE("chunk_codec: HDF5's own filters read it, whatever the type", "[io][re
   }
 }
 
-TEST_CASE("chunk_codec: a padded chunk is read back with zeros behind, however little there is", "[io][results]") {
+TEST_CASE("chunk_codec: a padded chunk is read back with its zeros, for any length", "[io][results]") {
   std::mt19937 random(5);
   for (const DatasetSpec& spec : kSchema) {
     if (!is_long(spec)) continue;
@@ -67,6 +67,6 @@ TEST_CASE("chunk_codec: a padded chunk is read back with zeros behind, however l
   }
 }
 
-TEST_CASE("chunk_codec: rest costs next to nothing", "[io][results]") {
+TEST_CASE("chunk_codec: a constant column compresses to almost nothing", "[io][results]") {
   CHECK(compress_chunk(std::vector<std::byte>(196'608), 4).size() < 2000);
 }

@@ -13,14 +13,14 @@ namespace {
 constexpr std::uint64_t kBoxChunk = chunk_entries(Axis::boxes);
 constexpr std::uint64_t kSeriesChunk = chunk_entries(Axis::rows);
 
-/// Chunks by column and index, and what is left after them: all that is laid on a grid.
+/// All chunks of a grid, by column and index, and the entries after them.
 struct Laid {
   std::map<std::pair<std::size_t, std::uint64_t>, std::vector<std::byte>> chunks;
   LongEntries tail;
   bool operator==(const Laid&) const = default;
 };
 
-/// Lays entries [begin, end) of /boxes/id and /series/time, which count from 0, in pieces of the given size.
+/// Adds entries [begin, end) of /boxes/id and /series/time, with values from 0, in pieces of the given size.
 void lay(ChunkGrid& grid, std::uint64_t begin, std::uint64_t end, std::uint64_t step, Laid& laid) {
   for (std::uint64_t i = begin; i < end; i += step) {
     ColumnSet columns;
@@ -40,7 +40,7 @@ void lay(ChunkGrid& grid, std::uint64_t begin, std::uint64_t end, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("chunk_grid: chunks and tail do not depend on how the entries come", "[io][results]") {
+TEST_CASE("chunk_grid: chunks and tail do not depend on the size of the pieces", "[io][results]") {
   constexpr std::uint64_t kCount = 5 * kSeriesChunk / 2;
   Laid whole;
   ChunkGrid at_once;
@@ -53,7 +53,7 @@ TEST_CASE("chunk_grid: chunks and tail do not depend on how the entries come", "
   lay(grid, 0, kCount, step, in_steps);
   CHECK((in_steps == whole));
 
-  // The bytes are the entries: the second chunk of ids begins with its index.
+  // The values are the indices: the second chunk of ids begins with the index of its first entry.
   for (const auto& [place, bytes] : whole.chunks) {
     const DatasetSpec& spec = kSchema[long_datasets()[place.first]];
     REQUIRE(bytes.size() == chunk_entries(spec.axis) * size_of(spec.type));
@@ -64,7 +64,7 @@ TEST_CASE("chunk_grid: chunks and tail do not depend on how the entries come", "
   }
 }
 
-TEST_CASE("chunk_grid: goes on where an earlier run was cut", "[io][results]") {
+TEST_CASE("chunk_grid: continues an interrupted run", "[io][results]") {
   constexpr std::uint64_t kCount = 5 * kSeriesChunk / 2;
   Laid whole;
   ChunkGrid at_once;

@@ -17,7 +17,7 @@ Result<OutputLock> take(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("output_lock: one at a time has it, and it leaves nothing behind", "[io][results]") {
+TEST_CASE("output_lock: one run at a time holds it, and its file is removed", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   {
@@ -32,7 +32,7 @@ TEST_CASE("output_lock: one at a time has it, and it leaves nothing behind", "[i
   CHECK(take(path));
 }
 
-TEST_CASE("output_lock: the file of a killed run is taken over, and parts stay", "[io][results]") {
+TEST_CASE("output_lock: the lock file of a killed run is reused, and parts remain", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   std::filesystem::create_directory(path + ".parts");
@@ -42,7 +42,7 @@ TEST_CASE("output_lock: the file of a killed run is taken over, and parts stay",
   CHECK(list_directory(path + ".parts") == std::vector<std::string>{"part-000001.h5"});
 }
 
-TEST_CASE("output_lock: a folder that cannot be made is told", "[io][results]") {
+TEST_CASE("output_lock: a folder that cannot be created is an error", "[io][results]") {
   const Folder folder;
   std::ofstream(folder / "file") << "";
   const Result<OutputLock> lock = take(folder / "file/results.h5");

@@ -12,12 +12,12 @@
 #include "io/results/results_resume.hpp"
 #include "io/results/results_writer.hpp"
 
-/// Made-up runs for the tests of the results file.
+/// Generated runs for the tests of the results file.
 namespace results_fixture {
 
 using namespace holdfast::internal;
 
-/// A folder that is gone when the test ends.
+/// A folder that is removed when the test ends.
 class Folder {
  public:
   Folder() {
@@ -37,16 +37,16 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// What a layout's worlds look like.
+/// Numbers of boxes and samples of a layout's worlds.
 struct Shape {
   std::size_t boxes = 0;
   std::size_t samples = 0;
 };
 
-/// A run with everything that would be simulated.
+/// A run with the records of all its worlds.
 struct Run {
   RunDescription description;
-  std::vector<UnitRecord> units;  ///< a unit a layout
+  std::vector<UnitRecord> units;  ///< one unit per layout
 };
 
 inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::uint64_t acceleration, Shape shape) {
@@ -58,7 +58,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
   world.acceleration = acceleration;
   world.outcome.stop_reason = StopReason::timeout;
   world.outcome.end_time = 0.1 * static_cast<double>(shape.samples);
-  world.outcome.counters = {1000 + layout, 10, 10000, 0.001, 1e-6 * static_cast<double>(layout)};
+  world.outcome.counters = {1000 + layout, 10, 10000, 0.001, 0.04, 1e-6 * static_cast<double>(layout)};
   world.cpu_seconds = 0.25;
   world.peak_total_kinetic_energy = 5.0 + static_cast<double>(number());
   world.state_hash = random() * 0x100000001ULL;
@@ -99,7 +99,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
   return world;
 }
 
-/// A run of a unit a layout, two accelerations with each.
+/// A run with one unit per layout, each with two accelerations.
 inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
   std::mt19937 random(7);
   Run run;
@@ -136,12 +136,12 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
   return run;
 }
 
-/// Shapes that meet every border of the chunks: none, one, and several in one world.
+/// Shapes whose worlds cross no, one and several boundaries of chunks.
 inline std::vector<Shape> mixed_shapes() {
   return {{3, 4}, {0, 0}, {600, 31}, {1, 1}, {64, 256}, {0, 0}, {100, 31}, {1, 20000}, {5, 1}};
 }
 
-/// Closes a part at every unit, or none before the end.
+/// Limits that close a part after every unit, or only at the end.
 inline PartLimits every_unit() { return {.worlds = 1, .age = std::chrono::hours(1)}; }
 inline PartLimits never() {
   return {.worlds = 1U << 30U, .bytes = std::size_t{1} << 40U, .age = std::chrono::hours(1)};
@@ -171,7 +171,7 @@ inline void write_units(ResultsWriter& writer, const Run& run, std::size_t begin
   for (std::size_t i = begin; i < end; ++i) require_ok(write_unit(writer, run.units[i]));
 }
 
-/// A whole run into a finished file.
+/// Writes a whole run into a finished file.
 inline void write_run_to(const std::string& path, const Run& run, const PartLimits& limits) {
   const auto writer = require_value(ResultsWriter::open(path, run.description, {}, limits));
   write_units(*writer, run, 0, run.units.size());

@@ -17,7 +17,7 @@ std::string message_of_open(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("results_reader: a file that is not ours gives a clear error", "[io][results]") {
+TEST_CASE("results_reader: a file that is not a results file is a clear error", "[io][results]") {
   const Folder folder;
   CHECK(message_of_open(folder / "none.h5").find("No such file") != std::string::npos);
   std::ofstream(folder / "text.h5") << "not HDF5";
@@ -35,7 +35,7 @@ TEST_CASE("results_reader: a later format is refused", "[io][results]") {
   CHECK(message_of_open(folder / "later.h5").find("later format version") != std::string::npos);
 }
 
-TEST_CASE("results_reader: a file that was cut short is an error", "[io][results]") {
+TEST_CASE("results_reader: a truncated file is an error", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, make_run({{3, 4}, {20, 31}}), never());

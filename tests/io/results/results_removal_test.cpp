@@ -8,7 +8,7 @@
 
 using namespace results_fixture;
 
-TEST_CASE("results_removal: what is no results file is left as it is", "[io][results]") {
+TEST_CASE("results_removal: only a results file is replaced", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   SECTION("a text") { std::ofstream(path) << "some text"; }
@@ -18,7 +18,7 @@ TEST_CASE("results_removal: what is no results file is left as it is", "[io][res
   CHECK(std::filesystem::exists(path));
 }
 
-TEST_CASE("results_removal: results, an empty file, and nothing at all may be replaced", "[io][results]") {
+TEST_CASE("results_removal: results, an empty file and a missing file may be replaced", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   SECTION("results") { write_run_to(path, make_run({{3, 4}}), every_unit()); }

@@ -10,7 +10,7 @@ using namespace results_fixture;
 
 namespace {
 
-/// Writes all units of the run, a part each, and does not assemble them.
+/// Writes all units of the run, one part each, and does not assemble them.
 void write_parts(const std::string& path, const Run& run) {
   const auto writer = require_value(ResultsWriter::open(path, run.description, {}, every_unit()));
   write_units(*writer, run, 0, run.units.size());
@@ -25,7 +25,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("results_resume: nothing there is no progress", "[io][results]") {
+TEST_CASE("results_resume: without files there is no progress", "[io][results]") {
   const Folder folder;
   const Progress progress = require_value(find_finished(folder / "results.h5", "x"));
   CHECK(progress.world_count == 0);
@@ -51,7 +51,7 @@ TEST_CASE("results_resume: finished parts are counted and left-over files remove
   CHECK_FALSE(std::filesystem::exists(path + ".tmp"));
 }
 
-TEST_CASE("results_resume: another run's parts and file are refused, and it says what differs", "[io][results]") {
+TEST_CASE("results_resume: parts and file of another run are refused, with the differences", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   const Run run = make_run({{3, 4}});
@@ -64,13 +64,13 @@ TEST_CASE("results_resume: another run's parts and file are refused, and it says
   other.accelerations[0].sha256[5] = 'c';
   const std::string said = ": is of a run with other software, accelerations: by " + run.description.software +
                            ", commit " + run.description.git_commit +
-                           "; the same inputs and version go on with it, --overwrite starts anew";
+                           "; the same inputs and version can resume it, --overwrite starts anew";
   CHECK(message_of(find_finished(path, fingerprint(other))) == path + ".parts/part-000001.h5" + said);
   require_ok(assemble(path, run.description));
   CHECK(message_of(find_finished(path, fingerprint(other))) == path + said);
 }
 
-TEST_CASE("results_resume: finished worlds are told as they were put in", "[io][results]") {
+TEST_CASE("results_resume: finished worlds are read as they were written", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   const Run run = make_run({{3, 4}, {2, 2}});
@@ -87,6 +87,7 @@ TEST_CASE("results_resume: finished worlds are told as they were put in", "[io][
     CHECK(a.steps_skipped == b.steps_skipped);
     CHECK(a.solve_iterations == b.solve_iterations);
     CHECK(a.max_residual == b.max_residual);
+    CHECK(a.residual_scale == b.residual_scale);
     CHECK(a.max_penetration == b.max_penetration);
     CHECK(got.outcome.end_time == world.outcome.end_time);
     CHECK(got.cpu_seconds == world.cpu_seconds);
@@ -116,9 +117,9 @@ TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results
   SECTION("a copy of another") {
     std::filesystem::copy_file(path + ".parts/part-000001.h5", second,
                                std::filesystem::copy_options::overwrite_existing);
-    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "does not go on where"));
+    CHECK(contains(message_of(find_finished(path, fingerprint(run.description))), "does not continue where"));
   }
-  SECTION("with chunks that cannot be copied as they are") {
+  SECTION("with chunks that cannot be copied unchanged") {
     const auto change = [](const char* part) {
       const hid_t file = H5Fopen(part, H5F_ACC_RDWR, H5P_DEFAULT);
       REQUIRE(H5Ldelete(file, "/boxes/world", H5P_DEFAULT) >= 0);
@@ -134,10 +135,10 @@ TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results
     };
     change((path + ".parts/part-000003.h5").c_str());
     CHECK(contains(message_of(find_finished(path, fingerprint(run.description))),
-                   "part-000003.h5: has a dataset of another chunk size than it should (/boxes/world)"));
+                   "part-000003.h5: has a dataset of a wrong chunk size (/boxes/world)"));
   }
   SECTION("cut off inside the data") {
-    // HDF5 finds no fault with a part whose chunks end beyond it as long as its end is where it says.
+    // HDF5 opens a part whose chunks extend beyond its end if the length of the file is as stored in it.
     const std::string first = path + ".parts/part-000001.h5";
     const auto size = std::filesystem::file_size(first);
     std::string bytes = file_bytes(first);
@@ -150,11 +151,11 @@ TEST_CASE("results_resume: a missing or damaged part is an error", "[io][results
     std::filesystem::remove(path + ".parts/part-000003.h5");
     const auto error = assemble(path, run.description);
     REQUIRE(error);
-    CHECK(contains(error->message(), "does not hold all worlds of the run: 4 of 6"));
+    CHECK(contains(error->message(), "does not have all worlds of the run: 4 of 6"));
   }
 }
 
-TEST_CASE("results_resume: parts that a kill left beside the finished file are removed", "[io][results]") {
+TEST_CASE("results_resume: parts that a kill has left beside the finished file are removed", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   const Run run = make_run({{3, 4}, {5, 2}});

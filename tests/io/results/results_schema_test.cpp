@@ -9,7 +9,7 @@
 
 using namespace results_fixture;
 
-TEST_CASE("results_schema: every dataset of the table is in the file, as the table says", "[io][results]") {
+TEST_CASE("results_schema: every dataset of the table is in the file with its type and shape", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, make_run(mixed_shapes(), GENERATE(true, false)), never());
@@ -27,7 +27,7 @@ TEST_CASE("results_schema: every dataset of the table is in the file, as the tab
   for (const auto& of_axis : lengths) CHECK(of_axis.size() == 1);
 }
 
-TEST_CASE("results_schema: the file has no dataset that the table lacks", "[io][results]") {
+TEST_CASE("results_schema: the file has no dataset that is not in the table", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, make_run({{2, 3}}), never());

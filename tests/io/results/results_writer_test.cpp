@@ -41,6 +41,7 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   CHECK(row.solve_iterations == put.outcome.counters.solve_iterations);
   CHECK(row.cpu_seconds == put.cpu_seconds);
   CHECK(row.max_residual == put.outcome.counters.max_residual);
+  CHECK(row.residual_scale == put.outcome.counters.residual_scale);
   CHECK(row.max_penetration == put.outcome.counters.max_penetration);
   CHECK(row.state_hash == put.state_hash);
   CHECK(row.peak_total_kinetic_energy == put.peak_total_kinetic_energy);
@@ -64,7 +65,7 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   check_series(require_value(reader.series(row)), put.series);
 }
 
-/// Compares worlds [begin, …) of the run with all worlds of the file.
+/// Compares the worlds of the run from `begin` on with all worlds of the file.
 void check_file(const std::string& path, const Run& run, std::size_t unit_begin, std::size_t unit_end) {
   ResultsReader reader = require_value(ResultsReader::open(path));
   const auto rows = require_value(reader.worlds(0, reader.info().world_count));
@@ -79,7 +80,7 @@ void check_file(const std::string& path, const Run& run, std::size_t unit_begin,
 
 }  // namespace
 
-TEST_CASE("results_writer: what goes in comes out, to the bit", "[io][results]") {
+TEST_CASE("results_writer: the file has the same bits as the records", "[io][results]") {
   const bool series = GENERATE(true, false);
   const Run run = make_run(mixed_shapes(), series);
   const Folder folder;
@@ -96,7 +97,7 @@ TEST_CASE("results_writer: what goes in comes out, to the bit", "[io][results]")
   CHECK_FALSE(std::filesystem::exists(path + ".tmp"));
 }
 
-TEST_CASE("results_writer: the file has the same bytes wherever its parts were cut", "[io][results]") {
+TEST_CASE("results_writer: the bytes of the file do not depend on where parts end", "[io][results]") {
   const Run run = make_run(mixed_shapes());
   const Folder folder;
   write_run_to(folder / "whole.h5", run, never());
@@ -115,7 +116,7 @@ TEST_CASE("results_writer: a run killed after any part and resumed gives the sam
     {
       const PartLimits limits{.worlds = 4, .age = std::chrono::hours(1)};
       const auto writer = require_value(ResultsWriter::open(path, run.description, {}, limits));
-      write_units(*writer, run, 0, cut);  // dropped without finish, as by a kill
+      write_units(*writer, run, 0, cut);  // destroyed without finish, as by a kill
     }
     const Progress progress = require_value(find_finished(path, fingerprint(run.description)));
     CHECK(progress.world_count == cut / 2 * 4);
@@ -144,7 +145,7 @@ TEST_CASE("results_writer: a part is a readable file by itself", "[io][results]"
   }
 }
 
-TEST_CASE("results_writer: indices in a part count in the run", "[io][results]") {
+TEST_CASE("results_writer: indices in a part are those of the run", "[io][results]") {
   const Run run = make_run({{3, 4}, {600, 31}, {5, 2}});
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -166,14 +167,14 @@ TEST_CASE("results_writer: indices in a part count in the run", "[io][results]")
   CHECK(values_of<std::uint64_t>(worlds.read(2 * 608 - 6, 6)) == std::vector<std::uint64_t>{4, 5, 5, 5, 5, 5});
 }
 
-TEST_CASE("results_writer: the summary in the file is what its records are judged as", "[io][results]") {
+TEST_CASE("results_writer: the summary in the file agrees with its records", "[io][results]") {
   const bool series = GENERATE(true, false);
   Run run = make_run(mixed_shapes(), series);
   run.description.thresholds.move = 0.3;
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, run, every_unit());
-  // Derived again from what the file holds of the worlds, as for other thresholds.
+  // Derived again from the worlds in the file, as for other thresholds.
   require_ok(write_summary(path, run.description.thresholds, folder / "again.h5"));
   const h5::File file = h5::File::open(path);
   const h5::File again = h5::File::open(folder / "again.h5");
@@ -226,7 +227,7 @@ TEST_CASE("results_writer: a timer may close parts while another thread writes",
   check_file(path, run, 0, run.units.size());
 }
 
-TEST_CASE("results_writer: never writes over results or over the parts of an interrupted run", "[io][results]") {
+TEST_CASE("results_writer: never overwrites results or the parts of an interrupted run", "[io][results]") {
   const Run run = make_run({{3, 4}});
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -244,7 +245,7 @@ TEST_CASE("results_writer: never writes over results or over the parts of an int
   CHECK(over_file.error().message().find("exists already") != std::string::npos);
 }
 
-TEST_CASE("results_writer: a run of nothing is a file of empty tables", "[io][results]") {
+TEST_CASE("results_writer: a run without worlds gives a file with empty tables", "[io][results]") {
   const Run run = make_run({});
   const Folder folder;
   write_run_to(folder / "results.h5", run, never());
@@ -253,7 +254,7 @@ TEST_CASE("results_writer: a run of nothing is a file of empty tables", "[io][re
 
 namespace {
 
-/// Files may not grow beyond `bytes` while it lives: a full disk, as far as a program can tell.
+/// Limits the size of files to `bytes` during its lifetime, which looks like a full disk to the program.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -275,7 +276,7 @@ class FileSizeLimit {
 
 }  // namespace
 
-TEST_CASE("results_writer: a failed write is an error, and finished parts stay readable", "[io][results]") {
+TEST_CASE("results_writer: a failed write is an error, and finished parts remain readable", "[io][results]") {
   const Run run = make_run({{3, 4}, {600, 31}, {3, 4}});
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -292,7 +293,7 @@ TEST_CASE("results_writer: a failed write is an error, and finished parts stay r
   check_file(path + ".parts/part-000001.h5", run, 0, 1);
 }
 
-TEST_CASE("results_assembler: a failed write leaves the parts and no file", "[io][results]") {
+TEST_CASE("results_assembler: after a failed write the parts remain, without a results file", "[io][results]") {
   const Run run = make_run({{3, 4}, {600, 31}, {3, 4}});
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -313,7 +314,7 @@ TEST_CASE("results_assembler: a failed write leaves the parts and no file", "[io
   check_file(path, run, 0, 3);
 }
 
-TEST_CASE("results_assembler: when stopped it leaves the parts as they are", "[io][results]") {
+TEST_CASE("results_assembler: when stopped it does not change the parts", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
   const Run run = make_run({{3, 4}, {5, 2}});

@@ -18,7 +18,7 @@ std::vector<T> read_column(const std::string& path, std::string_view name) {
   return values_of<T>(dataset.read(0, dataset.length()));
 }
 
-/// Fallen boxes of every simulated world, counted from the records that went in.
+/// Fallen boxes of every simulated world, counted from the records.
 std::vector<std::uint32_t> count_fallen(const Run& run, double drop) {
   std::vector<std::uint32_t> counts;
   for (const UnitRecord& unit : run.units)
@@ -58,7 +58,7 @@ TEST_CASE("summary: first_move_time is the first sample beyond the threshold", "
   CHECK(read_column<std::uint32_t>(path, "/summary/worlds/moved_boxes") == std::vector<std::uint32_t>{1, 1});
 }
 
-TEST_CASE("summary: other thresholds go into another file, which names its source", "[io][results]") {
+TEST_CASE("summary: results for other thresholds are in another file that names its source", "[io][results]") {
   const Run run = make_run(mixed_shapes());
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -78,7 +78,7 @@ TEST_CASE("summary: other thresholds go into another file, which names its sourc
   CHECK(again->message().find("exists already") != std::string::npos);
 }
 
-TEST_CASE("summary: a part is refused, whose boxes repeat those of the part before", "[io][results]") {
+TEST_CASE("summary: a part is refused, because it repeats boxes of the previous part", "[io][results]") {
   const Run run = make_run({{3, 4}, {5, 2}});
   const Folder folder;
   const std::string path = folder / "results.h5";
@@ -88,13 +88,13 @@ TEST_CASE("summary: a part is refused, whose boxes repeat those of the part befo
   REQUIRE(error);
   CHECK(error->message().find("is a part of an unfinished run") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder / "out.h5"));
-  // As a table it can be seen: its own worlds and boxes, and no others.
+  // The summary of a part has its own worlds and boxes only.
   require_ok(write_summary_csv(path + ".parts/part-000002.h5", {}, folder / "csv"));
   const std::string boxes = file_bytes(folder / "csv/boxes.csv");
   CHECK(std::count(boxes.begin(), boxes.end(), '\n') == 1 + 2 * 5);
 }
 
-TEST_CASE("summary: CSV has a line a world and a line a box, quoted where needed", "[io][results]") {
+TEST_CASE("summary: CSV has one line per world and per box, quoted where needed", "[io][results]") {
   const Run run = make_run({{3, 4}, {0, 0}});
   const Folder folder;
   write_run_to(folder / "results.h5", run, never());

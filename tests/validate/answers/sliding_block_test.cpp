@@ -18,7 +18,7 @@ Acceleration acceleration_of(std::initializer_list<std::pair<double, double>> pi
 
 }  // namespace
 
-TEST_CASE("sliding_block: a brake pulse throws it as far as the formula says", "[validate][sliding_block]") {
+TEST_CASE("sliding_block: the path after a brake pulse agrees with the formula", "[validate][sliding_block]") {
   const double acceleration = 0.8 * 9.81;
   const SlidingBlock end = slide_along_x(acceleration_of({{0.5, acceleration}, {2.0, 0.0}}), kFriction);
   CHECK(end.displacement == Approx(-0.5 * (acceleration - kFriction) * 0.25 * acceleration / kFriction).epsilon(1e-14));
@@ -26,7 +26,7 @@ TEST_CASE("sliding_block: a brake pulse throws it as far as the formula says", "
   CHECK(end.distance == Approx(-end.displacement));
 }
 
-TEST_CASE("sliding_block: at its limit and below it sticks", "[validate][sliding_block]") {
+TEST_CASE("sliding_block: the block does not slide at its limit and below", "[validate][sliding_block]") {
   const SlidingBlock end = slide_along_x(acceleration_of({{1.0, kFriction}, {1.0, -kFriction}, {1.0, 0.3}}), kFriction);
   CHECK(end.displacement == 0.0);
   CHECK(end.velocity == 0.0);
@@ -38,8 +38,9 @@ TEST_CASE("sliding_block: opposite pulses cancel", "[validate][sliding_block]") 
   CHECK(end.distance == Approx(2 * 0.5 * (8.0 - kFriction) * 0.04 * 8.0 / kFriction).epsilon(1e-12));
 }
 
-TEST_CASE("sliding_block: a load against its way stops it, then drives it back", "[validate][sliding_block]") {
-  // 0.2 s forth to v = −3.095 · 0.2; then 8 m/s² the other way: stops after |v| / (8 + μg), then −3.095 the other way.
+TEST_CASE("sliding_block: an opposite acceleration stops the block, then moves it back", "[validate][sliding_block]") {
+  // First 0.2 s to v = −3.095 · 0.2; then 8 m/s² in the other direction: it stops after |v| / (8 + μg), then
+  // accelerates with 3.095 in that direction.
   const SlidingBlock end = slide_along_x(acceleration_of({{0.2, 8.0}, {0.5, -8.0}}), kFriction);
   const double excess = 8.0 - kFriction;
   const double speed = excess * 0.2;

@@ -22,7 +22,7 @@ TEST_CASE("stack: a heavy top tips the stack at g (l/2) Σm / Σ(m z)", "[valida
   CHECK(tipping_load(stack, kGravity) == Approx(kGravity * 0.5 * 1002.0 / (0.25 + 0.75 + 1250.0)).epsilon(1e-14));
 }
 
-TEST_CASE("stack: a heavy floor makes a higher joint the weakest", "[validate][stack]") {
+TEST_CASE("stack: with a heavy lowest box a higher joint is the weakest", "[validate][stack]") {
   const Stack stack = {{1.0, 1.0, 0.5}, {1000.0, 1.0, 1.0}, 0.5};
   CHECK(tipping_load(stack, kGravity) == Approx(kGravity * 0.5 * 2.0 / (0.25 + 0.75)).epsilon(1e-14));
 }
@@ -51,7 +51,7 @@ TEST_CASE("stack: just above its limit a block tips as cosh", "[validate][stack]
   CHECK(theta * half_diagonal == Approx(kDistance).epsilon(1e-5));
 }
 
-TEST_CASE("stack: the load that tips falls to the limit as the time grows", "[validate][stack]") {
+TEST_CASE("stack: the acceleration that tips decreases to the limit as the time grows", "[validate][stack]") {
   const Stack stack = even_stack(20, {0.5, 0.5, 0.25}, 0.5);
   const double limit = tipping_load(stack, kGravity);
   const double soon = load_that_tips(stack, kGravity, 0.01, 1.0) / limit - 1.0;

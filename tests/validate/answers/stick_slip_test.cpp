@@ -36,13 +36,14 @@ TEST_CASE("stick_slip: nothing moves at the limit, and less weight lowers the li
   CHECK(slide_along(0, heave, 0.5, kGravity).displacement.x() == Approx(-0.5 * 0.15 * kGravity).epsilon(1e-12));
 }
 
-TEST_CASE("stick_slip: two pulses of opposite sign leave what the closed formulas say", "[validate]") {
+TEST_CASE("stick_slip: the path after two opposite pulses agrees with closed formulas", "[validate]") {
   const double friction = 0.2;
   const double limit = friction * kGravity;
   const double a = 3.0;
   const Acceleration acceleration =
       Scene().then(1.0, {a, 0, 0}).then(1.0, {-a, 0, 0}).then(9.0, Vec3::Zero()).acceleration;
-  // First half: −(a − μg) for 1 s; then +(a + μg) until it stops at t₁, +(a − μg) for the rest, −μg to the stop.
+  // First half: −(a − μg) for 1 s; then +(a + μg) until it stops at t₁, +(a − μg) for the remaining time, then −μg
+  // until it stops.
   const double speed = a - limit;
   const double t1 = speed / (a + limit);
   const double back = (a - limit) * (1.0 - t1);
@@ -52,7 +53,7 @@ TEST_CASE("stick_slip: two pulses of opposite sign leave what the closed formula
   CHECK(path.stop_time == Approx(2.0 + back / limit).epsilon(1e-12));
 }
 
-TEST_CASE("stick_slip: the path over a plane along a line is the exact one", "[validate]") {
+TEST_CASE("stick_slip: the integration in the plane is exact along a line", "[validate]") {
   const Vec3 direction = Vec3(0.8, 0.6, 0.0);
   const Acceleration acceleration = Scene().then(0.7, 0.8 * kGravity * direction).then(5.0, Vec3::Zero()).acceleration;
   const SlidePath line = slide_along(0, pulse(0.7, 0.8 * kGravity, 5.0), 0.3, kGravity);
@@ -61,9 +62,10 @@ TEST_CASE("stick_slip: the path over a plane along a line is the exact one", "[v
   CHECK(plane.stop_time == Approx(line.stop_time).epsilon(1e-9));
 }
 
-// With the speed s at the angle φ to the push f, p = μg/f > 1: s sinφ / tan(φ/2)^p stays. From φ = 90° to the stop that
-// integrates to T = s₀ p / (f (p² − 1)), s₀² / (4 f (p² − 1)) along the push and 2 s₀² p / (f (4 p² − 1)) across it.
-TEST_CASE("stick_slip: a push from the side bends the path as the closed formula says", "[validate]") {
+// With the speed s at the angle φ to the inertial acceleration f and p = μg/f > 1, s sinφ / tan(φ/2)^p is constant.
+// From φ = 90° to the stop this integrates to T = s₀ p / (f (p² − 1)), with the path s₀² / (4 f (p² − 1)) along f and
+// 2 s₀² p / (f (4 p² − 1)) perpendicular to it.
+TEST_CASE("stick_slip: the path under a lateral acceleration agrees with the closed formula", "[validate]") {
   const double friction = 0.5;
   const double push = 0.3 * kGravity;
   const double speed = 2.0;
@@ -75,7 +77,7 @@ TEST_CASE("stick_slip: a push from the side bends the path as the closed formula
   CHECK(path.displacement.y() == Approx(2.0 * speed * speed * p / (push * (4.0 * p * p - 1.0))).epsilon(1e-8));
 }
 
-TEST_CASE("stick_slip: stacked blocks slide together, or the upper one alone", "[validate]") {
+TEST_CASE("stick_slip: stacked blocks slide together, or only the upper one slides", "[validate]") {
   const Acceleration acceleration = pulse(0.5, 0.8 * kGravity, 5.0);
   const StackedPaths together = slide_stacked(acceleration, {3.0, 1.0, 0.2, 0.4, kGravity});
   const double alone = slide_along(0, acceleration, 0.2, kGravity).displacement.x();

@@ -17,7 +17,7 @@ TEST_CASE("toppling: the rate agrees with the energy at every angle", "[validate
   Toppling toppling(body, acceleration, kGravity);
   for (const double time : {0.1, 0.2, 0.35, 0.5, 0.7}) {
     toppling.advance_to(time);
-    // ½ k² θ'² = work of inertial force and weight, a unit of mass.
+    // ½ k² θ'² = work of inertial force and weight, per unit of mass.
     const double lean = body.lean - toppling.angle();
     const double work = body.arm * (acceleration * (std::sin(body.lean) - std::sin(lean)) -
                                     kGravity * (std::cos(lean) - std::cos(body.lean)));
@@ -40,7 +40,7 @@ TEST_CASE("toppling: small angles grow like a hyperbolic cosine", "[validate][to
   CHECK(toppling.angle() == Approx(push / (growth * growth) * (std::cosh(growth * time) - 1)).epsilon(1e-6));
 }
 
-TEST_CASE("toppling: an angle is reached when it says", "[validate][toppling]") {
+TEST_CASE("toppling: the angle at the returned time is the requested one", "[validate][toppling]") {
   const Pivoted body = about_edge(0.5, 1.0);
   Toppling first(body, 5.4, kGravity);
   const double time = first.time_to(0.5);
@@ -57,7 +57,7 @@ TEST_CASE("toppling: below the threshold nothing moves", "[validate][toppling]")
   CHECK(std::isinf(toppling.time_to(0.1)));
 }
 
-TEST_CASE("toppling: at the start the pivot carries the weight and the load", "[validate][toppling]") {
+TEST_CASE("toppling: at the start the pivot carries the weight and the inertial force", "[validate][toppling]") {
   // From rest at the threshold nothing accelerates: N = m g, T = m a.
   const Toppling toppling(about_edge(0.5, 1.0), 0.5 * kGravity, kGravity);
   CHECK(toppling.support() == Approx(kGravity).epsilon(1e-12));
@@ -76,17 +76,17 @@ TEST_CASE("toppling: the pivot holds below 45 degrees and lifts off before 60", 
   }
 }
 
-TEST_CASE("toppling: the threshold within a time is above that for ever", "[validate][toppling]") {
+TEST_CASE("toppling: the threshold for a limited time is above that for unlimited time", "[validate][toppling]") {
   const Pivoted body = about_edge(1.0, 4.0);
   const double threshold = toppling_threshold(body, kGravity, 0.1745, 5.0);
   CHECK(threshold > 0.25 * kGravity);
   CHECK(threshold < 0.2502 * kGravity);
   CHECK(Toppling(body, threshold, kGravity).time_to(0.1745) == Approx(5.0).epsilon(1e-6));
-  // Short boxes fall so fast that five seconds are for ever.
+  // Short boxes fall so fast that five seconds are as long as unlimited time.
   CHECK(toppling_threshold(about_edge(0.2, 1.0), kGravity, 0.1745, 5.0) == Approx(0.2 * kGravity).epsilon(1e-7));
 }
 
-TEST_CASE("toppling: after the shortest pulse the body just reaches its top", "[validate][toppling]") {
+TEST_CASE("toppling: after the shortest pulse the body just reaches the upright balance", "[validate][toppling]") {
   const Pivoted body = about_edge(0.5, 1.0);
   const double acceleration = 0.75 * kGravity;
   Toppling pushed(body, acceleration, kGravity);

@@ -33,7 +33,7 @@ TEST_CASE("twins: mirroring, swapping and reversing twice gives the same bits", 
   CHECK(same_bits(start, start_of(reversed_twin(reversed_twin(scene)))));
 }
 
-TEST_CASE("twins: a world four times as large takes twice the time and twice the step", "[validate][twins]") {
+TEST_CASE("twins: a world four times as large has twice the time and twice the step", "[validate][twins]") {
   const Scene scene = assorted_scene();
   const Scene twin = scaled_twin(scene, 4.0);
   CHECK(twin.acceleration.end_time() == 2.0 * scene.acceleration.end_time());
@@ -43,7 +43,7 @@ TEST_CASE("twins: a world four times as large takes twice the time and twice the
   CHECK(twin.acceleration.segments[0].acceleration == scene.acceleration.segments[0].acceleration);
 }
 
-TEST_CASE("twins: distances are the largest of all boxes, infinite without a match", "[validate][twins]") {
+TEST_CASE("twins: the distance is the largest of all boxes, infinite for different numbers", "[validate][twins]") {
   const Snapshot start = start_of(assorted_scene());
   Snapshot other = start;
   CHECK(distance_between(start, other) == 0.0);

@@ -6,7 +6,7 @@
 
 using namespace holdfast::internal;
 
-TEST_CASE("engine settings: every one says its step, for a scene's step factor to multiply", "[validate]") {
+TEST_CASE("engine settings: every setting has a step that a scene's step factor can multiply", "[validate]") {
   for (const EngineSetting& setting : engine_settings()) {
     INFO(setting.engine << " " << setting.name);
     Settings settings = Scene{}.settings;

@@ -7,7 +7,7 @@ using namespace holdfast::internal;
 
 namespace {
 
-/// A run of two boxes over `samples` samples; the first moves by `step` a sample along x, the second sinks as much.
+/// A run of two boxes with `samples` samples; the first moves by `step` per sample along x, the second sinks as much.
 LoadRun run_of(std::size_t samples, double step, double sink = 0.0) {
   LoadRun run;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -35,7 +35,8 @@ TEST_CASE("load_suite: a run like the reference has no error", "[validate][load_
 }
 
 TEST_CASE("load_suite: displacement counts only while the references agree to 1 mm", "[validate][load_suite]") {
-  // The references part by 0.3 mm a sample: samples 0 to 3 are predictable. The run is off by 2 mm a sample.
+  // The references separate by 0.3 mm per sample: samples 0 to 3 are predictable. The error of the run grows by 2 mm
+  // per sample.
   const std::vector<LoadRun> reference = {run_of(10, 0.0)};
   const std::vector<LoadRun> second = {run_of(10, 0.0003)};
   const std::vector<LoadRun> run = {run_of(10, 0.002)};
@@ -52,7 +53,7 @@ TEST_CASE("load_suite: verdicts are judged at the end", "[validate][load_suite]"
   CHECK(error_of(measurements, "number of fallen") == Approx(0.25));
 }
 
-TEST_CASE("load_suite: a failed run is counted and left out of the rest", "[validate][load_suite]") {
+TEST_CASE("load_suite: a failed run is counted and left out of the other measurements", "[validate][load_suite]") {
   const std::vector<LoadRun> reference = {run_of(5, 0.0), run_of(5, 0.001)};
   std::vector<LoadRun> run = reference;
   run[0].failed = true;
@@ -62,7 +63,7 @@ TEST_CASE("load_suite: a failed run is counted and left out of the rest", "[vali
   CHECK(error_of(measurements, "any fell") == 0.0);
 }
 
-TEST_CASE("load_suite: rank correlation is one for the same order, two off for the opposite",
+TEST_CASE("load_suite: the rank correlation is 1 for the same order, its error 2 for the opposite",
           "[validate][load_suite]") {
   const std::vector<LoadRun> reference = {run_of(5, 0.001), run_of(5, 0.002), run_of(5, 0.003)};
   const std::vector<LoadRun> same_order = {run_of(5, 0.01), run_of(5, 0.05), run_of(5, 0.06)};
@@ -71,7 +72,7 @@ TEST_CASE("load_suite: rank correlation is one for the same order, two off for t
   CHECK(error_of(compare_loads(opposite, reference, reference), "rank") == Approx(2.0));
 }
 
-TEST_CASE("load_suite: every layout meets the four road accelerations", "[validate][load_suite]") {
+TEST_CASE("load_suite: every layout has the four road accelerations", "[validate][load_suite]") {
   Layout layout;
   layout.name = "a.txt";
   layout.boxes.push_back({Vec3(0, 0, 0), Vec3(1, 1, 1), 1, 2});

@@ -5,7 +5,7 @@
 
 using namespace holdfast::internal;
 
-TEST_CASE("measurement: errors are relative, of a scale, or of a verdict", "[validate][measurement]") {
+TEST_CASE("measurement: errors are relative, relative to a scale, or of a verdict", "[validate][measurement]") {
   CHECK(relative("m", 1.02, 1.0, ToleranceClass::coarse).error == Approx(0.02));
   CHECK(relative("m", -0.98, -1.0, ToleranceClass::coarse).error == Approx(0.02));
   CHECK(scaled("m", 0.03, 0.01, 2.0, ToleranceClass::coarse).error == Approx(0.01));
@@ -13,7 +13,7 @@ TEST_CASE("measurement: errors are relative, of a scale, or of a verdict", "[val
   CHECK_FALSE(verdict("m", true, false).passes());
 }
 
-TEST_CASE("measurement: what got lost never passes", "[validate][measurement]") {
+TEST_CASE("measurement: a lost value never passes", "[validate][measurement]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double lost : {nan, infinity, -infinity}) {

@@ -3,28 +3,28 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using holdfast::internal::border_near;
+using holdfast::internal::threshold_near;
 
-TEST_CASE("border: found wherever it is", "[validate][border]") {
+TEST_CASE("threshold: found at any position", "[validate][threshold]") {
   for (const double border : {0.013, 0.5, 0.9, 0.999, 1.0, 1.0000003, 1.01, 1.7, 9.0}) {
-    const double found = border_near(1.0, 1e-7, [&](double amplitude) { return amplitude > border; });
+    const double found = threshold_near(1.0, 1e-7, [&](double amplitude) { return amplitude > border; });
     CAPTURE(border, found);
-    // To the precision, or to a fiftieth of the error.
+    // With the requested precision, or a fiftieth of the error.
     CHECK(found >= border);
     CHECK(found - border <= std::max(1e-7, 0.021 * std::min(border, std::abs(border - 1.0))) * 1.0000001);
   }
 }
 
-TEST_CASE("border: right on the spot costs few runs", "[validate][border]") {
+TEST_CASE("threshold: a correct expectation takes few runs", "[validate][threshold]") {
   int runs = 0;
-  border_near(1.0, 1e-7, [&](double amplitude) {
+  threshold_near(1.0, 1e-7, [&](double amplitude) {
     ++runs;
     return amplitude >= 1.0;
   });
   CHECK(runs <= 3);
 }
 
-TEST_CASE("border: always and never", "[validate][border]") {
-  CHECK(border_near(1.0, 1e-7, [](double) { return true; }) == 0.0);
-  CHECK(std::isinf(border_near(1.0, 1e-7, [](double) { return false; })));
+TEST_CASE("threshold: always and never exceeded", "[validate][threshold]") {
+  CHECK(threshold_near(1.0, 1e-7, [](double) { return true; }) == 0.0);
+  CHECK(std::isinf(threshold_near(1.0, 1e-7, [](double) { return false; })));
 }

@@ -17,7 +17,7 @@ Scene one_box() {
   return scene;
 }
 
-/// A box thrown up with `speed`, sampled unevenly.
+/// A box thrown upwards with `speed`, sampled at unequal intervals.
 Track thrown(const Scene& scene, double speed) {
   Track track;
   for (int i = 0; i < 20; ++i) {
@@ -42,7 +42,7 @@ TEST_CASE("track: the peak of a flight is exact", "[validate]") {
   CHECK(peaks[0].value == Approx(1.5 + 2.0 / kGravity).epsilon(1e-12));
 }
 
-TEST_CASE("track: free flight gains no energy, a kick does", "[validate]") {
+TEST_CASE("track: free flight gains no energy, a velocity jump does", "[validate]") {
   const Scene scene = one_box();
   Track track = thrown(scene, 2.0);
   const double energy = kinetic_energy(scene, track.front());
@@ -53,7 +53,7 @@ TEST_CASE("track: free flight gains no energy, a kick does", "[validate]") {
   CHECK(energy_gain(scene, track) == Approx(0.5 * 250.0 * (81.0 - 4.0) + 250.0 * kGravity * height).epsilon(1e-12));
 }
 
-TEST_CASE("track: an arrival between two step ends is found by the way that is left", "[validate]") {
+TEST_CASE("track: an arrival within a step is found from the remaining distance", "[validate]") {
   Track track;
   for (const double t : {0.0, 0.3, 0.6, 0.9}) {
     // Falls from 2 m; lands at √(4/g) = 0.6386 s.
@@ -71,7 +71,7 @@ TEST_CASE("track: an arrival between two step ends is found by the way that is l
   CHECK(arrival.speed == Approx(std::sqrt(4.0 * kGravity)).epsilon(1e-12));
 }
 
-TEST_CASE("track: a stop is where a steady deceleration leads from the last motion", "[validate]") {
+TEST_CASE("track: the stop is found by constant deceleration from the last motion", "[validate]") {
   Track track;
   for (const double t : {0.0, 0.4, 0.8, 1.2}) {
     const double speed = std::max(0.0, 2.0 - 2.0 * t);

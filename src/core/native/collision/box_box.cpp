@@ -6,16 +6,11 @@
 
 #include "core/native/collision/clipping.hpp"
 #include "core/native/collision/separating_axis.hpp"
+#include "core/native/constants.hpp"
 
 namespace holdfast::internal::native {
 
 namespace {
-
-/// The point of two edges and a corner of a face's contact that are nearer than this are one, m.
-constexpr double kSameEdgePoint = 1e-3;
-
-/// Points of a face contact that are farther than the point of two edges by more than this are not beside it, m.
-constexpr double kBesideEdge = 1e-3;
 
 /// Signs of the corners of a rectangle, around it.
 constexpr std::array<std::array<double, 2>, 4> kAround = {{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
@@ -23,7 +18,7 @@ constexpr std::array<std::array<double, 2>, 4> kAround = {{{-1.0, -1.0}, {1.0, -
 double lower(const OrientedBox& box, int k) { return box.centre[k] - box.half_extents[k]; }
 double upper(const OrientedBox& box, int k) { return box.centre[k] + box.half_extents[k]; }
 
-/// From one box's face to the other's along axis k: from their coordinates, so that boxes that share one touch.
+/// Distance of two faces along axis k, by their coordinates: boxes that share a coordinate touch exactly.
 double aligned_gap(const OrientedBox& a, const OrientedBox& b, int k) {
   return b.centre[k] >= a.centre[k] ? lower(b, k) - upper(a, k) : lower(a, k) - upper(b, k);
 }
@@ -37,11 +32,11 @@ int face_axis(const ContactAxis& axis) {
 ContactSet aligned_contact(const OrientedBox& a, const OrientedBox& b, double margin, const ContactAxis& previous) {
   ContactSet contact;
   const Vec3 gap(aligned_gap(a, b, 0), aligned_gap(a, b, 1), aligned_gap(a, b, 2));
-  // Written so that a place that is not a number is no contact.
+  // Written so that a position that is not a number is no contact.
   if (!(gap[0] <= margin && gap[1] <= margin && gap[2] <= margin)) return contact;
 
   Vec3 score = gap;
-  if (const int kept = face_axis(previous); kept >= 0) score[kept] += kHysteresis;
+  if (const int kept = face_axis(previous); kept >= 0) score[kept] += kAxisHysteresis;
   int k = score[1] > score[0] ? 1 : 0;
   if (score[2] > score[k]) k = 2;
 
@@ -51,7 +46,7 @@ ContactSet aligned_contact(const OrientedBox& a, const OrientedBox& b, double ma
   const double high_u = std::min(upper(a, u), upper(b, u));
   const double low_v = std::max(lower(a, v), lower(b, v));
   const double high_v = std::min(upper(a, v), upper(b, v));
-  if (high_u - low_u < kLeastOverlap || high_v - low_v < kLeastOverlap) return contact;
+  if (high_u - low_u < kContactTolerance || high_v - low_v < kContactTolerance) return contact;
 
   const bool b_above = b.centre[k] >= a.centre[k];
   contact.normal[k] = b_above ? 1.0 : -1.0;
@@ -76,7 +71,7 @@ int container_axis(const Vec3& normal) {
   return -1;
 }
 
-/// A side across axis k with an aligned box: coordinates as they are, nothing rounded but the gap.
+/// A side across axis k with an aligned box: the coordinates are those of the box, and only the gap is rounded.
 ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, double margin) {
   ContactSet contact;
   const double inward = a.normal[k];
@@ -99,22 +94,20 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
   return contact;
 }
 
-/// Whether the point of two edges is one of several of the faces' contact. What faces overlap beyond each other's sides
-/// makes them worse than those edges, and has no part in the contact: a box that has sunk a little into the edge that
-/// it lies on has that edge in its face, and needs both of its ends. With the one point of two edges it would be held
-/// at one end, sink at the other, and go on so from step to step. Points farther away hold nothing beside it: how far
-/// contacts are looked for must not decide.
+/// Whether the point of two edges is one of several points of the faces' contact. The faces' separation counts overlap
+/// beyond each other's sides, which is no part of the contact, and so two edges may seem better. A box that has sunk a
+/// little into the edge that it lies on has that edge in its face, and needs both of its ends: with the one point of
+/// two edges it would be held at one end, sink at the other, and so on from step to step. Points farther away do not
+/// count, since the margin for which contacts are found must not decide.
 bool has_point_of(const ContactSet& faces, const ContactSet& edges) {
   const ContactPoint& wanted = edges.points[0];
   const auto end = faces.points.begin() + faces.count;
-  const auto is_beside = [&](const ContactPoint& point) {
-    return point.gap <= std::max(0.0, wanted.gap) + kBesideEdge;
-  };
+  const auto is_beside = [&](const ContactPoint& point) { return point.gap <= std::max(0.0, wanted.gap) + kSameEdge; };
   return std::count_if(faces.points.begin(), end, is_beside) > 1 &&
          std::any_of(faces.points.begin(), end, [&](const ContactPoint& point) {
            return std::abs(point.gap - wanted.gap) <= kEdgeHandicap &&
                   (point.on_a - wanted.on_a).squaredNorm() + (point.on_b - wanted.on_b).squaredNorm() <=
-                      kSameEdgePoint * kSameEdgePoint;
+                      kSameEdge * kSameEdge;
          });
 }
 
@@ -153,7 +146,7 @@ ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin) {
   const double height = (n[0] * b.centre[0] + n[1] * b.centre[1] + n[2] * b.centre[2]) - a.offset;
   if (!(height - (std::abs(rise[0]) + std::abs(rise[1]) + std::abs(rise[2])) <= margin)) return contact;
 
-  // The first of equally inclined faces: they share their lowest corners.
+  // Of equally inclined faces the first one: they share their lowest corners.
   int m = std::abs(cosine[1]) > std::abs(cosine[0]) ? 1 : 0;
   if (std::abs(cosine[2]) > std::abs(cosine[m])) m = 2;
   const int p = (m + 1) % 3;

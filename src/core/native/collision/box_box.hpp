@@ -6,14 +6,14 @@
 
 namespace holdfast::internal::native {
 
-/// Where two surfaces face each other at one place.
+/// Where two surfaces face each other at one point.
 struct ContactPoint {
   Vec3 on_a = Vec3::Zero();  ///< on the surface of body a, container frame, m
   Vec3 on_b = Vec3::Zero();  ///< on the surface of body b, m
   double gap = 0.0;          ///< normal · (on_b − on_a), m; negative where they overlap
 };
 
-/// Which separating axis decided, kept from step to step so that near ties do not flicker.
+/// The separating axis of a contact, kept from step to step so that near ties do not alternate.
 struct ContactAxis {
   enum class Kind { none, face_of_a, face_of_b, edges };
   Kind kind = Kind::none;

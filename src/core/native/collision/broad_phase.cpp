@@ -6,12 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "core/native/constants.hpp"
+
 namespace holdfast::internal::native {
 
 namespace {
-
-/// Another axis is swept along only where the boxes are spread further by this factor: a change costs a full sort.
-constexpr double kBetterAxis = 1.5;
 
 bool is_proper(const Vec3& lower, const Vec3& upper) {
   return lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2];
@@ -28,7 +27,7 @@ std::span<const IndexPair> BroadPhase::find_pairs(std::span<const Vec3> lower, s
     sorted_before_ = false;
   }
   choose_axis(lower, upper);
-  load(lower, upper, awake);
+  read_bounds(lower, upper, awake);
   sort_entries();
   sweep();
   sort_pairs();
@@ -50,12 +49,13 @@ void BroadPhase::choose_axis(std::span<const Vec3> lower, std::span<const Vec3> 
   const Vec3 spread = most - least;
   int best = spread[1] > spread[0] ? 1 : 0;
   if (spread[2] > spread[best]) best = 2;
-  if (sorted_before_ && !(spread[best] > kBetterAxis * spread[axis_])) return;
+  if (sorted_before_ && !(spread[best] > kBetterSweepAxis * spread[axis_])) return;
   if (best != axis_) sorted_before_ = false;
   axis_ = best;
 }
 
-void BroadPhase::load(std::span<const Vec3> lower, std::span<const Vec3> upper, std::span<const std::uint8_t> awake) {
+void BroadPhase::read_bounds(std::span<const Vec3> lower, std::span<const Vec3> upper,
+                             std::span<const std::uint8_t> awake) {
   const int u = (axis_ + 1) % 3;
   const int v = (axis_ + 2) % 3;
   for (Entry& entry : entries_) {
@@ -82,9 +82,9 @@ void BroadPhase::sort_entries() {
   for (std::size_t i = 1; i < entries_.size(); ++i) {
     if (entries_[i - 1].low <= entries_[i].low) continue;
     const Entry moved = entries_[i];
-    std::size_t place = i;
-    for (; place > 0 && entries_[place - 1].low > moved.low; --place) entries_[place] = entries_[place - 1];
-    entries_[place] = moved;
+    std::size_t slot = i;
+    for (; slot > 0 && entries_[slot - 1].low > moved.low; --slot) entries_[slot] = entries_[slot - 1];
+    entries_[slot] = moved;
   }
 }
 
@@ -94,7 +94,7 @@ void BroadPhase::sweep() {
   for (std::size_t i = 0; i < count; ++i) {
     const Entry& a = entries_[i];
     // Room for all that may follow. Whether two boxes overlap cannot be predicted: a pair is always written, and
-    // counted only if it is one, which halves the time of large loads.
+    // counted only if it is one, which halves the time of large worlds.
     if (found_.size() < used + count) found_.resize(2 * (used + count));
     for (std::size_t j = i + 1; j < count && entries_[j].low <= a.high; ++j) {
       const Entry& b = entries_[j];
@@ -117,9 +117,9 @@ void BroadPhase::sort_pairs() {
   const auto before = [](const IndexPair& a, const IndexPair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; };
   for (std::size_t n = 1; n < pairs_.size(); ++n) {
     const IndexPair moved = pairs_[n];
-    std::size_t place = n;
-    for (; place > 0 && before(moved, pairs_[place - 1]); --place) pairs_[place] = pairs_[place - 1];
-    pairs_[place] = moved;
+    std::size_t slot = n;
+    for (; slot > 0 && before(moved, pairs_[slot - 1]); --slot) pairs_[slot] = pairs_[slot - 1];
+    pairs_[slot] = moved;
   }
 }
 

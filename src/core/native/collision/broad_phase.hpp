@@ -9,14 +9,14 @@
 
 namespace holdfast::internal::native {
 
-/// Two boxes that may touch, by their places in the caller's arrays; i < j.
+/// Two boxes that may touch, by their indices in the caller's arrays; i < j.
 struct IndexPair {
   std::uint32_t i = 0;
   std::uint32_t j = 0;
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 
-/// Finds the pairs of boxes that are near enough to touch, by sweeping along the axis that they are spread out most on
+/// Finds the pairs of boxes that are near enough to touch, by a sweep along the axis on which they are spread out most
 /// (sweep and prune, Cohen et al. 1995).
 ///
 /// One object serves one world from step to step: it keeps the order along the axis, which hardly changes, and its
@@ -26,7 +26,7 @@ class BroadPhase {
   /// All pairs whose bounds overlap or touch and of which at least one box is `awake` (not 0), sorted by i, then j.
   ///
   /// `lower` and `upper` are the corners of each box's bounds, container frame, m, grown by the caller's margin; the
-  /// three spans are of one length. Bounds that are not numbers, or the wrong way round, overlap none. The pairs are
+  /// three spans are of one length. Bounds that are not numbers, or reversed, overlap none. The pairs are
   /// owned by the object and valid until the next call.
   std::span<const IndexPair> find_pairs(std::span<const Vec3> lower, std::span<const Vec3> upper,
                                         std::span<const std::uint8_t> awake);
@@ -42,17 +42,17 @@ class BroadPhase {
   };
 
   void choose_axis(std::span<const Vec3> lower, std::span<const Vec3> upper);
-  void load(std::span<const Vec3> lower, std::span<const Vec3> upper, std::span<const std::uint8_t> awake);
+  void read_bounds(std::span<const Vec3> lower, std::span<const Vec3> upper, std::span<const std::uint8_t> awake);
   void sort_entries();
   void sweep();
   void sort_pairs();
 
   int axis_ = 0;
-  bool sorted_before_ = false;    ///< the entries are nearly in order, from the call before
+  bool sorted_before_ = false;    ///< the entries are nearly in order, from the last call
   std::vector<Entry> entries_;    ///< in order of `low`
-  std::vector<IndexPair> found_;  ///< in the order of the sweep, as many as found_count_ says
+  std::vector<IndexPair> found_;  ///< in the order of the sweep, `found_count_` of them
   std::size_t found_count_ = 0;
-  std::vector<IndexPair> pairs_;      ///< in the order that is promised
+  std::vector<IndexPair> pairs_;      ///< in the order of the result
   std::vector<std::uint32_t> first_;  ///< where the pairs of each i begin
 };
 

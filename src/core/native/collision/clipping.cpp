@@ -5,21 +5,16 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/native/constants.hpp"
+
 namespace holdfast::internal::native {
 
 namespace {
 
-/// A point that moves the support's outline by less than this is left out: far less than what shows in the
-/// acceleration at which a box tips, m.
-constexpr double kSamePoint = 1e-7;
-
-/// Square of a projected axis' length, below which it is seen end on and gives the outline no edge that matters.
+/// Square of a projected axis' length below which the axis points at the plane, and gives the outline no edge.
 constexpr double kEndOn = 1e-6;
 
-/// How far the closest points of two edges may be from each other across the axis, for the edges to cross, m.
-constexpr double kCrossing = 10e-6;
-
-/// The reference face: of which box, and the other box in its frame.
+/// The reference face, its box, and the other box in the frame of that box.
 struct Reference {
   const OrientedBox& box;
   const OrientedBox& other;
@@ -39,7 +34,7 @@ struct Polygon {
   std::array<Corner, 8> corners;
   std::size_t count = 0;
 
-  // Rounding may bend an edge that lies in a clipping line by the last bit: the guard keeps it from counting twice.
+  // Rounding may bend an edge that lies in a clipping line by the last bit, and cut it twice.
   void add(const Corner& corner) {
     if (count < corners.size()) corners[count++] = corner;
   }
@@ -63,7 +58,7 @@ bool projections_overlap(const Reference& ref) {
   const Mat3& r = ref.axes;
   for (const int side : {ref.u, ref.v}) {
     const double radius = g[0] * std::abs(r(side, 0)) + g[1] * std::abs(r(side, 1)) + g[2] * std::abs(r(side, 2));
-    if (h[side] + radius - std::abs(ref.centre[side]) < kLeastOverlap) return false;
+    if (h[side] + radius - std::abs(ref.centre[side]) < kContactTolerance) return false;
   }
   for (int j = 0; j < 3; ++j) {
     const double along_u = r(ref.u, j);
@@ -76,14 +71,14 @@ bool projections_overlap(const Reference& ref) {
     const double other_radius = g[j1] * std::abs(r(ref.k, j2)) + g[j2] * std::abs(r(ref.k, j1));
     const double distance = std::abs(ref.centre[ref.v] * along_u - ref.centre[ref.u] * along_v);
     const double overlap = radius + other_radius - distance;
-    // No projected axis is longer than 1: where there is much overlap, its length need not be known.
-    if (overlap < kLeastOverlap && overlap < kLeastOverlap * std::sqrt(square)) return false;
+    // No projected axis is longer than 1: a large overlap needs no square root.
+    if (overlap < kContactTolerance && overlap < kContactTolerance * std::sqrt(square)) return false;
   }
   return true;
 }
 
-/// The face of the other box that looks most against the reference face; the first one on ties, whose lowest edge or
-/// corner is also that of the others.
+/// The incident face: the one of the other box that is turned most against the reference face. Of equal ones the first,
+/// whose lowest edge or corner is also that of the others.
 Polygon incident_face(const Reference& ref) {
   const Mat3& r = ref.axes;
   int m = 0;
@@ -115,7 +110,7 @@ Corner crossing(const Corner& inside, const Corner& outside, double bound) {
   const double part = (bound - inside.*axis) / (outside.*axis - inside.*axis);
   Corner point{inside.u + part * (outside.u - inside.u), inside.v + part * (outside.v - inside.v),
                inside.gap + part * (outside.gap - inside.gap)};
-  // Exactly on the side of the face: supports end where boxes end.
+  // Exactly on the line: supports end where boxes end.
   point.*axis = bound;
   return point;
 }
@@ -133,14 +128,14 @@ void clip(Polygon& polygon, double sign, double bound) {
     const bool from_outside = is_outside(from);
     const bool to_outside = is_outside(to);
     if (!from_outside) cut.add(from);
-    // From the inside always, so that an edge is cut at the same bits whichever way round.
+    // Always from the inside, so that an edge is cut at the same bits in both directions.
     if (from_outside != to_outside)
       cut.add(from_outside ? crossing<axis>(to, from, sign * bound) : crossing<axis>(from, to, sign * bound));
   }
   polygon = cut;
 }
 
-/// Whether a corner adds nothing to the two beside it: it is one of them, or on the line between.
+/// Whether a corner is one of its two neighbours, or on the line between them.
 bool is_between(const Corner& corner, const Corner& before, const Corner& after) {
   const double along_u = after.u - before.u;
   const double along_v = after.v - before.v;
@@ -150,7 +145,7 @@ bool is_between(const Corner& corner, const Corner& before, const Corner& after)
   const double part = square > 0.0 ? std::clamp((to_u * along_u + to_v * along_v) / square, 0.0, 1.0) : 0.0;
   const double off_u = to_u - part * along_u;
   const double off_v = to_v - part * along_v;
-  return off_u * off_u + off_v * off_v < kSamePoint * kSamePoint;
+  return off_u * off_u + off_v * off_v < kTouch * kTouch;
 }
 
 /// Drops the corners beyond the margin.
@@ -161,11 +156,12 @@ void keep_near(Polygon& polygon, double margin) {
   }
 }
 
-/// Drops corners that say nothing new: where a box is hardly turned on a like one, the sides cross half way along them.
+/// Drops corners that add nothing to the outline: where a box is hardly turned on an equal one, the sides cross half
+/// way along them.
 void keep_distinct(Polygon& polygon) {
   const std::size_t count = std::exchange(polygon.count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    // Those kept so far are at the front, each at its old place or before it.
+    // The kept corners are at the front, each at its old index or before it.
     const bool first = polygon.count == 0;
     const bool last = i + 1 == count;
     const Corner& before = polygon.corners[first ? count - 1 : polygon.count - 1];
@@ -263,7 +259,7 @@ ContactSet edge_contact(const OrientedBox& a, const OrientedBox& b, const Relati
   const Vec3 between = on_b - on_a;
   const double gap = dot(normal, between);
   const Vec3 across = between - gap * normal;
-  if (dot(across, across) > kCrossing * kCrossing) return contact;
+  if (dot(across, across) > kContactTolerance * kContactTolerance) return contact;
   contact.normal = a.axes * normal;
   contact.axis = axis;
   contact.count = 1;

@@ -6,13 +6,9 @@
 
 namespace holdfast::internal::native {
 
-/// Projections of two boxes that overlap by less than this touch along an edge or at a corner: no contact. Boxes of a
-/// packing do so everywhere, and would be held by each other's edges; an overlap this narrow carries no load, m.
-inline constexpr double kLeastOverlap = 10e-6;
-
 /// The contact along an axis of a face: the face of the other box that looks most against it, clipped by the side
 /// planes of the first (Sutherland and Hodgman 1974). Up to 8 points; none where the boxes' projections on the face
-/// overlap by less than kLeastOverlap.
+/// overlap by less than kContactTolerance.
 ContactSet face_contact(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose, const ContactAxis& axis,
                         double margin);
 

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/native/constants.hpp"
+
 namespace holdfast::internal::native {
 
 namespace {
 
-/// On one of its bodies a point moves less than this within a step as long as it is the same point, m.
-constexpr double kSamePoint = 0.02;
-
-/// Points come in the order of the contact's corners: one that has moved less than this from its namesake is taken for
-/// the same without a look at the others, m.
-constexpr double kSameCorner = 1e-3;
-
-/// Where a point of the body has gone.
+/// Where a point of the body is now.
 Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point) {
   const Vec3 arm = point - then.centre;
   if (then.aligned && now.aligned) return now.centre + arm;
@@ -31,7 +26,7 @@ std::array<Vec3, 3> directions_of(const Vec3& normal) {
   return {normal, first, normal.cross(first)};
 }
 
-void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
+void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
   const std::array<OrientedBox, 2> now = {
       manifold.with_side() ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(manifold.a)],
       bodies.shape[static_cast<std::size_t>(manifold.b)]};
@@ -48,18 +43,18 @@ void renew_contact(Manifold& manifold, const ContactSet& contact, const Bodies& 
                     (contact.points[i].on_b - old[j].on_b).squaredNorm());
   };
   bool same = count == old_count && contact.axis == manifold.contact.axis;
-  for (std::size_t i = 0; same && i < count; ++i) same = square(i, i) < kSameCorner * kSameCorner;
+  for (std::size_t i = 0; same && i < count; ++i) same = square(i, i) < kMatchDistanceInOrder * kMatchDistanceInOrder;
   if (!same) {
-    std::array<PointMemory, 8> memory;
+    std::array<CachedImpulse, 8> cached;
     for (std::size_t i = 0; i < count; ++i) {
-      double nearest = kSamePoint * kSamePoint;
+      double nearest = kMatchDistance * kMatchDistance;
       for (std::size_t j = 0; j < old_count; ++j) {
         if (square(i, j) >= nearest) continue;
         nearest = square(i, j);
-        memory[i] = manifold.memory[j];
+        cached[i] = manifold.cached[j];
       }
     }
-    manifold.memory = memory;
+    manifold.cached = cached;
   }
   manifold.contact = contact;
   manifold.found_at = now;

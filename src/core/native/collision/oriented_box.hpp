@@ -17,7 +17,7 @@ struct OrientedBox {
   bool aligned = true;               ///< axes are exactly the identity
 
   /// Half of its extent along the container's axes, m.
-  Vec3 reach_along_axes() const { return axes.cwiseAbs() * half_extents; }
+  Vec3 bounding_half_extents() const { return axes.cwiseAbs() * half_extents; }
 };
 
 /// A side of the container: everything with normal · x ≥ offset is free.

@@ -3,17 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/native/constants.hpp"
+
 namespace holdfast::internal::native {
 
 namespace {
-
-/// Two faces that separate alike to this are parallel faces on each other for all purposes; less than the
-/// hysteresis, which must decide first, m.
-constexpr double kFaceTie = 10e-6;
-
-/// Cosine of 0.57°: edges of boxes aligned to this are either nearly parallel, with no cross product to speak of, or
-/// span a plane that is nearly that of a face, whose contact covers them.
-constexpr double kNearlyAligned = 0.99995;
 
 /// Square of the sine between two edges, below which the direction of their product is rounding.
 constexpr double kParallelEdges = 1e-10;
@@ -24,7 +18,7 @@ struct Candidate {
   ContactAxis axis;
 
   void offer(double separation, const ContactAxis& offered, const ContactAxis& previous) {
-    const double offered_score = offered == previous ? separation + kHysteresis : separation;
+    const double offered_score = offered == previous ? separation + kAxisHysteresis : separation;
     if (offered_score > score) {
       score = offered_score;
       axis = offered;
@@ -38,7 +32,7 @@ double dot_of_columns(const Mat3& m, int i, const Mat3& n, int j) {
 
 double dot_of_column(const Mat3& m, int i, const Vec3& v) { return m(0, i) * v[0] + m(1, i) * v[1] + m(2, i) * v[2]; }
 
-/// Whether a's axes are b's, up to order, sign and a small angle.
+/// Whether the axes of a and b are the same, up to order, sign and a small angle.
 bool nearly_aligned(const Mat3& reach) {
   for (int j = 0; j < 3; ++j) {
     if (reach(0, j) <= kNearlyAligned && reach(1, j) <= kNearlyAligned && reach(2, j) <= kNearlyAligned) return false;
@@ -48,7 +42,7 @@ bool nearly_aligned(const Mat3& reach) {
 
 bool offer_faces(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose, double margin,
                  const ContactAxis& previous, Candidate& of_a, Candidate& of_b) {
-  const Mat3& reach = pose.reach;
+  const Mat3& reach = pose.abs_a_from_b;
   const Vec3& ha = a.half_extents;
   const Vec3& hb = b.half_extents;
   for (int i = 0; i < 3; ++i) {
@@ -70,14 +64,14 @@ bool offer_faces(const OrientedBox& a, const OrientedBox& b, const RelativePose&
 bool offer_edges(const OrientedBox& a, const OrientedBox& b, const RelativePose& pose, double margin,
                  const ContactAxis& previous, Candidate& of_edges) {
   const Mat3& r = pose.a_from_b;
-  const Mat3& reach = pose.reach;
+  const Mat3& reach = pose.abs_a_from_b;
   const Vec3& ha = a.half_extents;
   const Vec3& hb = b.half_extents;
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3;
     const int i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
-      // Summed from the two components across: 1 - r(i, j)² would cancel where the edges are nearly parallel.
+      // The sum of the two other components: 1 - r(i, j)² would cancel where the edges are nearly parallel.
       const double square = r(i1, j) * r(i1, j) + r(i2, j) * r(i2, j);
       if (square < kParallelEdges) continue;
       const int j1 = (j + 1) % 3;
@@ -87,7 +81,7 @@ bool offer_edges(const OrientedBox& a, const OrientedBox& b, const RelativePose&
       const double radius_b = hb[j1] * reach(i, j2) + hb[j2] * reach(i, j1);
       const double apart = distance - (radius_a + radius_b);
       // An overlap grows when divided by the product's length: most pairs of edges need no square root.
-      if (apart < 0.0 && apart + kHysteresis <= of_edges.score) continue;
+      if (apart < 0.0 && apart + kAxisHysteresis <= of_edges.score) continue;
       const double separation = apart / std::sqrt(square);
       if (separation > margin) return false;
       of_edges.offer(separation, {ContactAxis::Kind::edges, i, j}, previous);
@@ -102,7 +96,7 @@ double face_area(const OrientedBox& box, int axis) {
 
 /// Near ties are decided by the boxes rather than by their order, so that exchanging the boxes changes nothing.
 const Candidate& better_face(const OrientedBox& a, const OrientedBox& b, const Candidate& of_a, const Candidate& of_b) {
-  if (std::abs(of_a.score - of_b.score) > kFaceTie) return of_a.score > of_b.score ? of_a : of_b;
+  if (std::abs(of_a.score - of_b.score) > kContactTolerance) return of_a.score > of_b.score ? of_a : of_b;
   return face_area(b, of_b.axis.b) > face_area(a, of_a.axis.a) ? of_b : of_a;
 }
 
@@ -114,7 +108,7 @@ RelativePose relative_pose(const OrientedBox& a, const OrientedBox& b) {
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
       pose.a_from_b(i, j) = dot_of_columns(a.axes, i, b.axes, j);
-      pose.reach(i, j) = std::abs(pose.a_from_b(i, j));
+      pose.abs_a_from_b(i, j) = std::abs(pose.a_from_b(i, j));
     }
     pose.in_a[j] = dot_of_column(a.axes, j, apart);
     pose.in_b[j] = dot_of_column(b.axes, j, apart);
@@ -128,7 +122,7 @@ std::optional<AxisChoice> choose_axis(const OrientedBox& a, const OrientedBox& b
   if (!offer_faces(a, b, pose, margin, previous, of_a, of_b)) return std::nullopt;
   const Candidate& of_faces = better_face(a, b, of_a, of_b);
   Candidate of_edges{.score = of_faces.score + kEdgeHandicap};
-  if (!nearly_aligned(pose.reach) && !offer_edges(a, b, pose, margin, previous, of_edges)) return std::nullopt;
+  if (!nearly_aligned(pose.abs_a_from_b) && !offer_edges(a, b, pose, margin, previous, of_edges)) return std::nullopt;
   const bool edges = of_edges.axis.kind == ContactAxis::Kind::edges;
   return AxisChoice{edges ? of_edges.axis : of_faces.axis, of_faces.axis};
 }

@@ -7,19 +7,12 @@
 
 namespace holdfast::internal::native {
 
-/// The axis of the step before is kept until another is better by this much: more than the jitter of boxes at rest, far
-/// less than the thinnest plate, m.
-inline constexpr double kHysteresis = 20e-6;
-
-/// Faces give up to 8 points and edges one: edges have to be clearly better, m.
-inline constexpr double kEdgeHandicap = 50e-6;
-
 /// Box b as seen from box a, and the other way round.
 struct RelativePose {
-  Mat3 a_from_b;  ///< its columns are the axes of b in the axes of a
-  Mat3 reach;     ///< the absolute values of a_from_b
-  Vec3 in_a;      ///< from the centre of a to that of b, in the axes of a, m
-  Vec3 in_b;      ///< the same in the axes of b, m
+  Mat3 a_from_b;      ///< its columns are the axes of b in the axes of a
+  Mat3 abs_a_from_b;  ///< the absolute values of a_from_b
+  Vec3 in_a;          ///< from the centre of a to that of b, in the axes of a, m
+  Vec3 in_b;          ///< the same in the axes of b, m
 };
 
 /// The relative pose of two boxes.

@@ -9,14 +9,8 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// Share of the disc's radius from which a contact counts as sliding.
-constexpr double kSlidingShare = 0.999;
-
-/// Iterations before a solve may stop: the first only meets the start values.
-constexpr int kLeastIterations = 2;
-
 /// The ratio rounded up to a power of 4, at least 1: scaling all masses by a power of 2 then scales R exactly.
-double step_up(double ratio) {
+double round_up_to_power_of_4(double ratio) {
   double power = 1.0;
   while (power < ratio) power *= 4.0;
   return power;
@@ -24,197 +18,136 @@ double step_up(double ratio) {
 
 }  // namespace
 
-Splitting::Resistance Splitting::wanted_resistance(const Patch& patch, std::size_t lane,
-                                                   const SplittingOptions& options) const {
-  const double normal = patch.impulse.row[0][lane];
-  // Without friction nothing holds along the tangents: R would, until the solve has come to its end.
-  const double held = patch.friction > 0.0 ? 1.0 : 0.0;
-  if (normal <= 0.0 && (!begun_ || patch.load[lane] <= 0.0)) {
-    const double ready = options.ready * patch.base;
-    return {options.sticking * ready, held * options.sliding * ready};
-  }
-  const double load = std::max(normal, patch.load[lane]) / (patch.base * load_unit);
-  const double carried = patch.base * step_up(std::min(heaviest_ / patch.base, load));
-  const double limit = kSlidingShare * patch.friction * normal;
-  const double tangential =
-      patch.impulse.row[1][lane] * patch.impulse.row[1][lane] + patch.impulse.row[2][lane] * patch.impulse.row[2][lane];
-  const bool slides = normal > 0.0 && tangential >= limit * limit;
-  return {options.sticking * carried, held * (slides ? options.sliding : options.sticking) * carried};
+std::unique_ptr<ContactSolver> make_contact_solver() { return std::make_unique<AdmmSolver>(); }
+
+std::span<const std::uint32_t> AdmmSolver::order(std::size_t count, std::span<const BodyPair> pairs) {
+  if (!ldlt_.analyse(count, pairs)) return ldlt_.elimination_indices();
+  ordered_count_ = count;
+  ordered_pairs_.clear();
+  for (const auto& [a, b] : pairs) ordered_pairs_.emplace_back(ldlt_.elimination_index(a), ldlt_.elimination_index(b));
+  return ldlt_.elimination_indices();
 }
 
-/// Fits R to the loads that there are. False where it stays, because few points call for another: they are not worth
-/// a factorisation.
-bool Splitting::choose_resistance(const SplittingOptions& options) {
-  // A point carries at most the whole island on a patch's four: what is more is a blow's impulse, not mass.
+AdmmSolver::Penalty AdmmSolver::wanted_penalty(const ContactProblem& problem, const ContactConstraint& constraint,
+                                               std::size_t lane, const SolveLimits& limits) const {
+  const double normal = constraint.impulse.row[0][lane];
+  const double expected = constraint.expected_impulse[lane];
+  // Without friction nothing holds along the tangents: R would, until the solve has come to its end.
+  const double held = constraint.friction > 0.0 ? 1.0 : 0.0;
+  if (normal <= 0.0 && (problem.continues || expected <= 0.0)) {
+    const double idle = limits.idle_penalty * constraint.effective_mass;
+    return {limits.sticking * idle, held * limits.sliding * idle};
+  }
+  const double ratio = std::max(normal, expected) / (constraint.effective_mass * problem.impulse_per_mass);
+  const double carried =
+      constraint.effective_mass * round_up_to_power_of_4(std::min(heaviest_ / constraint.effective_mass, ratio));
+  const double limit = kSlidingShare * constraint.friction * normal;
+  const double tangential = constraint.impulse.row[1][lane] * constraint.impulse.row[1][lane] +
+                            constraint.impulse.row[2][lane] * constraint.impulse.row[2][lane];
+  const bool slides = normal > 0.0 && tangential >= limit * limit;
+  return {limits.sticking * carried, held * (slides ? limits.sliding : limits.sticking) * carried};
+}
+
+/// Fits R to the impulses that are there. False where it stays, because few points call for another: they are not
+/// worth a factorisation.
+bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limits) {
+  // A point carries at most the whole island on a constraint's four: what is more is an impact's impulse, not mass.
   heaviest_ = 0.0;
-  for (const SolverBody& body : bodies) heaviest_ += body.mass;
+  for (const ProblemBody& body : problem.bodies) heaviest_ += body.mass;
   heaviest_ /= static_cast<double>(kLanes);
   const auto for_each_point = [&](auto&& visit) {
-    for (Patch& patch : patches)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i)
-        visit(patch, i, wanted_resistance(patch, i, options));
+    for (ContactConstraint& constraint : problem.constraints)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i)
+        visit(constraint, i, wanted_penalty(problem, constraint, i, limits));
   };
-  if (!begun_) {
+  if (problem.continues) {
     std::size_t points = 0;
     std::size_t others = 0;
-    for_each_point([&](const Patch& patch, std::size_t i, const Resistance& wanted) {
+    for_each_point([&](const ContactConstraint& constraint, std::size_t i, const Penalty& wanted) {
       ++points;
-      if (wanted.normal != patch.resistance[0][i] || wanted.tangential != patch.resistance[1][i]) ++others;
+      if (wanted.normal != constraint.penalty[0][i] || wanted.tangential != constraint.penalty[1][i]) ++others;
     });
-    if (static_cast<double>(others) <= options.refit_share * static_cast<double>(points)) return false;
+    if (static_cast<double>(others) <= limits.refit_share * static_cast<double>(points)) return false;
   }
-  for_each_point([](Patch& patch, std::size_t i, const Resistance& wanted) {
-    patch.resistance[0][i] = wanted.normal;
-    patch.resistance[1][i] = wanted.tangential;
-    patch.compliance[0][i] = 1.0 / wanted.normal;
-    patch.compliance[1][i] = wanted.tangential > 0.0 ? 1.0 / wanted.tangential : 0.0;
+  for_each_point([](ContactConstraint& constraint, std::size_t i, const Penalty& wanted) {
+    constraint.penalty[0][i] = wanted.normal;
+    constraint.penalty[1][i] = wanted.tangential;
+    constraint.inverse_penalty[0][i] = 1.0 / wanted.normal;
+    constraint.inverse_penalty[1][i] = wanted.tangential > 0.0 ? 1.0 / wanted.tangential : 0.0;
   });
-  begun_ = false;
+  problem.continues = true;
   return true;
 }
 
-void Splitting::assemble() {
-  factor.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    BodyBlock& block = factor.diagonal(i);
+void AdmmSolver::factorise(const ContactProblem& problem) {
+  ldlt_.clear();
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    BodyBlock& block = ldlt_.diagonal(i);
     for (int k = 0; k < 3; ++k) {
-      block.column[k][k] = bodies[i].mass;
-      for (int row = 0; row < 3; ++row) block.column[3 + k][3 + row] = bodies[i].inertia(row, k);
+      block.column[k][k] = problem.bodies[i].mass;
+      for (int row = 0; row < 3; ++row) block.column[3 + k][3 + row] = problem.bodies[i].inertia(row, k);
     }
   }
-  factor.add(patches, mid_arms, patch_pair);
-  factor.factorise();
+  ldlt_.add(problem.constraints, problem.mid_arms, problem.constraint_pair);
+  ldlt_.factorise();
 }
 
-void Splitting::residual_force(bool at_rest) {
-  change_.resize(bodies.size());
-  const BodyVector rest;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double* v = (at_rest ? rest : velocity[i]).row;
-    const double* free = free_velocity[i].row;
-    const LaneWrench& w = wrench_[i];
-    const auto total = [&](std::size_t row) {
-      const double* lane = w.row[row];
-      return (lane[0] + lane[1]) + (lane[2] + lane[3]);
-    };
-    const Vec3 turn(free[3] - v[3], free[4] - v[4], free[5] - v[5]);
-    const Vec3 angular = bodies[i].inertia * turn;
-    for (std::size_t k = 0; k < 3; ++k) {
-      change_[i].row[k] = bodies[i].mass * (free[k] - v[k]) + total(k);
-      change_[i].row[3 + k] = angular[static_cast<Eigen::Index>(k)] + total(3 + k);
-    }
-  }
-}
-
-SplittingResult Splitting::solve(const SplittingOptions& options, double velocity_unit) {
-  const double tolerance = options.tolerance * velocity_unit;
-  SplittingResult result;
-  u_.resize(patches.size());
-  g_.resize(patches.size());
-  r_.resize(patches.size());
-  std::size_t points = 0;
-  for (const Patch& patch : patches) points += static_cast<std::size_t>(patch.count);
-  Mismatch mismatch;
-  const auto may_pass = [&] {
-    const double mean = options.mean_residual * velocity_unit;
-    return mismatch.squares <= mean * mean * static_cast<double>(points) &&
-           result.residual <= options.worst_residual * velocity_unit;
-  };
-  const int most = options.iterations + options.more_iterations;
-  while (!result.converged && result.iterations < (may_pass() ? options.iterations : most)) {
-    if (result.iterations % options.refit_every == 0 && choose_resistance(options)) {
-      assemble();
-      anderson_.restart();
-    }
-    wrench_.assign(bodies.size() + 1, LaneWrench{});
-    mismatch = aim(patches, velocity, options.relaxation, u_, g_, r_);
-    if (options.accelerate) anderson_.accelerate(patches, g_, r_);
-    project(options.projection, patches, mid_arms, g_, u_, most_normal, wrench_);
-    residual_force(false);
-    factor.solve(change_);
-    double largest_change = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      double linear = 0.0, angular = 0.0;
-      for (int k = 0; k < 3; ++k) {
-        velocity[i].row[k] += change_[i].row[k];
-        velocity[i].row[3 + k] += change_[i].row[3 + k];
-        linear += change_[i].row[k] * change_[i].row[k];
-        angular += change_[i].row[3 + k] * change_[i].row[3 + k];
-      }
-      const double change = std::sqrt(linear) + bodies[i].radius * std::sqrt(angular);
-      // Not std::max, which would lose what is not a number.
-      if (!(change <= largest_change)) largest_change = change;
-    }
-    ++result.iterations;
-    result.residual = mismatch.largest > largest_change ? mismatch.largest : largest_change;
-    result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;
-  }
-  return result;
-}
-
-void Splitting::restart(std::span<const BodyVector> start) {
-  std::copy(start.begin(), start.end(), velocity.begin());
-  mid_arms.clear();
-  begin();
-  for (Patch& patch : patches) {
-    patch.impulse = PatchVector{};
-    patch.slip = PatchVector{};
-    patch.load = Lanes{};
-  }
-}
-
-double Splitting::speed(std::size_t place) const {
-  const double* v = velocity[place].row;
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
-         bodies[place].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
-}
-
-double Splitting::largest_speed() const {
+/// Adds the change to the velocities. Returns the largest change of the speed of any point, m/s.
+double AdmmSolver::update_velocities(ContactProblem& problem) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) largest = std::max(largest, speed(i));
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    double linear = 0.0, angular = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      problem.velocity[i].row[k] += change_[i].row[k];
+      problem.velocity[i].row[3 + k] += change_[i].row[3 + k];
+      linear += change_[i].row[k] * change_[i].row[k];
+      angular += change_[i].row[3 + k] * change_[i].row[3 + k];
+    }
+    const double change = std::sqrt(linear) + problem.bodies[i].radius * std::sqrt(angular);
+    // Not std::max, which would lose what is not a number.
+    if (!(change <= largest)) largest = change;
+  }
   return largest;
 }
 
-bool Splitting::refutes_rest(double most) {
-  const double fastest = largest_speed();
-  // Every motion may be the proof: without those that hardly move it is one sooner.
-  for (const double share : {0.0, 0.01, 0.1, 0.5}) {
-    motion_ = velocity;
-    double power = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (speed(i) < share * fastest) motion_[i] = BodyVector{};
-      for (int k = 0; k < 3; ++k) power += bodies[i].mass * motion_[i].row[k] * free_velocity[i].row[k];
+SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits) {
+  // A problem that `order` was not asked for, such as one that was read from a file, is in its own order.
+  if (problem.bodies.size() != ordered_count_ || problem.pairs != ordered_pairs_)
+    order(problem.bodies.size(), problem.pairs);
+  const double unit = limits.velocity_unit;
+  const double tolerance = limits.tolerance * unit;
+  SolveResult result;
+  const std::size_t count = problem.constraints.size();
+  u_.resize(count);
+  g_.resize(count);
+  r_.resize(count);
+  std::size_t points = 0;
+  for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
+  PrimalResidual primal_residual;
+  const auto may_pass = [&] {
+    const double mean = limits.mean_residual * unit;
+    return primal_residual.squares <= mean * mean * static_cast<double>(points) &&
+           result.residual <= limits.worst_residual * unit;
+  };
+  const int most = limits.iterations + limits.more_iterations;
+  while (!result.converged && result.iterations < (may_pass() ? limits.iterations : most)) {
+    if (result.iterations % limits.refit_every == 0 && refit_penalty(problem, limits)) {
+      factorise(problem);
+      ++result.factorisations;
+      anderson_.restart();
     }
-    if (power > supported_power(motion_, most)) return true;
+    wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
+    primal_residual = relax(problem.constraints, problem.velocity, limits.relaxation, u_, g_, r_);
+    if (limits.accelerate) anderson_.accelerate(problem.constraints, g_, r_);
+    project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);
+    momentum_residual(problem, wrench_, false, change_);
+    ldlt_.solve(change_);
+    const double largest_change = update_velocities(problem);
+    ++result.iterations;
+    result.residual = primal_residual.largest > largest_change ? primal_residual.largest : largest_change;
+    result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;
   }
-  return false;
-}
-
-double Splitting::supported_power(std::span<const BodyVector> motion, double most) {
-  aim(patches, motion, 1.0, u_, g_, r_);
-  double power = 0.0;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(patches[p].count); ++i) {
-      const auto& u = u_[p].row;
-      const double slip = std::sqrt(u[1][i] * u[1][i] + u[2][i] * u[2][i]);
-      power += std::min(most, most_normal[p].lane[i]) * std::max(0.0, patches[p].friction * slip - u[0][i]);
-    }
-  }
-  return power;
-}
-
-double Splitting::imbalance_at_rest(double velocity_unit) {
-  wrench_.assign(bodies.size() + 1, LaneWrench{});
-  add_impulses(patches, mid_arms, wrench_);
-  double worst = 0.0;
-  residual_force(true);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double* f = change_[i].row;
-    const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    const double torque = std::sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
-    worst = std::max(worst, std::max(force, torque / bodies[i].radius) / (bodies[i].mass * velocity_unit));
-  }
-  return worst;
+  return result;
 }
 
 }  // namespace holdfast::internal::native

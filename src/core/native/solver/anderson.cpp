@@ -3,56 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/native/constants.hpp"
+
 #include "core/native/solver/contact_kernels.hpp"
 
 namespace holdfast::internal::native {
 
 namespace {
 
-/// The residual may grow by this factor (squared norm) before what was learned is dropped.
-constexpr double kGrowth = 4.0;
-
-/// Iterations without acceleration after that, twice as many each time. Where boxes just come to rest, what was learned
-/// as they still slid leads past rest, and at once applied again back to sliding, for ever.
-constexpr int kPause = 3;
-
-/// The longest pause: longer than any solve, which may well grow beyond what an int holds.
+/// The longest pause, longer than any solve: doubled for ever it would overflow.
 constexpr int kLongestPause = 1 << 20;
 
-/// Share of its own square that a direction must have beside the others to be used.
+/// A direction is used where this share of its square is independent of the others.
 constexpr double kIndependent = 1e-8;
-
-/// Larger weights lead far away from all iterates so far: they come from directions that nearly depend on each other.
-constexpr double kLargestWeight = 100.0;
 
 }  // namespace
 
 void Anderson::restart() {
   has_last_ = false;
   pause_ = 0;
-  next_pause_ = kPause;
+  next_pause_ = kAndersonPause;
 }
 
-void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g,
-                          const std::vector<PatchVector>& r) {
-  const double square = dot(patches, r, r);
+void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::vector<ConstraintVector>& g,
+                          const std::vector<ConstraintVector>& r) {
+  const double square = dot(constraints, r, r);
   const bool known = has_last_ && last_g_.size() == g.size();
-  if (!known || square > kGrowth * last_square_) {
+  if (!known || square > kAndersonGrowth * last_square_) {
     stored_ = next_ = 0;
     if (known) {
       pause_ = next_pause_;
       next_pause_ = std::min(2 * next_pause_, kLongestPause);
     }
   } else {
-    const std::size_t place = next_;
-    g_step_[place].resize(g.size());
-    r_step_[place].resize(g.size());
-    take_difference(g, last_g_, g_step_[place]);
-    take_difference(r, last_r_, r_step_[place]);
+    const std::size_t column = next_;
+    g_step_[column].resize(g.size());
+    r_step_[column].resize(g.size());
+    take_difference(g, last_g_, g_step_[column]);
+    take_difference(r, last_r_, r_step_[column]);
     stored_ = std::min(stored_ + 1, kDepth);
     next_ = (next_ + 1) % kDepth;
     for (std::size_t i = 0; i < stored_; ++i)
-      gram_[i][place] = gram_[place][i] = dot(patches, r_step_[i], r_step_[place]);
+      gram_[i][column] = gram_[column][i] = dot(constraints, r_step_[i], r_step_[column]);
   }
   if (stored_ == 0) {
     last_g_ = g;
@@ -60,7 +52,7 @@ void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVecto
   }
   has_last_ = true;
   last_square_ = square;
-  for (std::size_t i = 0; i < stored_; ++i) along_[i] = dot(patches, r, r_step_[i]);
+  for (std::size_t i = 0; i < stored_; ++i) along_[i] = dot(constraints, r, r_step_[i]);
   if (pause_ > 0) {
     --pause_;
     return;
@@ -69,8 +61,8 @@ void Anderson::accelerate(std::span<const Patch> patches, std::vector<PatchVecto
   if (weigh(weight)) subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
 }
 
-/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False when the
-/// weights are not to be used.
+/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False where the
+/// weights are too large to be used.
 bool Anderson::weigh(double (&weight)[kDepth]) const {
   if (stored_ == 0) return false;
   double l[kDepth][kDepth] = {};
@@ -92,7 +84,7 @@ bool Anderson::weigh(double (&weight)[kDepth]) const {
   for (std::size_t i = 0; i < stored_; ++i) weight[i] = d[i] > 0.0 ? weight[i] / d[i] : 0.0;
   for (std::size_t i = stored_; i-- > 0;)
     for (std::size_t k = i + 1; k < stored_; ++k) weight[i] -= d[i] > 0.0 ? l[k][i] * weight[k] : 0.0;
-  return std::all_of(weight, weight + stored_, [](double w) { return std::abs(w) <= kLargestWeight; });
+  return std::all_of(weight, weight + stored_, [](double w) { return std::abs(w) <= kAndersonLargestWeight; });
 }
 
 }  // namespace holdfast::internal::native

@@ -9,18 +9,19 @@
 
 namespace holdfast::internal::native {
 
-/// Anderson's acceleration of a fixed-point iteration x ← g(x) (Anderson 1965; Walker and Ni 2011, type II): the next
+/// Anderson acceleration of a fixed-point iteration x ← g(x) (Anderson 1965; Walker and Ni 2011, type II): the next
 /// x mixes the last few g such that the residuals r = g − x that go with them cancel best. The iteration of hard
-/// contacts has a few slow directions, load that moves from contact to contact; these are what it removes.
+/// contacts has a few slow directions, force that moves from contact to contact; these are what it removes.
 class Anderson {
  public:
-  /// Forgets all iterates: the map is a new one.
+  /// Drops all iterates: the map is a new one.
   void restart();
 
   /// The next x, in place of `g`.
-  /// @param patches give the weights 1/R of the inner product
+  /// @param constraints give the weights 1/R of the inner product
   /// @param r       residual that goes with `g`
-  void accelerate(std::span<const Patch> patches, std::vector<PatchVector>& g, const std::vector<PatchVector>& r);
+  void accelerate(std::span<const ContactConstraint> constraints, std::vector<ConstraintVector>& g,
+                  const std::vector<ConstraintVector>& r);
 
  private:
   static constexpr std::size_t kDepth = 5;
@@ -28,14 +29,14 @@ class Anderson {
   bool weigh(double (&weight)[kDepth]) const;
 
   int pause_ = 0;           ///< iterations until it acts again
-  int next_pause_ = 0;      ///< how many the next time
+  int next_pause_ = 0;      ///< the same of the next pause
   std::size_t stored_ = 0;  ///< differences that are kept
-  std::size_t next_ = 0;    ///< the place that is written next
+  std::size_t next_ = 0;    ///< the column that is written next
   double last_square_ = 0.0;
-  std::vector<PatchVector> last_g_, last_r_;
-  std::array<std::vector<PatchVector>, kDepth> g_step_, r_step_;  ///< differences of neighbouring iterates
-  double gram_[kDepth][kDepth] = {};                              ///< inner products of r_step_
-  double along_[kDepth] = {};                                     ///< of r with r_step_
+  std::vector<ConstraintVector> last_g_, last_r_;
+  std::array<std::vector<ConstraintVector>, kDepth> g_step_, r_step_;  ///< differences of neighbouring iterates
+  double gram_[kDepth][kDepth] = {};                                   ///< inner products of r_step_
+  double along_[kDepth] = {};                                          ///< of r with r_step_
   bool has_last_ = false;
 };
 

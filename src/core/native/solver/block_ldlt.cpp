@@ -11,26 +11,27 @@ constexpr std::size_t kBits = 64;
 
 }  // namespace
 
-void BlockFactor::analyse(std::size_t count, std::span<const BodyPair> pairs) {
-  if (count == count_ && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return;
+bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
+  if (count == count_ && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
   count_ = count;
   pairs_.assign(pairs.begin(), pairs.end());
   eliminate();
   list_updates();
 
-  // Rows of a column are sorted by place, so the block of a pair is found by bisection.
+  // Rows of a column are sorted by elimination index, so the block of a pair is found by bisection.
   pair_block_.clear();
   for (const auto& [a, b] : pairs_) {
-    const auto [column, row] = std::minmax(place_[a], place_[b]);
+    const auto [column, row] = std::minmax(elimination_index_[a], elimination_index_[b]);
     const auto begin = shape_.block_row.begin() + shape_.column_begin[column];
     const auto end = shape_.block_row.begin() + shape_.column_begin[column + 1];
     pair_block_.push_back(static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - shape_.block_row.begin()));
   }
   diagonal_.resize(count_);
   below_.resize(shape_.block_row.size());
+  return true;
 }
 
-void BlockFactor::eliminate() {
+void BlockLdlt::eliminate() {
   const std::size_t words = (count_ + kBits - 1) / kBits;
   const auto row = [&](std::size_t body) { return graph_.data() + body * words; };
   const auto set = [&](std::size_t body, std::size_t other) { row(body)[other / kBits] |= 1ULL << (other % kBits); };
@@ -45,13 +46,13 @@ void BlockFactor::eliminate() {
     ++degree_[a];
     ++degree_[b];
   }
-  place_.assign(count_, 0);
+  elimination_index_.assign(count_, 0);
   shape_.column_begin.assign(1, 0);
   shape_.block_row.clear();
   constexpr std::uint32_t kEliminated = ~0U;
   for (std::size_t step = 0; step < count_; ++step) {
     const auto body = static_cast<std::size_t>(std::min_element(degree_.begin(), degree_.end()) - degree_.begin());
-    place_[body] = static_cast<std::uint32_t>(step);
+    elimination_index_[body] = static_cast<std::uint32_t>(step);
     neighbours_.clear();
     for (std::size_t word = 0; word < words; ++word)
       for (std::uint64_t bits = row(body)[word]; bits != 0; bits &= bits - 1)
@@ -71,12 +72,12 @@ void BlockFactor::eliminate() {
     shape_.block_row.insert(shape_.block_row.end(), neighbours_.begin(), neighbours_.end());
     shape_.column_begin.push_back(static_cast<std::uint32_t>(shape_.block_row.size()));
   }
-  for (std::uint32_t& body : shape_.block_row) body = place_[body];
+  for (std::uint32_t& body : shape_.block_row) body = elimination_index_[body];
   for (std::size_t j = 0; j < count_; ++j)
     std::sort(shape_.block_row.begin() + shape_.column_begin[j], shape_.block_row.begin() + shape_.column_begin[j + 1]);
 }
 
-void BlockFactor::list_updates() {
+void BlockLdlt::list_updates() {
   const auto below_count = static_cast<std::uint32_t>(shape_.block_row.size());
   shape_.updates.clear();
   shape_.update_begin.assign(1, 0);
@@ -98,13 +99,13 @@ void BlockFactor::list_updates() {
   scratch_.resize(longest);
 }
 
-void BlockFactor::clear() {
+void BlockLdlt::clear() {
   std::fill(diagonal_.begin(), diagonal_.end(), BodyBlock{});
   std::fill(below_.begin(), below_.end(), BodyBlock{});
 }
 
-void BlockFactor::factorise() { native::factorise(shape_, below_, diagonal_, scratch_); }
+void BlockLdlt::factorise() { native::factorise(shape_, below_, diagonal_, scratch_); }
 
-void BlockFactor::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, diagonal_, x); }
+void BlockLdlt::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, diagonal_, x); }
 
 }  // namespace holdfast::internal::native

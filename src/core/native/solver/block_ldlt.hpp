@@ -2,44 +2,45 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/native/solver/ldlt_kernels.hpp"
 
 namespace holdfast::internal::native {
 
-/// Two bodies that share contacts, by index.
-using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Sparse L D Lᵀ of a symmetric positive definite matrix of 6×6 blocks, one row of blocks a body.
+/// Sparse L D Lᵀ of a symmetric positive definite matrix of 6×6 blocks, one row of blocks per body.
 ///
 /// Bodies are eliminated in the order of least degree, which keeps L sparse (Tinney and Walker 1967; the graph is
 /// small enough for bitsets). The structure is kept as long as the pairs stay the same.
-class BlockFactor {
+class BlockLdlt {
  public:
-  /// Finds order and structure. Nothing is done when `count` and `pairs` are those of the last call.
+  /// Finds order and structure. False, and nothing is done, when `count` and `pairs` are those of the last call.
   /// @param count bodies
   /// @param pairs that share a block off the diagonal, any order within a pair, without repetition
-  void analyse(std::size_t count, std::span<const BodyPair> pairs);
+  bool analyse(std::size_t count, std::span<const BodyPair> pairs);
 
-  /// Place of a body in the order of elimination: the index that all of the following uses.
-  std::uint32_t place(std::size_t body) const { return place_[body]; }
+  /// Index of a body in the order of elimination, which all of the following uses.
+  std::uint32_t elimination_index(std::size_t body) const { return elimination_index_[body]; }
+
+  /// The same of all bodies.
+  std::span<const std::uint32_t> elimination_indices() const { return elimination_index_; }
 
   /// Sets all blocks to zero.
   void clear();
-  BodyBlock& diagonal(std::size_t place) { return diagonal_[place]; }
-  /// Block of pair `i` of the last `analyse`; its row is the later place of the two, its column the earlier.
+  BodyBlock& diagonal(std::size_t elimination_index) { return diagonal_[elimination_index]; }
+  /// Block of pair `i` of the last `analyse`; its row is the later of the two indices, its column the
+  /// earlier.
   BodyBlock& below(std::size_t pair) { return below_[pair_block_[pair]]; }
-  /// Adds what contacts resist, see `add_resistance`.
-  /// @param patch_pair a patch: index into the pairs of the last `analyse`, or `kNoPair`
-  void add(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<const std::uint32_t> patch_pair) {
-    add_resistance(patches, mid_arms, patch_pair, pair_block_, diagonal_, below_);
+  /// Adds the contacts' penalty, see `add_penalty`.
+  /// @param constraint_pair a constraint: index into the pairs of the last `analyse`, or `kNoPair`
+  void add(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
+           std::span<const std::uint32_t> constraint_pair) {
+    add_penalty(constraints, mid_arms, constraint_pair, pair_block_, diagonal_, below_);
   }
 
   /// Replaces the matrix by its factor.
   void factorise();
-  /// Solves in place, rows by place.
+  /// Solves in place, rows by elimination index.
   void solve(std::span<BodyVector> x) const;
 
  private:
@@ -48,9 +49,9 @@ class BlockFactor {
 
   std::size_t count_ = 0;
   std::vector<BodyPair> pairs_;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> elimination_index_;
   std::vector<std::uint32_t> pair_block_;
-  FactorShape shape_;
+  LdltStructure shape_;
   std::vector<BodyBlock> diagonal_, below_, scratch_;
   std::vector<std::uint64_t> graph_;       ///< a row of bits a body: its neighbours that are not eliminated
   std::vector<std::uint32_t> neighbours_;  ///< of one body

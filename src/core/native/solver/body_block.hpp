@@ -18,7 +18,7 @@ struct alignas(64) BodyBlock {
   double column[kBodyRows][kPaddedRows] = {};
 };
 
-/// Wrench on a body, summed apart for each lane of the patches; lanes are added in a fixed order.
+/// Wrench on a body, summed apart for each lane of the constraints; lanes are added in a fixed order.
 struct alignas(64) LaneWrench {
   double row[kBodyRows][kLanes] = {};
 };

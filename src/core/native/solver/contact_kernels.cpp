@@ -50,15 +50,16 @@ HWY_INLINE Four along(const Relative& v, const std::array<double, 3>& direction)
   return Four::all(direction[0]) * v.x + Four::all(direction[1]) * v.y + Four::all(direction[2]) * v.z;
 }
 
-/// Adds the wrench of the forces `f` (along the patch's directions, on b) to b, and its opposite to a.
-HWY_INLINE void add_wrench(const Patch& patch, const Arms& arms, const Four (&f)[3], LaneWrench* wrench) {
+/// Adds the wrench of the forces `f` (along the constraint's directions, on b) to b, and its opposite to a.
+HWY_INLINE void add_wrench(const ContactConstraint& constraint, const Arms& arms, const Four (&f)[3],
+                           LaneWrench* wrench) {
   Four force[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    force[i] = Four::all(patch.directions[0][i]) * f[0] + Four::all(patch.directions[1][i]) * f[1] +
-               Four::all(patch.directions[2][i]) * f[2];
+    force[i] = Four::all(constraint.directions[0][i]) * f[0] + Four::all(constraint.directions[1][i]) * f[1] +
+               Four::all(constraint.directions[2][i]) * f[2];
   }
-  LaneWrench& on_a = wrench[patch.a];
-  LaneWrench& on_b = wrench[patch.b];
+  LaneWrench& on_a = wrench[constraint.a];
+  LaneWrench& on_b = wrench[constraint.b];
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -71,7 +72,7 @@ HWY_INLINE void add_wrench(const Patch& patch, const Arms& arms, const Four (&f)
   }
 }
 
-HWY_INLINE Four load(const PatchVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
+HWY_INLINE Four load(const ConstraintVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
 
 /// The largest of the lanes.
 HWY_INLINE double largest(const Four& four) {
@@ -80,26 +81,28 @@ HWY_INLINE double largest(const Four& four) {
   return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3]));
 }
 
-HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const BodyVector* velocity, double relaxation,
-                             PatchVector* out_u, PatchVector* out_g, PatchVector* out_r) {
+HWY_ATTR PrimalResidual relax_kernel(const ContactConstraint* constraints, std::size_t count,
+                                     const BodyVector* velocity, double relaxation, ConstraintVector* out_u,
+                                     ConstraintVector* out_g, ConstraintVector* out_r) {
   const Four alpha = Four::all(relaxation);
   Four worst = Four::all(0.0);
   Four squares[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
   for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = patches[p];
-    const Relative v = relative_velocity(patch.arms, velocity[patch.a].row, velocity[patch.b].row);
-    const Four resistance[2] = {Four::load(patch.resistance[0].data()), Four::load(patch.resistance[1].data())};
-    const Four compliance[2] = {Four::load(patch.compliance[0].data()), Four::load(patch.compliance[1].data())};
+    const ContactConstraint& constraint = constraints[p];
+    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
+    const Four penalty[2] = {Four::load(constraint.penalty[0].data()), Four::load(constraint.penalty[1].data())};
+    const Four inverse_penalty[2] = {Four::load(constraint.inverse_penalty[0].data()),
+                                     Four::load(constraint.inverse_penalty[1].data())};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Four u = along(v, patch.directions[i]) + load(patch.allowance, i);
-      const Four z = load(patch.slip, i);
-      const Four mismatch = u - z;
-      const Four r = Four::all(0.0) - alpha * (resistance[i > 0] * mismatch);
+      const Four u = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
+      const Four z = load(constraint.contact_velocity, i);
+      const Four primal_residual = u - z;
+      const Four r = Four::all(0.0) - alpha * (penalty[i > 0] * primal_residual);
       u.store(out_u[p].row[i].data());
       r.store(out_r[p].row[i].data());
-      (load(patch.impulse, i) - resistance[i > 0] * z + r).store(out_g[p].row[i].data());
-      // A lane without a point has no slip to compare with.
-      const Four counted = mismatch * (compliance[i > 0] * resistance[i > 0]);
+      (load(constraint.impulse, i) - penalty[i > 0] * z + r).store(out_g[p].row[i].data());
+      // A lane without a point has no velocity to compare with.
+      const Four counted = primal_residual * (inverse_penalty[i > 0] * penalty[i > 0]);
       worst = max(worst, counted.abs());
       squares[i] = squares[i] + counted * counted;
     }
@@ -107,19 +110,19 @@ HWY_ATTR Mismatch aim_kernel(const Patch* patches, std::size_t count, const Body
   return {largest(worst), total(squares[0] + (squares[1] + squares[2]))};
 }
 
-HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* mid_arms, std::size_t count,
-                             const PatchVector* in_x, const PatchVector* in_u, const NormalBounds* most,
-                             LaneWrench* wrench) {
+HWY_ATTR void project_kernel(Projection projection, ContactConstraint* constraints, const Arms* mid_arms,
+                             std::size_t count, const ConstraintVector* in_x, const ConstraintVector* in_u,
+                             const NormalBounds* most, LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
-    Patch& patch = patches[p];
+    ContactConstraint& constraint = constraints[p];
     const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
-    const Four friction = Four::all(patch.friction);
+    const Four friction = Four::all(constraint.friction);
     const Four square = x[1] * x[1] + x[2] * x[2];
     Four normal = max(x[0], Four::all(0.0));
     if (projection == Projection::orthogonal) {
       // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
       // one.
-      const Four raise = Four::all(1.0 / (1.0 + patch.friction * patch.friction));
+      const Four raise = Four::all(1.0 / (1.0 + constraint.friction * constraint.friction));
       normal = max(normal, raise * (x[0] + friction * square.sqrt()));
       if (most != nullptr) normal = min(normal, Four::load(most[p].lane.data()));
     }
@@ -127,24 +130,26 @@ HWY_ATTR void project_kernel(Projection projection, Patch* patches, const Arms* 
     const Four y[3] = {normal, x[1] * share, x[2] * share};
     Four f[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Four z = (y[i] - x[i]) * Four::load(patch.compliance[i > 0].data());
-      y[i].store(patch.impulse.row[i].data());
-      z.store(patch.slip.row[i].data());
-      f[i] = y[i] + Four::load(patch.resistance[i > 0].data()) * (z - load(in_u[p], i));
+      const Four z = (y[i] - x[i]) * Four::load(constraint.inverse_penalty[i > 0].data());
+      y[i].store(constraint.impulse.row[i].data());
+      z.store(constraint.contact_velocity.row[i].data());
+      f[i] = y[i] + Four::load(constraint.penalty[i > 0].data()) * (z - load(in_u[p], i));
     }
-    add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], f, wrench);
+    add_wrench(constraint, mid_arms == nullptr ? constraint.arms : mid_arms[p], f, wrench);
   }
 }
 
-HWY_ATTR double dot_kernel(const Patch* patches, std::size_t count, const PatchVector* a, const PatchVector* b) {
+HWY_ATTR double dot_kernel(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
+                           const ConstraintVector* b) {
   Four sum[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
   for (std::size_t p = 0; p < count; ++p)
     for (std::size_t i = 0; i < 3; ++i)
-      sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(patches[p].compliance[i > 0].data());
+      sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(constraints[p].inverse_penalty[i > 0].data());
   return total(sum[0] + (sum[1] + sum[2]));
 }
 
-HWY_ATTR void take_difference_kernel(std::size_t count, const PatchVector* now, PatchVector* last, PatchVector* step) {
+HWY_ATTR void take_difference_kernel(std::size_t count, const ConstraintVector* now, ConstraintVector* last,
+                                     ConstraintVector* step) {
   for (std::size_t p = 0; p < count; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Four x = load(now[p], i);
@@ -154,8 +159,8 @@ HWY_ATTR void take_difference_kernel(std::size_t count, const PatchVector* now, 
   }
 }
 
-HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<PatchVector>* history, const double* weight,
-                              std::size_t depth, PatchVector* x) {
+HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<ConstraintVector>* history, const double* weight,
+                              std::size_t depth, ConstraintVector* x) {
   for (std::size_t p = 0; p < count; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       Four sum = load(x[p], i);
@@ -165,11 +170,12 @@ HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<PatchVector>*
   }
 }
 
-HWY_ATTR void add_impulses_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count, LaneWrench* wrench) {
+HWY_ATTR void add_impulses_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
+                                  LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = patches[p];
-    const Four y[3] = {load(patch.impulse, 0), load(patch.impulse, 1), load(patch.impulse, 2)};
-    add_wrench(patch, mid_arms == nullptr ? patch.arms : mid_arms[p], y, wrench);
+    const ContactConstraint& constraint = constraints[p];
+    const Four y[3] = {load(constraint.impulse, 0), load(constraint.impulse, 1), load(constraint.impulse, 2)};
+    add_wrench(constraint, mid_arms == nullptr ? constraint.arms : mid_arms[p], y, wrench);
   }
 }
 
@@ -180,42 +186,47 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace holdfast::internal::native {
 
-HWY_EXPORT(aim_kernel);
+HWY_EXPORT(relax_kernel);
 HWY_EXPORT(project_kernel);
 HWY_EXPORT(dot_kernel);
 HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
 
-Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
-             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r) {
-  return HWY_DYNAMIC_DISPATCH(aim_kernel)(patches.data(), patches.size(), velocity.data(), relaxation, u.data(),
-                                          g.data(), r.data());
+PrimalResidual relax(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                     double relaxation, std::span<ConstraintVector> u, std::span<ConstraintVector> g,
+                     std::span<ConstraintVector> r) {
+  return HWY_DYNAMIC_DISPATCH(relax_kernel)(constraints.data(), constraints.size(), velocity.data(), relaxation,
+                                            u.data(), g.data(), r.data());
 }
 
-void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
-             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
-             std::span<LaneWrench> wrench) {
+void project(Projection projection, std::span<ContactConstraint> constraints, std::span<const Arms> mid_arms,
+             std::span<const ConstraintVector> x, std::span<const ConstraintVector> u,
+             std::span<const NormalBounds> most, std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(project_kernel)
-  (projection, patches.data(), arms_or_null(mid_arms), patches.size(), x.data(), u.data(),
+  (projection, constraints.data(), arms_or_null(mid_arms), constraints.size(), x.data(), u.data(),
    most.empty() ? nullptr : most.data(), wrench.data());
 }
 
-double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b) {
-  return HWY_DYNAMIC_DISPATCH(dot_kernel)(patches.data(), patches.size(), a.data(), b.data());
+double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
+           std::span<const ConstraintVector> b) {
+  return HWY_DYNAMIC_DISPATCH(dot_kernel)(constraints.data(), constraints.size(), a.data(), b.data());
 }
 
-void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step) {
+void take_difference(std::span<const ConstraintVector> now, std::span<ConstraintVector> last,
+                     std::span<ConstraintVector> step) {
   HWY_DYNAMIC_DISPATCH(take_difference_kernel)(now.size(), now.data(), last.data(), step.data());
 }
 
-void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
-              std::span<PatchVector> x) {
+void subtract(std::span<const std::vector<ConstraintVector>> history, std::span<const double> weight,
+              std::span<ConstraintVector> x) {
   HWY_DYNAMIC_DISPATCH(subtract_kernel)(x.size(), history.data(), weight.data(), weight.size(), x.data());
 }
 
-void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench) {
-  HWY_DYNAMIC_DISPATCH(add_impulses_kernel)(patches.data(), arms_or_null(mid_arms), patches.size(), wrench.data());
+void add_impulses(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
+                  std::span<LaneWrench> wrench) {
+  HWY_DYNAMIC_DISPATCH(add_impulses_kernel)
+  (constraints.data(), arms_or_null(mid_arms), constraints.size(), wrench.data());
 }
 
 }  // namespace holdfast::internal::native

@@ -10,21 +10,22 @@
 
 namespace holdfast::internal::native {
 
-/// How far the velocities at the points are from those that go with the impulses, |u − z|.
-struct Mismatch {
+/// Difference between the velocities at the points and those that go with the impulses, |u − z|.
+struct PrimalResidual {
   double largest = 0.0;  ///< of a component, m/s
   double squares = 0.0;  ///< summed over all components of all points, m²/s²
 };
 
-/// First half of an iteration of the splitting: measures u = J v + allowance and finds where the iteration leads
-/// from x = y − R z, to g = x − α R (u − z).
+/// First half of an ADMM iteration: computes u = J v + velocity_bias and the image g = x − α R (u − z) of x = y − R z.
+/// Returns the primal residual u − z.
 /// @param velocity   a body; the last entry, of what is fixed, is zero
 /// @param relaxation α: 1 plain, 1.6 over-relaxed
-/// @param u, g, r    a patch; r = g − x
-Mismatch aim(std::span<const Patch> patches, std::span<const BodyVector> velocity, double relaxation,
-             std::span<PatchVector> u, std::span<PatchVector> g, std::span<PatchVector> r);
+/// @param u, g, r    a constraint; r = g − x
+PrimalResidual relax(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                     double relaxation, std::span<ConstraintVector> u, std::span<ConstraintVector> g,
+                     std::span<ConstraintVector> r);
 
-/// How impulses are brought into Coulomb's cone K, |y_t| ≤ μ y_n.
+/// The map Π of impulses into Coulomb's cone K, |y_t| ≤ μ y_n.
 enum class Projection {
   /// The normal part is cut at zero, the tangential part at the disc of radius μ y_n: at the fixed point friction
   /// opposes the slip and the normal velocity is free of it. Not a projection onto a convex set.
@@ -34,26 +35,30 @@ enum class Projection {
   orthogonal
 };
 
-/// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and slip z = (y − x) / R, and adds
+/// Second half: projects x onto Coulomb's cone, sets impulse y = Π(x) and contact velocity z = (y − x) / R, and adds
 /// J_midᵀ (y + R (z − u)) to `wrench`.
-/// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the patches
-/// @param wrench   a body, added to
-/// @param most     a patch: largest normal impulses, heeded by the orthogonal projection alone; empty: none is bounded
-void project(Projection projection, std::span<Patch> patches, std::span<const Arms> mid_arms,
-             std::span<const PatchVector> x, std::span<const PatchVector> u, std::span<const NormalBounds> most,
-             std::span<LaneWrench> wrench);
+/// @param mid_arms arms of the middle of the step, where impulses act; empty: those of the constraints
+/// @param wrench   of a body, added to
+/// @param most     a constraint: largest normal impulses, for the orthogonal projection alone; empty: none is
+/// bounded
+void project(Projection projection, std::span<ContactConstraint> constraints, std::span<const Arms> mid_arms,
+             std::span<const ConstraintVector> x, std::span<const ConstraintVector> u,
+             std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
 
 /// Σ a b / R over all points: an inner product of impulses.
-double dot(std::span<const Patch> patches, std::span<const PatchVector> a, std::span<const PatchVector> b);
+double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
+           std::span<const ConstraintVector> b);
 
 /// step = now − last, last = now.
-void take_difference(std::span<const PatchVector> now, std::span<PatchVector> last, std::span<PatchVector> step);
+void take_difference(std::span<const ConstraintVector> now, std::span<ConstraintVector> last,
+                     std::span<ConstraintVector> step);
 
 /// x = x − Σ weight · history.
-void subtract(std::span<const std::vector<PatchVector>> history, std::span<const double> weight,
-              std::span<PatchVector> x);
+void subtract(std::span<const std::vector<ConstraintVector>> history, std::span<const double> weight,
+              std::span<ConstraintVector> x);
 
 /// Adds J_midᵀ y to `wrench`.
-void add_impulses(std::span<const Patch> patches, std::span<const Arms> mid_arms, std::span<LaneWrench> wrench);
+void add_impulses(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
+                  std::span<LaneWrench> wrench);
 
 }  // namespace holdfast::internal::native

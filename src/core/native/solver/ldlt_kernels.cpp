@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
-/// Three components of a vector at the points of a patch.
+/// Three components of a vector at the points of a constraint.
 struct Triple {
   Four at[3];
 };
@@ -29,7 +29,7 @@ HWY_INLINE Triple cross(const Triple& p, const std::array<double, 3>& n) {
   return {{p.at[1] * z - p.at[2] * y, p.at[2] * x - p.at[0] * z, p.at[0] * y - p.at[1] * x}};
 }
 
-/// How a patch's points, each at arm r with R = t I + d n nᵀ, resist when a body turns.
+/// How a constraint's points, each at arm r with R = t I + d n nᵀ, resist when a body turns.
 struct Lever {
   Triple arm, turn;          ///< r; r × n
   Triple tangential, extra;  ///< t r; d r × n
@@ -87,15 +87,15 @@ HWY_INLINE void add_block(double sign, const double (&linear)[3][3], const doubl
   }
 }
 
-HWY_ATTR void add_resistance_kernel(const Patch* patches, const Arms* mid_arms, std::size_t count,
-                                    const std::uint32_t* patch_pair, const std::uint32_t* pair_block,
-                                    std::int32_t fixed, BodyBlock* diagonal, BodyBlock* below) {
+HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
+                                 const std::uint32_t* constraint_pair, const std::uint32_t* pair_block,
+                                 std::int32_t fixed, BodyBlock* diagonal, BodyBlock* below) {
   for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = patches[p];
-    const Arms& arms = mid_arms == nullptr ? patch.arms : mid_arms[p];
-    const std::array<double, 3>& n = patch.directions[0];
-    const Four t = Four::load(patch.resistance[1].data());
-    const Four d = Four::load(patch.resistance[0].data()) - t;
+    const ContactConstraint& constraint = constraints[p];
+    const Arms& arms = mid_arms == nullptr ? constraint.arms : mid_arms[p];
+    const std::array<double, 3>& n = constraint.directions[0];
+    const Four t = Four::load(constraint.penalty[1].data());
+    const Four d = Four::load(constraint.penalty[0].data()) - t;
     const double sum_t = total(t);
     const double sum_d = total(d);
     double linear[3][3];
@@ -104,18 +104,18 @@ HWY_ATTR void add_resistance_kernel(const Patch* patches, const Arms* mid_arms, 
     double turning[3][3];
     const Lever a = lever(arms.a, t, d, n);
     const Lever b = lever(arms.b, t, d, n);
-    if (patch.a != fixed) {
+    if (constraint.a != fixed) {
       add_turning(a, a, turning);
-      add_block(1.0, linear, a.moment, a.moment, turning, false, diagonal[patch.a]);
+      add_block(1.0, linear, a.moment, a.moment, turning, false, diagonal[constraint.a]);
     }
-    if (patch.b != fixed) {
+    if (constraint.b != fixed) {
       add_turning(b, b, turning);
-      add_block(1.0, linear, b.moment, b.moment, turning, false, diagonal[patch.b]);
+      add_block(1.0, linear, b.moment, b.moment, turning, false, diagonal[constraint.b]);
     }
-    if (patch_pair[p] == kNoPair) continue;
-    BodyBlock& block = below[pair_block[patch_pair[p]]];
+    if (constraint_pair[p] == kNoPair) continue;
+    BodyBlock& block = below[pair_block[constraint_pair[p]]];
     add_turning(a, b, turning);
-    if (patch.a > patch.b)
+    if (constraint.a > constraint.b)
       add_block(-1.0, linear, a.moment, b.moment, turning, false, block);
     else
       add_block(-1.0, linear, b.moment, a.moment, turning, true, block);
@@ -166,7 +166,7 @@ HWY_INLINE void invert(BodyBlock& block) {
   }
 }
 
-HWY_ATTR void factorise_kernel(const FactorShape& shape, BodyBlock* below, BodyBlock* diagonal, BodyBlock* scratch) {
+HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, BodyBlock* diagonal, BodyBlock* scratch) {
   const std::size_t columns = shape.column_begin.size() - 1;
   const std::size_t below_count = shape.block_row.size();
   for (std::size_t j = 0; j < columns; ++j) {
@@ -184,7 +184,7 @@ HWY_ATTR void factorise_kernel(const FactorShape& shape, BodyBlock* below, BodyB
   }
 }
 
-HWY_ATTR void solve_kernel(const FactorShape& shape, const BodyBlock* below, const BodyBlock* inverse_diagonal,
+HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, const BodyBlock* inverse_diagonal,
                            BodyVector* x) {
   const std::size_t columns = shape.column_begin.size() - 1;
   for (std::size_t j = 0; j < columns; ++j) {
@@ -222,24 +222,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace holdfast::internal::native {
 
-HWY_EXPORT(add_resistance_kernel);
+HWY_EXPORT(add_penalty_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
 
-void add_resistance(std::span<const Patch> patches, std::span<const Arms> mid_arms,
-                    std::span<const std::uint32_t> patch_pair, std::span<const std::uint32_t> pair_block,
-                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
-  HWY_DYNAMIC_DISPATCH(add_resistance_kernel)
-  (patches.data(), arms_or_null(mid_arms), patches.size(), patch_pair.data(), pair_block.data(),
+void add_penalty(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
+                 std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
+                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
+  HWY_DYNAMIC_DISPATCH(add_penalty_kernel)
+  (constraints.data(), arms_or_null(mid_arms), constraints.size(), constraint_pair.data(), pair_block.data(),
    static_cast<std::int32_t>(diagonal.size()), diagonal.data(), below.data());
 }
 
-void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
+void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
                std::span<BodyBlock> scratch) {
   HWY_DYNAMIC_DISPATCH(factorise_kernel)(shape, below.data(), diagonal.data(), scratch.data());
 }
 
-void solve(const FactorShape& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
+void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
            std::span<BodyVector> x) {
   HWY_DYNAMIC_DISPATCH(solve_kernel)(shape, below.data(), inverse_diagonal.data(), x.data());
 }

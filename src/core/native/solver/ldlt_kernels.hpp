@@ -16,20 +16,17 @@ struct BlockUpdate {
   std::uint32_t c, l, b;
 };
 
-/// A patch that touches what is fixed has no block off the diagonal.
-inline constexpr std::uint32_t kNoPair = ~0U;
-
 /// Adds J_midᵀ R J_mid, what the contacts add to the bodies' mass, to A: the lower triangle of its diagonal blocks, and
 /// all of those below.
-/// @param mid_arms   arms of the middle of the step; empty: those of the patches
-/// @param patch_pair a patch: index into `pair_block`, or `kNoPair`
+/// @param mid_arms   arms of the middle of the step; empty: those of the constraints
+/// @param constraint_pair a constraint: index into `pair_block`, or `kNoPair`
 /// @param pair_block a pair of bodies: its block of `below`, whose row is the later body and whose column the earlier
-void add_resistance(std::span<const Patch> patches, std::span<const Arms> mid_arms,
-                    std::span<const std::uint32_t> patch_pair, std::span<const std::uint32_t> pair_block,
-                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
+void add_penalty(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
+                 std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
+                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
 
-/// Structure of a block factor, columns in order of elimination; made by `BlockFactor`.
-struct FactorShape {
+/// Structure of a block factor, columns in order of elimination; made by `BlockLdlt`.
+struct LdltStructure {
   std::vector<std::uint32_t> column_begin;  ///< first block of column j below the diagonal; one more than columns
   std::vector<std::uint32_t> block_row;     ///< row, in order of elimination, of a block below the diagonal
   std::vector<BlockUpdate> updates;         ///< of all columns; c counts blocks below the diagonal, then diagonals
@@ -38,11 +35,11 @@ struct FactorShape {
 
 /// A = L D Lᵀ in place. On entry `below` and `diagonal` hold A's blocks, on exit L and D⁻¹.
 /// @param scratch as many blocks as the longest column
-void factorise(const FactorShape& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
+void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
                std::span<BodyBlock> scratch);
 
 /// Solves L D Lᵀ x = x in place; rows in order of elimination.
-void solve(const FactorShape& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
+void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
            std::span<BodyVector> x);
 
 }  // namespace holdfast::internal::native

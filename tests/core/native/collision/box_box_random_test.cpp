@@ -151,8 +151,7 @@ void check_consistent(const ContactSet& contact, const OrientedBox& a, const Ori
 
 }  // namespace
 
-TEST_CASE("contact_geometry: points lie on both surfaces, and exchanging the boxes turns the contact round",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: points lie on both surfaces, and exchanging the boxes turns the contact round", "[core][box_box]") {
   Random random(1);
   int contacts = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -181,7 +180,7 @@ TEST_CASE("contact_geometry: points lie on both surfaces, and exchanging the box
   CHECK(contacts > 5000);
 }
 
-TEST_CASE("contact_geometry: how far contacts are looked for does not decide along what", "[core][contact_geometry]") {
+TEST_CASE("box_box: how far contacts are looked for does not decide along what", "[core][box_box]") {
   Random random(7);
   int edges = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -197,7 +196,7 @@ TEST_CASE("contact_geometry: how far contacts are looked for does not decide alo
   CHECK(edges > 20);
 }
 
-TEST_CASE("contact_geometry: boxes further apart than the margin have no contact", "[core][contact_geometry]") {
+TEST_CASE("box_box: boxes further apart than the margin have no contact", "[core][box_box]") {
   constexpr double kWide = 0.05;
   Random random(2);
   int apart = 0;
@@ -225,8 +224,7 @@ TEST_CASE("contact_geometry: boxes further apart than the margin have no contact
   CHECK(within > 300);
 }
 
-TEST_CASE("contact_geometry: boxes that overlap are parted along the axis of least overlap",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: boxes that overlap are parted along the axis of least overlap", "[core][box_box]") {
   // Handicap of edges, hysteresis and ties together: the axis may be worse than the best by this.
   constexpr double kTolerated = 90e-6;
   Random random(3);
@@ -247,7 +245,7 @@ TEST_CASE("contact_geometry: boxes that overlap are parted along the axis of lea
     CHECK(least_gap(contact) > separation - (angle < 0.01 ? 5e-3 : kTolerated));
     CHECK(least_gap(contact) >= separation_along(contact.normal, hull_of(a), hull_of(b)) - 1e-9);
     CHECK(least_gap(contact) < 0.0);
-    // What faces overlap beyond each other's sides needs no parting.
+    // What faces overlap beyond each other's sides needs no separation.
     OrientedBox parted = b;
     parted.centre -= least_gap(contact) * contact.normal;
     CHECK(greatest_separation(a, parted) > -kTolerated);
@@ -256,7 +254,7 @@ TEST_CASE("contact_geometry: boxes that overlap are parted along the axis of lea
   CHECK(overlapping > 5000);
 }
 
-TEST_CASE("contact_geometry: a contact moves with its boxes", "[core][contact_geometry]") {
+TEST_CASE("box_box: a contact moves with its boxes", "[core][box_box]") {
   Random random(4);
   for (int round = 0; round < 2000; ++round) {
     OrientedBox a = any_box(random, 0.4, 1.5);
@@ -276,7 +274,7 @@ TEST_CASE("contact_geometry: a contact moves with its boxes", "[core][contact_ge
   }
 }
 
-TEST_CASE("contact_geometry: the path of aligned boxes agrees with that of rotated ones", "[core][contact_geometry]") {
+TEST_CASE("box_box: the path of aligned boxes agrees with that of rotated ones", "[core][box_box]") {
   Random random(5);
   int contacts = 0;
   for (int round = 0; round < 5000; ++round) {

@@ -25,8 +25,7 @@ int count_of(const OrientedBox& a, const OrientedBox& b) { return contact_of(a, 
 
 }  // namespace
 
-TEST_CASE("contact_geometry: stacked boxes touch at the four corners of the upper one's base",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: stacked boxes touch at the four corners of the upper one's base", "[core][box_box]") {
   // Coordinates that binary fractions cannot hold: the touching faces are still one coordinate to rounding.
   const OrientedBox a = box_at({0.35, 0.3, 0.15}, {0.7, 0.6, 0.3});
   const OrientedBox b = box_at({0.35, 0.3, 0.4}, {0.5, 0.4, 0.2});
@@ -43,8 +42,7 @@ TEST_CASE("contact_geometry: stacked boxes touch at the four corners of the uppe
   }
 }
 
-TEST_CASE("contact_geometry: faces that overlap in part touch at the corners of the overlap",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: faces that overlap in part touch at the corners of the overlap", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   const OrientedBox b = box_at({1.0, 0.25, 0.75}, {1.0, 1.0, 1.0});
   for (const bool aligned : {true, false}) {
@@ -58,7 +56,7 @@ TEST_CASE("contact_geometry: faces that overlap in part touch at the corners of 
   }
 }
 
-TEST_CASE("contact_geometry: an edge or a corner alone is no contact", "[core][contact_geometry]") {
+TEST_CASE("box_box: an edge or a corner alone is no contact", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   for (const double slip : {0.0, 5e-6, -5e-6}) {
     for (const bool aligned : {true, false}) {
@@ -77,7 +75,7 @@ TEST_CASE("contact_geometry: an edge or a corner alone is no contact", "[core][c
   CHECK(count_of(a, box_at({0.9999, 0.0, 1.5}, {1.0, 1.0, 1.0})) == 4);
 }
 
-TEST_CASE("contact_geometry: a turned box beside the corner of another is no contact", "[core][contact_geometry]") {
+TEST_CASE("box_box: a turned box beside the corner of another is no contact", "[core][box_box]") {
   // Yawed by 45°, its side passes just by a's corner, on whose top it would stand.
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   const double corner_distance = std::sqrt(0.5) + 0.5;
@@ -90,7 +88,7 @@ TEST_CASE("contact_geometry: a turned box beside the corner of another is no con
   CHECK(count_of(a, beside(-1e-3)) == 3);
 }
 
-TEST_CASE("contact_geometry: a gap within the margin is a contact, a wider one none", "[core][contact_geometry]") {
+TEST_CASE("box_box: a gap within the margin is a contact, a wider one none", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   for (const bool aligned : {true, false}) {
     const auto above = [&](double gap) {
@@ -109,8 +107,7 @@ TEST_CASE("contact_geometry: a gap within the margin is a contact, a wider one n
   }
 }
 
-TEST_CASE("contact_geometry: a box on its edge touches at two points, on its corner at one",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: a box on its edge touches at two points, on its corner at one", "[core][box_box]") {
   const OrientedBox floor = box_at({0.0, 0.0, -0.5}, {4.0, 4.0, 1.0});
   for (const double angle : {0.01, 0.3, kPi / 4.0, 1.2}) {
     OrientedBox edge = turned(box_at(Vec3::Zero(), {0.4, 0.6, 0.8}), {0.0, 1.0, 0.0}, angle);
@@ -129,7 +126,7 @@ TEST_CASE("contact_geometry: a box on its edge touches at two points, on its cor
   }
 }
 
-TEST_CASE("contact_geometry: a box yawed by 45° on a like one touches at eight points", "[core][contact_geometry]") {
+TEST_CASE("box_box: a box yawed by 45° on a like one touches at eight points", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   const OrientedBox b = turned(box_at({0.0, 0.0, 1.5}, {1.0, 1.0, 1.0}), {0.0, 0.0, 1.0}, kPi / 4.0);
   const ContactSet contact = contact_of(a, b, kMargin, kNoAxis);
@@ -149,8 +146,7 @@ TEST_CASE("contact_geometry: a box yawed by 45° on a like one touches at eight 
   CHECK(count_of(a, small) == 4);
 }
 
-TEST_CASE("contact_geometry: a box hardly turned on a like one keeps four distinct points",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: a box hardly turned on a like one keeps four distinct points", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   const OrientedBox b = turned(box_at({0.0, 0.0, 1.5}, {1.0, 1.0, 1.0}), {1.0, 2.0, 3.0}, 1e-9);
   const ContactSet contact = contact_of(a, b, kMargin, kNoAxis);
@@ -161,8 +157,7 @@ TEST_CASE("contact_geometry: a box hardly turned on a like one keeps four distin
   }
 }
 
-TEST_CASE("contact_geometry: the points span the whole overlap, however little a box is turned",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: the points span the whole overlap, however little a box is turned", "[core][box_box]") {
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 1.0, 1.0});
   for (double angle = 1e-12; angle < 0.7; angle *= 1.7) {
     const OrientedBox b = turned(box_at({0.0, 0.0, 1.5}, {1.0, 1.0, 1.0}), {0.0, 0.0, 1.0}, angle);
@@ -179,7 +174,7 @@ TEST_CASE("contact_geometry: the points span the whole overlap, however little a
   }
 }
 
-TEST_CASE("contact_geometry: edge-edge normal points from a to b", "[core][contact_geometry]") {
+TEST_CASE("box_box: edge-edge normal points from a to b", "[core][box_box]") {
   // Two roofs across each other: their ridges cross at right angles, over the middle of both.
   const double ridge = std::sqrt(0.5);
   const OrientedBox a = turned(box_at(Vec3::Zero(), {1.0, 1.0, 1.0}), {1.0, 0.0, 0.0}, kPi / 4.0);
@@ -198,8 +193,7 @@ TEST_CASE("contact_geometry: edge-edge normal points from a to b", "[core][conta
   }
 }
 
-TEST_CASE("contact_geometry: a box that has sunk into the edge it lies on is held at both ends of it",
-          "[core][contact_geometry]") {
+TEST_CASE("box_box: a box that has sunk into the edge it lies on is held at both ends of it", "[core][box_box]") {
   // A box hangs over the edge of a wider one, leans over it, and has sunk into it a little deeper at one end: less
   // along the product of that edge and one of its own than along its face, as the edge goes on beyond its sides.
   const OrientedBox a = box_at({0.0, 0.0, 0.5}, {1.0, 2.0, 1.0});
@@ -222,7 +216,7 @@ TEST_CASE("contact_geometry: a box that has sunk into the edge it lies on is hel
   }
 }
 
-TEST_CASE("contact_geometry: the axis of the step before wins near ties", "[core][contact_geometry]") {
+TEST_CASE("box_box: the axis of the step before wins near ties", "[core][box_box]") {
   // Overlaps of 1.000 mm in x and 1.015 mm in z: x is better, though not by enough to change.
   const OrientedBox a = box_at({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
   const OrientedBox b = box_at({0.999, 0.0, 0.998985}, {1.0, 1.0, 1.0});
@@ -237,7 +231,7 @@ TEST_CASE("contact_geometry: the axis of the step before wins near ties", "[core
   }
 }
 
-TEST_CASE("contact_geometry: plates of a millimetre and boxes of a hundred metres", "[core][contact_geometry]") {
+TEST_CASE("box_box: plates of a millimetre and boxes of a hundred metres", "[core][box_box]") {
   for (const double angle : {0.0, 0.3}) {
     const auto laid = [&](const OrientedBox& box) { return angle == 0.0 ? box : turned(box, {0.0, 0.0, 1.0}, angle); };
     const OrientedBox plate = box_at({0.0, 0.0, 0.0005}, {1.2, 0.8, 0.001});
@@ -255,7 +249,7 @@ TEST_CASE("contact_geometry: plates of a millimetre and boxes of a hundred metre
   }
 }
 
-TEST_CASE("contact_geometry: a pose that is not a number has no contact", "[core][contact_geometry]") {
+TEST_CASE("box_box: a pose that is not a number has no contact", "[core][box_box]") {
   const OrientedBox a = box_at(Vec3::Zero(), {1.0, 1.0, 1.0});
   const OrientedBox lost = box_at({0.0, std::nan(""), 0.0}, {1.0, 1.0, 1.0});
   OrientedBox crooked = as_rotated(a);
@@ -268,7 +262,7 @@ TEST_CASE("contact_geometry: a pose that is not a number has no contact", "[core
   CHECK(contact_of(HalfSpace{}, crooked, kMargin).count == 0);
 }
 
-TEST_CASE("contact_geometry: a mirrored scene has the mirrored contact, to the bit", "[core][contact_geometry]") {
+TEST_CASE("box_box: a mirrored scene has the mirrored contact, to the bit", "[core][box_box]") {
   const OrientedBox a = box_at({0.37, -0.21, 0.13}, {0.71, 0.59, 0.3});
   const OrientedBox b = box_at({0.83, 0.11, 0.41}, {0.53, 0.47, 0.26001});
   const HalfSpace side{.normal = {-1.0, 0.0, 0.0}, .offset = -1.0951};

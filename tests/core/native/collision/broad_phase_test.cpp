@@ -122,7 +122,7 @@ TEST_CASE("broad_phase: follows boxes that move from step to step", "[core][broa
   Bounds bounds = scattered(random, 120, {6.0, 2.4, 2.4}, 0.7);
   for (int step = 0; step < 200; ++step) {
     for (std::size_t i = 0; i < bounds.lower.size(); ++i) {
-      // The load is drawn out along y, until that is the longest way.
+      // The boxes are drawn out along y, until that is the longest way.
       Vec3 shift = random.vector(-0.1, 0.1);
       shift.y() += 0.001 * static_cast<double>(i);
       bounds.lower[i] += shift;

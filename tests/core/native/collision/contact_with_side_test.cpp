@@ -34,7 +34,7 @@ void check_points(const ContactSet& contact, const HalfSpace& side, const Orient
 
 }  // namespace
 
-TEST_CASE("contact_geometry: a box on the floor stands on the four corners of its base", "[core][contact_geometry]") {
+TEST_CASE("box_box: a box on the floor stands on the four corners of its base", "[core][box_box]") {
   const HalfSpace floor;
   const HalfSpace door{.normal = {-1.0, 0.0, 0.0}, .offset = -12.0};
   for (const double gap : {0.0, 0.0005, -0.002}) {
@@ -53,7 +53,7 @@ TEST_CASE("contact_geometry: a box on the floor stands on the four corners of it
   }
 }
 
-TEST_CASE("contact_geometry: a box away from the side has no contact with it", "[core][contact_geometry]") {
+TEST_CASE("box_box: a box away from the side has no contact with it", "[core][box_box]") {
   const HalfSpace floor;
   const OrientedBox box = at_gap(box_at(Vec3::Zero(), {0.7, 0.6, 0.3}), floor, 0.0011);
   const OrientedBox tilted = at_gap(turned(box, {1.0, 2.0, 0.5}, 0.7), floor, 0.0011);
@@ -61,7 +61,7 @@ TEST_CASE("contact_geometry: a box away from the side has no contact with it", "
   CHECK(contact_of(floor, tilted, kMargin).count == 0);
 }
 
-TEST_CASE("contact_geometry: a box on its edge or corner on the floor, at any angle", "[core][contact_geometry]") {
+TEST_CASE("box_box: a box on its edge or corner on the floor, at any angle", "[core][box_box]") {
   const HalfSpace floor{.normal = Vec3::UnitZ(), .offset = 0.2};
   // 45° is a tie of two faces: either has the lowest edge.
   for (const double angle : {0.01, 0.3, kPi / 4.0, std::nextafter(kPi / 4.0, 0.0), 1.2, kPi / 2.0 + 0.1}) {
@@ -80,7 +80,7 @@ TEST_CASE("contact_geometry: a box on its edge or corner on the floor, at any an
   }
 }
 
-TEST_CASE("contact_geometry: a side of any inclination carries a box that lies on it", "[core][contact_geometry]") {
+TEST_CASE("box_box: a side of any inclination carries a box that lies on it", "[core][box_box]") {
   const OrientedBox box = turned(box_at({1.0, 2.0, 3.0}, {0.4, 0.6, 0.8}), {1.0, -2.0, 0.5}, 0.9);
   for (int axis = 0; axis < 3; ++axis) {
     const HalfSpace side{.normal = -box.axes.col(axis), .offset = 0.37};

@@ -6,14 +6,14 @@ using namespace holdfast::internal::native;
 
 namespace {
 
-/// One patch of one number: the others stay 0.
+/// One constraint of one number: the others stay 0.
 struct OneNumber {
-  std::vector<Patch> patches = std::vector<Patch>(1);
-  std::vector<PatchVector> g = std::vector<PatchVector>(1);
-  std::vector<PatchVector> r = std::vector<PatchVector>(1);
+  std::vector<ContactConstraint> constraints = std::vector<ContactConstraint>(1);
+  std::vector<ConstraintVector> g = std::vector<ConstraintVector>(1);
+  std::vector<ConstraintVector> r = std::vector<ConstraintVector>(1);
 
   OneNumber() {
-    for (auto& lanes : patches[0].compliance)
+    for (auto& lanes : constraints[0].inverse_penalty)
       for (double& weight : lanes) weight = 1.0;
   }
 
@@ -23,7 +23,7 @@ struct OneNumber {
     r[0] = {};
     g[0].row[0][0] = iterate;
     r[0].row[0][0] = residual;
-    anderson.accelerate(patches, g, r);
+    anderson.accelerate(constraints, g, r);
     return g[0].row[0][0];
   }
 };

@@ -39,13 +39,14 @@ void put(const Block& from, BodyBlock& to) {
     for (int r = 0; r < kBodyRows; ++r) to.column[c][r] = from(r, c);
 }
 
-/// A system with the graph of the factor: filled in, as a dense matrix with rows by place, and its right-hand side.
+/// A system with the graph of the factor: filled in, as a dense matrix with rows by elimination index, and its
+/// right-hand side.
 struct System {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
 };
 
-System fill(BlockFactor& factor, std::size_t count, const std::vector<BodyPair>& pairs, Random& random) {
+System fill(BlockLdlt& factor, std::size_t count, const std::vector<BodyPair>& pairs, Random& random) {
   const auto rows = static_cast<Eigen::Index>(count * kBodyRows);
   System system{Eigen::MatrixXd::Zero(rows, rows), Eigen::VectorXd(rows)};
   factor.clear();
@@ -53,8 +54,8 @@ System fill(BlockFactor& factor, std::size_t count, const std::vector<BodyPair>&
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     // What a contact adds: G Gᵀ for the two bodies, of all orders of magnitude.
     const double scale = std::pow(10.0, random.between(-1, 2));
-    const std::uint32_t first = factor.place(pairs[p].first);
-    const std::uint32_t second = factor.place(pairs[p].second);
+    const std::uint32_t first = factor.elimination_index(pairs[p].first);
+    const std::uint32_t second = factor.elimination_index(pairs[p].second);
     const auto [column, row] = std::minmax(first, second);
     const Block on_row = random_block(random);
     const Block on_column = random_block(random);
@@ -76,7 +77,7 @@ System fill(BlockFactor& factor, std::size_t count, const std::vector<BodyPair>&
   return system;
 }
 
-std::vector<BodyVector> solution_of(BlockFactor& factor, const System& system) {
+std::vector<BodyVector> solution_of(BlockLdlt& factor, const System& system) {
   std::vector<BodyVector> x(static_cast<std::size_t>(system.right.size()) / kBodyRows);
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < kBodyRows; ++k)
@@ -98,14 +99,14 @@ double error_of(const std::vector<BodyVector>& x, const System& system) {
 
 }  // namespace
 
-TEST_CASE("block_factor: any graph is solved as a dense matrix is", "[core][block_factor]") {
+TEST_CASE("block_ldlt: any graph is solved as a dense matrix is", "[core][block_ldlt]") {
   Random random(3);
   // 64 and 65: a row of the graph takes one word of bits, and two.
   for (const std::uint32_t count : {1U, 2U, 3U, 9U, 30U, 64U, 65U, 70U}) {
     for (const double probability : {0.0, 3.0 / count, 0.3, 1.0}) {
       if (count > 30 && probability == 1.0) continue;
       const std::vector<BodyPair> pairs = random_pairs(random, count, probability);
-      BlockFactor factor;
+      BlockLdlt factor;
       factor.analyse(count, pairs);
       const System system = fill(factor, count, pairs, random);
       const double error = error_of(solution_of(factor, system), system);
@@ -115,13 +116,13 @@ TEST_CASE("block_factor: any graph is solved as a dense matrix is", "[core][bloc
   }
 }
 
-TEST_CASE("block_factor: every body has a place of its own", "[core][block_factor]") {
+TEST_CASE("block_ldlt: every body has a elimination_index of its own", "[core][block_ldlt]") {
   Random random(4);
   for (const std::uint32_t count : {1U, 5U, 64U, 130U}) {
-    BlockFactor factor;
+    BlockLdlt factor;
     factor.analyse(count, random_pairs(random, count, 4.0 / count));
     std::vector<std::uint32_t> places;
-    for (std::size_t body = 0; body < count; ++body) places.push_back(factor.place(body));
+    for (std::size_t body = 0; body < count; ++body) places.push_back(factor.elimination_index(body));
     std::sort(places.begin(), places.end());
     std::vector<std::uint32_t> all(count);
     std::iota(all.begin(), all.end(), 0U);
@@ -130,10 +131,10 @@ TEST_CASE("block_factor: every body has a place of its own", "[core][block_facto
   }
 }
 
-TEST_CASE("block_factor: one object takes one system after another", "[core][block_factor]") {
+TEST_CASE("block_ldlt: one object takes one system after another", "[core][block_ldlt]") {
   Random random(5);
   const std::vector<BodyPair> pairs = random_pairs(random, 20, 0.2);
-  BlockFactor factor;
+  BlockLdlt factor;
   factor.analyse(20, pairs);
   const System first = fill(factor, 20, pairs, random);
   CHECK(error_of(solution_of(factor, first), first) < 1e-11);
@@ -159,13 +160,13 @@ TEST_CASE("block_factor: one object takes one system after another", "[core][blo
   CHECK(same_bits(again(7), seventh));
 }
 
-TEST_CASE("block_factor: the order of a pair does not matter to its place", "[core][block_factor]") {
+TEST_CASE("block_ldlt: the order of a pair does not matter to its elimination_index", "[core][block_ldlt]") {
   Random random(6);
   std::vector<BodyPair> pairs = random_pairs(random, 25, 0.15);
-  BlockFactor factor, other;
+  BlockLdlt factor, other;
   factor.analyse(25, pairs);
   std::reverse(pairs.begin(), pairs.end());
   for (BodyPair& pair : pairs) std::swap(pair.first, pair.second);
   other.analyse(25, pairs);
-  for (std::size_t body = 0; body < 25; ++body) CHECK(factor.place(body) == other.place(body));
+  for (std::size_t body = 0; body < 25; ++body) CHECK(factor.elimination_index(body) == other.elimination_index(body));
 }

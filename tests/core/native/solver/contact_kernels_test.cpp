@@ -17,66 +17,69 @@ namespace {
 
 constexpr double kRelaxation = 1.6;
 
-/// One iteration by the kernels: `aim`, then `project` of where it leads.
+/// One iteration by the kernels: `relax`, then `project` of where it leads.
 struct Sweep {
-  Mismatch mismatch;
-  std::vector<PatchVector> u = std::vector<PatchVector>(kPatches), g = u, r = u;
+  PrimalResidual primal_residual;
+  std::vector<ConstraintVector> u = std::vector<ConstraintVector>(kConstraints), g = u, r = u;
   std::vector<LaneWrench> wrench = std::vector<LaneWrench>(kBodies + 1);
 
   Sweep(Contacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
-    mismatch = aim(contacts.patches, contacts.velocity, relaxation, u, g, r);
-    project(Projection::coulomb, contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u, {},
-            wrench);
+    primal_residual = relax(contacts.constraints, contacts.velocity, relaxation, u, g, r);
+    project(Projection::coulomb, contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u,
+            {}, wrench);
   }
 };
 
 using Wrench = Eigen::Matrix<double, kBodyRows, 1>;
 
-/// What `aim` and `project` are said to do, point by point.
+/// What `relax` and `project` are said to do, point by point.
 struct PlainSweep {
-  Mismatch mismatch;
+  PrimalResidual primal_residual;
   std::vector<Wrench> wrench = std::vector<Wrench>(kBodies + 1, Wrench::Zero());
 
   explicit PlainSweep(Contacts& contacts, bool with_mid_arms) {
-    for (std::size_t p = 0; p < kPatches; ++p) {
-      const Patch& patch = contacts.patches[p];
-      for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane)
-        take(contacts.patches[p], with_mid_arms ? contacts.mid_arms[p] : patch.arms, lane, contacts.velocity);
+    for (std::size_t p = 0; p < kConstraints; ++p) {
+      const ContactConstraint& constraint = contacts.constraints[p];
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane)
+        take(contacts.constraints[p], with_mid_arms ? contacts.mid_arms[p] : constraint.arms, lane, contacts.velocity);
     }
   }
 
-  void take(Patch& patch, const Arms& mid, std::size_t lane, const std::vector<BodyVector>& velocity) {
+  void take(ContactConstraint& constraint, const Arms& mid, std::size_t lane, const std::vector<BodyVector>& velocity) {
     Mat3 directions;  // Its rows are the normal and the tangents.
     for (std::size_t d = 0; d < 3; ++d)
       for (std::size_t i = 0; i < 3; ++i)
-        directions(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(i)) = patch.directions[d][i];
+        directions(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(i)) = constraint.directions[d][i];
     const auto speed = [&](std::int32_t body, const std::array<Lanes, 3>& arms) {
       const double* v = velocity[static_cast<std::size_t>(body)].row;
       return Vec3(Vec3(v[0], v[1], v[2]) + Vec3(v[3], v[4], v[5]).cross(arm_of(arms, lane)));
     };
-    Vec3 u = directions * (speed(patch.b, patch.arms.b) - speed(patch.a, patch.arms.a));
-    u += Vec3(patch.allowance.row[0][lane], patch.allowance.row[1][lane], patch.allowance.row[2][lane]);
-    const double tangential = patch.resistance[1][lane];
-    const Vec3 resistance(patch.resistance[0][lane], tangential, tangential);
-    const Vec3 z(patch.slip.row[0][lane], patch.slip.row[1][lane], patch.slip.row[2][lane]);
-    const Vec3 impulse(patch.impulse.row[0][lane], patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
-    const Vec3 x = impulse - resistance.cwiseProduct(z + kRelaxation * (u - z));
+    Vec3 u = directions * (speed(constraint.b, constraint.arms.b) - speed(constraint.a, constraint.arms.a));
+    u += Vec3(constraint.velocity_bias.row[0][lane], constraint.velocity_bias.row[1][lane],
+              constraint.velocity_bias.row[2][lane]);
+    const double tangential = constraint.penalty[1][lane];
+    const Vec3 penalty(constraint.penalty[0][lane], tangential, tangential);
+    const Vec3 z(constraint.contact_velocity.row[0][lane], constraint.contact_velocity.row[1][lane],
+                 constraint.contact_velocity.row[2][lane]);
+    const Vec3 impulse(constraint.impulse.row[0][lane], constraint.impulse.row[1][lane],
+                       constraint.impulse.row[2][lane]);
+    const Vec3 x = impulse - penalty.cwiseProduct(z + kRelaxation * (u - z));
     Vec3 y = x;
     y.x() = std::max(0.0, x.x());
-    const double radius = patch.friction * y.x();
+    const double radius = constraint.friction * y.x();
     const double length = std::hypot(x.y(), x.z());
     if (length > radius) y.tail<2>() = x.tail<2>() * (radius / length);
     // Of the iterate before, which the iteration starts from.
-    mismatch.largest = std::max(mismatch.largest, (u - z).cwiseAbs().maxCoeff());
-    mismatch.squares += (u - z).squaredNorm();
-    const Vec3 slip = (y - x).cwiseQuotient(resistance);
+    primal_residual.largest = std::max(primal_residual.largest, (u - z).cwiseAbs().maxCoeff());
+    primal_residual.squares += (u - z).squaredNorm();
+    const Vec3 slip = (y - x).cwiseQuotient(penalty);
     for (std::size_t i = 0; i < 3; ++i) {
-      patch.impulse.row[i][lane] = y[static_cast<Eigen::Index>(i)];
-      patch.slip.row[i][lane] = slip[static_cast<Eigen::Index>(i)];
+      constraint.impulse.row[i][lane] = y[static_cast<Eigen::Index>(i)];
+      constraint.contact_velocity.row[i][lane] = slip[static_cast<Eigen::Index>(i)];
     }
-    const Vec3 force = directions.transpose() * (y + resistance.cwiseProduct(slip - u));
-    add(patch.b, arm_of(mid.b, lane), force);
-    add(patch.a, arm_of(mid.a, lane), -force);
+    const Vec3 force = directions.transpose() * (y + penalty.cwiseProduct(slip - u));
+    add(constraint.b, arm_of(mid.b, lane), force);
+    add(constraint.a, arm_of(mid.a, lane), -force);
   }
 
   void add(std::int32_t body, const Vec3& arm, const Vec3& force) {
@@ -92,11 +95,11 @@ Wrench total(const LaneWrench& wrench) {
   return sum;
 }
 
-/// Impulses and slips only: a patch has padding.
-bool same_patches(const std::vector<Patch>& a, const std::vector<Patch>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Patch& p, const Patch& q) {
+/// Impulses and slips only: a constraint has padding.
+bool same_constraints(const std::vector<ContactConstraint>& a, const std::vector<ContactConstraint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ContactConstraint& p, const ContactConstraint& q) {
     return same_bits(std::vector{p.impulse}, std::vector{q.impulse}) &&
-           same_bits(std::vector{p.slip}, std::vector{q.slip});
+           same_bits(std::vector{p.contact_velocity}, std::vector{q.contact_velocity});
   });
 }
 
@@ -109,12 +112,13 @@ TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact
     const Sweep swept(contacts, with_mid_arms);
     const PlainSweep plain(copy, with_mid_arms);
     double worst = 0.0;
-    for (std::size_t p = 0; p < kPatches; ++p) {
+    for (std::size_t p = 0; p < kConstraints; ++p) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          worst = std::max({worst,
-                            std::abs(contacts.patches[p].impulse.row[i][lane] - copy.patches[p].impulse.row[i][lane]),
-                            std::abs(contacts.patches[p].slip.row[i][lane] - copy.patches[p].slip.row[i][lane])});
+          worst = std::max(
+              {worst, std::abs(contacts.constraints[p].impulse.row[i][lane] - copy.constraints[p].impulse.row[i][lane]),
+               std::abs(contacts.constraints[p].contact_velocity.row[i][lane] -
+                        copy.constraints[p].contact_velocity.row[i][lane])});
         }
       }
     }
@@ -124,8 +128,8 @@ TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact
     CAPTURE(with_mid_arms, worst, worst_wrench);
     CHECK(worst < 1e-13);
     CHECK(worst_wrench < 1e-12);
-    CHECK(swept.mismatch.largest == Approx(plain.mismatch.largest).epsilon(1e-13));
-    CHECK(swept.mismatch.squares == Approx(plain.mismatch.squares).epsilon(1e-13));
+    CHECK(swept.primal_residual.largest == Approx(plain.primal_residual.largest).epsilon(1e-13));
+    CHECK(swept.primal_residual.squares == Approx(plain.primal_residual.squares).epsilon(1e-13));
   }
 }
 
@@ -134,27 +138,28 @@ TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused
   Contacts contacts = random_contacts(12);
   const Sweep swept(contacts, false);
   int sticking = 0, sliding = 0, open = 0;
-  for (const Patch& patch : contacts.patches) {
+  for (const ContactConstraint& constraint : contacts.constraints) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double normal = patch.impulse.row[0][lane];
-      const double tangential = std::hypot(patch.impulse.row[1][lane], patch.impulse.row[2][lane]);
-      CAPTURE(lane, patch.count, patch.friction, normal, tangential);
-      if (lane >= static_cast<std::size_t>(patch.count)) {
+      const double normal = constraint.impulse.row[0][lane];
+      const double tangential = std::hypot(constraint.impulse.row[1][lane], constraint.impulse.row[2][lane]);
+      CAPTURE(lane, constraint.count, constraint.friction, normal, tangential);
+      if (lane >= static_cast<std::size_t>(constraint.count)) {
         for (std::size_t i = 0; i < 3; ++i) {
-          CHECK(patch.impulse.row[i][lane] == 0.0);
-          CHECK(patch.slip.row[i][lane] == 0.0);
+          CHECK(constraint.impulse.row[i][lane] == 0.0);
+          CHECK(constraint.contact_velocity.row[i][lane] == 0.0);
         }
         continue;
       }
       CHECK(normal >= 0.0);
-      CHECK(tangential <= patch.friction * normal * (1 + 4e-16));
-      const double slip = std::hypot(patch.slip.row[1][lane], patch.slip.row[2][lane]);
+      CHECK(tangential <= constraint.friction * normal * (1 + 4e-16));
+      const double slip =
+          std::hypot(constraint.contact_velocity.row[1][lane], constraint.contact_velocity.row[2][lane]);
       (normal == 0.0 ? open : slip < 1e-12 ? sticking : sliding) += 1;
       // Friction acts against the slip, the normal impulse only where nothing parts.
-      CHECK(patch.impulse.row[1][lane] * patch.slip.row[1][lane] +
-                patch.impulse.row[2][lane] * patch.slip.row[2][lane] ==
+      CHECK(constraint.impulse.row[1][lane] * constraint.contact_velocity.row[1][lane] +
+                constraint.impulse.row[2][lane] * constraint.contact_velocity.row[2][lane] ==
             Approx(-slip * tangential).margin(1e-12));
-      CHECK(std::abs(normal * patch.slip.row[0][lane]) < 1e-12);
+      CHECK(std::abs(normal * constraint.contact_velocity.row[0][lane]) < 1e-12);
     }
   }
   CAPTURE(sticking, sliding, open);
@@ -164,20 +169,20 @@ TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused
 TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[core][contact_kernels]") {
   Contacts contacts = random_contacts(13);
   std::vector<LaneWrench> wrench(kBodies + 1);
-  add_impulses(contacts.patches, contacts.mid_arms, wrench);
+  add_impulses(contacts.constraints, contacts.mid_arms, wrench);
   std::vector<Wrench> expected(kBodies + 1, Wrench::Zero());
-  for (std::size_t p = 0; p < kPatches; ++p) {
-    const Patch& patch = contacts.patches[p];
+  for (std::size_t p = 0; p < kConstraints; ++p) {
+    const ContactConstraint& constraint = contacts.constraints[p];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       Vec3 force = Vec3::Zero();
       for (std::size_t d = 0; d < 3; ++d)
-        force +=
-            patch.impulse.row[d][lane] * Vec3(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+        force += constraint.impulse.row[d][lane] *
+                 Vec3(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
       const auto on = [&](std::int32_t body) -> Wrench& { return expected[static_cast<std::size_t>(body)]; };
-      on(patch.b).head<3>() += force;
-      on(patch.b).tail<3>() += arm_of(contacts.mid_arms[p].b, lane).cross(force);
-      on(patch.a).head<3>() -= force;
-      on(patch.a).tail<3>() -= arm_of(contacts.mid_arms[p].a, lane).cross(force);
+      on(constraint.b).head<3>() += force;
+      on(constraint.b).tail<3>() += arm_of(contacts.mid_arms[p].b, lane).cross(force);
+      on(constraint.a).head<3>() -= force;
+      on(constraint.a).tail<3>() -= arm_of(contacts.mid_arms[p].a, lane).cross(force);
     }
   }
   double worst = 0.0;
@@ -190,10 +195,10 @@ TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[co
 TEST_CASE("contact_kernels: every instruction set computes the same bits", "[core][contact_kernels]") {
   const Contacts contacts = random_contacts(31);
   struct Output {
-    std::vector<Patch> patches;
+    std::vector<ContactConstraint> constraints;
     std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
-    std::vector<PatchVector> u, g, r, difference, step;
-    Mismatch mismatch;
+    std::vector<ConstraintVector> u, g, r, difference, step;
+    PrimalResidual primal_residual;
     double product = 0.0;
   };
   std::vector<Output> outputs;
@@ -202,29 +207,29 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
     Contacts own = contacts;
     for (int i = 0; i < 3; ++i) {
       const Sweep sweep(own, true);
-      out.mismatch = sweep.mismatch;
+      out.primal_residual = sweep.primal_residual;
       out.swept = sweep.wrench;
       out.u = sweep.u;
       out.g = sweep.g;
       out.r = sweep.r;
     }
-    out.patches = own.patches;
-    out.product = dot(out.patches, out.g, out.r);
+    out.constraints = own.constraints;
+    out.product = dot(out.constraints, out.g, out.r);
     out.difference = out.g;
     subtract(std::vector{out.r, out.u}, std::array{0.3, -0.7}, out.difference);
-    std::vector<PatchVector> last = out.u;
-    out.step.resize(kPatches);
+    std::vector<ConstraintVector> last = out.u;
+    out.step.resize(kConstraints);
     take_difference(out.g, last, out.step);
-    add_impulses(out.patches, {}, out.added);
+    add_impulses(out.constraints, {}, out.added);
   });
   REQUIRE_FALSE(outputs.empty());
-  CHECK(outputs.front().mismatch.largest > 0.0);
+  CHECK(outputs.front().primal_residual.largest > 0.0);
   for (const Output& out : outputs) {
     const Output& first = outputs.front();
     CAPTURE(&out - &first);
-    CHECK(out.mismatch.largest == first.mismatch.largest);
-    CHECK(out.mismatch.squares == first.mismatch.squares);
-    CHECK(same_patches(out.patches, first.patches));
+    CHECK(out.primal_residual.largest == first.primal_residual.largest);
+    CHECK(out.primal_residual.squares == first.primal_residual.squares);
+    CHECK(same_constraints(out.constraints, first.constraints));
     CHECK(same_bits(out.swept, first.swept));
     CHECK(same_bits(out.added, first.added));
     CHECK(out.product == first.product);
@@ -238,16 +243,16 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
 
 TEST_CASE("contact_kernels: an iteration leads from x = y - R z to g = x + r", "[core][contact_kernels]") {
   Contacts contacts = random_contacts(41);
-  const std::vector<Patch> before = contacts.patches;
+  const std::vector<ContactConstraint> before = contacts.constraints;
   const Sweep swept(contacts, false);
   double worst = 0.0;
-  for (std::size_t p = 0; p < kPatches; ++p) {
+  for (std::size_t p = 0; p < kConstraints; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const double resistance = before[p].resistance[i > 0][lane];
-        const double z = before[p].slip.row[i][lane];
-        const double x = before[p].impulse.row[i][lane] - resistance * z;
-        const double r = -kRelaxation * resistance * (swept.u[p].row[i][lane] - z);
+        const double penalty = before[p].penalty[i > 0][lane];
+        const double z = before[p].contact_velocity.row[i][lane];
+        const double x = before[p].impulse.row[i][lane] - penalty * z;
+        const double r = -kRelaxation * penalty * (swept.u[p].row[i][lane] - z);
         worst = std::max({worst, std::abs(swept.r[p].row[i][lane] - r), std::abs(swept.g[p].row[i][lane] - x - r)});
       }
     }
@@ -260,17 +265,17 @@ TEST_CASE("contact_kernels: products and differences of impulses are what they a
           "[core][contact_kernels]") {
   Contacts contacts = random_contacts(51);
   const Sweep swept(contacts, false);
-  std::vector<PatchVector> difference = swept.g, last = swept.u, step(kPatches);
+  std::vector<ConstraintVector> difference = swept.g, last = swept.u, step(kConstraints);
   subtract(std::vector{swept.r, swept.u}, std::array{0.3, -0.7}, difference);
   take_difference(swept.g, last, step);
   double product = 0.0, worst = 0.0;
-  for (std::size_t p = 0; p < kPatches; ++p) {
+  for (std::size_t p = 0; p < kConstraints; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const double g = swept.g[p].row[i][lane];
         const double r = swept.r[p].row[i][lane];
         const double u = swept.u[p].row[i][lane];
-        product += g * r * contacts.patches[p].compliance[i > 0][lane];
+        product += g * r * contacts.constraints[p].inverse_penalty[i > 0][lane];
         worst = std::max(worst, std::abs(difference[p].row[i][lane] - (g - 0.3 * r + 0.7 * u)));
         worst = std::max(worst, std::abs(step[p].row[i][lane] - (g - u)));
         CHECK(last[p].row[i][lane] == g);
@@ -278,7 +283,7 @@ TEST_CASE("contact_kernels: products and differences of impulses are what they a
     }
   }
   CAPTURE(product, worst);
-  CHECK(dot(contacts.patches, swept.g, swept.r) == Approx(product).epsilon(1e-12));
+  CHECK(dot(contacts.constraints, swept.g, swept.r) == Approx(product).epsilon(1e-12));
   CHECK(worst < 1e-14);
 }
 
@@ -287,21 +292,21 @@ TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     Contacts contacts = random_contacts(seed);
     Random random(100 + seed);
-    std::vector<PatchVector> x(kPatches);
-    const std::vector<PatchVector> u(kPatches);
-    std::vector<NormalBounds> most(kPatches);
-    for (std::size_t p = 0; p < kPatches; ++p) {
+    std::vector<ConstraintVector> x(kConstraints);
+    const std::vector<ConstraintVector> u(kConstraints);
+    std::vector<NormalBounds> most(kConstraints);
+    for (std::size_t p = 0; p < kConstraints; ++p) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         most[p].lane[lane] = lane % 2 == 0 ? std::numeric_limits<double>::infinity() : random.between(0.0, 1.0);
         for (auto& row : x[p].row) row[lane] = random.between(-2, 2);
       }
     }
     std::vector<LaneWrench> wrench(kBodies + 1);
-    project(Projection::orthogonal, contacts.patches, {}, x, u, most, wrench);
-    for (std::size_t p = 0; p < kPatches; ++p) {
-      const double friction = contacts.patches[p].friction;
-      for (std::size_t lane = 0; lane < static_cast<std::size_t>(contacts.patches[p].count); ++lane) {
-        const auto& row = contacts.patches[p].impulse.row;
+    project(Projection::orthogonal, contacts.constraints, {}, x, u, most, wrench);
+    for (std::size_t p = 0; p < kConstraints; ++p) {
+      const double friction = contacts.constraints[p].friction;
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(contacts.constraints[p].count); ++lane) {
+        const auto& row = contacts.constraints[p].impulse.row;
         const Vec3 y(row[0][lane], row[1][lane], row[2][lane]);
         // Without friction the tangents are no part of the problem.
         const double tangent = friction > 0.0 ? 1.0 : 0.0;

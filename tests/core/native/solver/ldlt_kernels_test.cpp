@@ -15,27 +15,27 @@ using namespace holdfast::internal::native;
 namespace {
 
 /// What contacts add to the matrix, with a block for every pair of bodies: row · kBodies + column.
-struct Resistance {
+struct Penalty {
   std::vector<BodyBlock> diagonal, below;
 };
 
-void add_resistance(const Contacts& contacts, Resistance& out, bool with_mid_arms) {
+void add_penalty(const Contacts& contacts, Penalty& out, bool with_mid_arms) {
   out.diagonal.resize(kBodies);
   out.below.resize(kBodies * kBodies);
   std::vector<std::uint32_t> pair, block;
-  for (const Patch& patch : contacts.patches) {
-    const auto [column, row] = std::minmax(patch.a, patch.b);
+  for (const ContactConstraint& constraint : contacts.constraints) {
+    const auto [column, row] = std::minmax(constraint.a, constraint.b);
     const bool with_fixed = row == static_cast<std::int32_t>(kBodies);
     pair.push_back(with_fixed ? kNoPair : static_cast<std::uint32_t>(block.size()));
     if (!with_fixed) block.push_back(static_cast<std::uint32_t>(row * static_cast<std::int32_t>(kBodies) + column));
   }
-  native::add_resistance(contacts.patches, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), pair, block,
-                         out.diagonal, out.below);
+  native::add_penalty(contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), pair, block,
+                      out.diagonal, out.below);
 }
 
 /// A chain of bodies with a coupling two further, in order of elimination: its structure has fill.
 struct Chain {
-  FactorShape shape;
+  LdltStructure shape;
   std::vector<BodyBlock> below, diagonal, scratch;
   std::vector<BodyVector> right;
   Eigen::MatrixXd matrix;
@@ -92,7 +92,7 @@ Chain random_chain(std::uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("factor_kernels: what is factorised is solved", "[core][factor_kernels]") {
+TEST_CASE("ldlt_kernels: what is factorised is solved", "[core][ldlt_kernels]") {
   for (const std::uint32_t seed : {21U, 22U, 23U}) {
     Chain chain = random_chain(seed);
     Eigen::VectorXd right(chain.matrix.rows());
@@ -113,34 +113,34 @@ TEST_CASE("factor_kernels: what is factorised is solved", "[core][factor_kernels
   }
 }
 
-TEST_CASE("factor_kernels: what contacts resist is the sum over their points of J R J transposed",
-          "[core][factor_kernels]") {
+TEST_CASE("ldlt_kernels: what contacts resist is the sum over their points of J R J transposed",
+          "[core][ldlt_kernels]") {
   const bool with_mid_arms = GENERATE(false, true);
   const Contacts contacts = random_contacts(61);
-  Resistance resistance;
-  add_resistance(contacts, resistance, with_mid_arms);
+  Penalty penalty;
+  add_penalty(contacts, penalty, with_mid_arms);
 
   constexpr Eigen::Index kRows = kBodyRows * (kBodies + 1);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(kRows, kRows);
-  for (std::size_t p = 0; p < kPatches; ++p) {
-    const Patch& patch = contacts.patches[p];
-    const Arms& arms = with_mid_arms ? contacts.mid_arms[p] : patch.arms;
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
+  for (std::size_t p = 0; p < kConstraints; ++p) {
+    const ContactConstraint& constraint = contacts.constraints[p];
+    const Arms& arms = with_mid_arms ? contacts.mid_arms[p] : constraint.arms;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
       for (std::size_t d = 0; d < 3; ++d) {
-        const Vec3 along(patch.directions[d][0], patch.directions[d][1], patch.directions[d][2]);
+        const Vec3 along(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
         Eigen::VectorXd row = Eigen::VectorXd::Zero(kRows);
-        row.segment<3>(kBodyRows * patch.a) -= along;
-        row.segment<3>(kBodyRows * patch.a + 3) -= arm_of(arms.a, lane).cross(along);
-        row.segment<3>(kBodyRows * patch.b) += along;
-        row.segment<3>(kBodyRows * patch.b + 3) += arm_of(arms.b, lane).cross(along);
-        expected += patch.resistance[d > 0][lane] * row * row.transpose();
+        row.segment<3>(kBodyRows * constraint.a) -= along;
+        row.segment<3>(kBodyRows * constraint.a + 3) -= arm_of(arms.a, lane).cross(along);
+        row.segment<3>(kBodyRows * constraint.b) += along;
+        row.segment<3>(kBodyRows * constraint.b + 3) += arm_of(arms.b, lane).cross(along);
+        expected += constraint.penalty[d > 0][lane] * row * row.transpose();
       }
     }
   }
   double worst = 0.0;
   for (std::size_t i = 0; i < kBodies; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      const BodyBlock& block = i == j ? resistance.diagonal[i] : resistance.below[i * kBodies + j];
+      const BodyBlock& block = i == j ? penalty.diagonal[i] : penalty.below[i * kBodies + j];
       for (std::size_t c = 0; c < kBodyRows; ++c) {
         // Of blocks on the diagonal only the lower triangle is used.
         for (std::size_t r = i == j ? c : 0; r < kBodyRows; ++r) {
@@ -155,17 +155,17 @@ TEST_CASE("factor_kernels: what contacts resist is the sum over their points of 
   CHECK(worst < 1e-12);
 }
 
-TEST_CASE("factor_kernels: every instruction set computes the same bits", "[core][factor_kernels]") {
+TEST_CASE("ldlt_kernels: every instruction set computes the same bits", "[core][ldlt_kernels]") {
   const Contacts contacts = random_contacts(31);
   const Chain chain = random_chain(32);
   struct Output {
-    Resistance resisting;
+    Penalty resisting;
     Chain chain;
   };
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
     Output& out = outputs.emplace_back(Output{{}, chain});
-    add_resistance(contacts, out.resisting, true);
+    add_penalty(contacts, out.resisting, true);
     factorise(out.chain.shape, out.chain.below, out.chain.diagonal, out.chain.scratch);
     solve(out.chain.shape, out.chain.below, out.chain.diagonal, out.chain.right);
   });

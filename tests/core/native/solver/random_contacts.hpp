@@ -9,12 +9,12 @@
 namespace holdfast::internal::native {
 
 inline constexpr std::size_t kBodies = 7;
-inline constexpr std::size_t kPatches = 40;
+inline constexpr std::size_t kConstraints = 40;
 
 /// Patches between random bodies and what is fixed, some with unused lanes, some frictionless, with random impulses.
 struct Contacts {
-  std::vector<Patch> patches = std::vector<Patch>(kPatches);
-  std::vector<Arms> mid_arms = std::vector<Arms>(kPatches);
+  std::vector<ContactConstraint> constraints = std::vector<ContactConstraint>(kConstraints);
+  std::vector<Arms> mid_arms = std::vector<Arms>(kConstraints);
   std::vector<BodyVector> velocity = std::vector<BodyVector>(kBodies + 1);
 };
 
@@ -27,31 +27,31 @@ inline Contacts random_contacts(std::uint32_t seed) {
   Contacts contacts;
   for (std::size_t i = 0; i < kBodies; ++i)
     for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[k] = random.between(-1, 1);
-  for (std::size_t p = 0; p < kPatches; ++p) {
-    Patch& patch = contacts.patches[p];
-    patch.b = static_cast<std::int32_t>(random.below(kBodies));
-    patch.a = static_cast<std::int32_t>(random.below(3) == 0 ? kBodies : random.below(kBodies));
-    if (patch.a == patch.b) patch.a = static_cast<std::int32_t>(kBodies);
-    patch.count = static_cast<std::int32_t>(1 + random.below(kLanes));
-    patch.friction = p % 5 == 0 ? 0.0 : random.between(0.1, 1.0);
+  for (std::size_t p = 0; p < kConstraints; ++p) {
+    ContactConstraint& constraint = contacts.constraints[p];
+    constraint.b = static_cast<std::int32_t>(random.below(kBodies));
+    constraint.a = static_cast<std::int32_t>(random.below(3) == 0 ? kBodies : random.below(kBodies));
+    if (constraint.a == constraint.b) constraint.a = static_cast<std::int32_t>(kBodies);
+    constraint.count = static_cast<std::int32_t>(1 + random.below(kLanes));
+    constraint.friction = p % 5 == 0 ? 0.0 : random.between(0.1, 1.0);
     const Mat3 axes = random.rotation().toRotationMatrix();
     for (std::size_t d = 0; d < 3; ++d)
       for (std::size_t i = 0; i < 3; ++i)
-        patch.directions[d][i] = axes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(patch.count); ++lane) {
+        constraint.directions[d][i] = axes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
       for (std::size_t i = 0; i < 3; ++i) {
-        patch.impulse.row[i][lane] = random.between(i == 0 ? 0 : -2, 2);
-        patch.slip.row[i][lane] = random.between(-1, 1);
-        patch.allowance.row[i][lane] = random.between(-0.5, 0.5);
-        patch.arms.b[i][lane] = random.between(-1, 1);
-        contacts.mid_arms[p].b[i][lane] = patch.arms.b[i][lane] + random.between(-0.1, 0.1);
-        if (patch.a == static_cast<std::int32_t>(kBodies)) continue;
-        patch.arms.a[i][lane] = random.between(-1, 1);
-        contacts.mid_arms[p].a[i][lane] = patch.arms.a[i][lane] + random.between(-0.1, 0.1);
+        constraint.impulse.row[i][lane] = random.between(i == 0 ? 0 : -2, 2);
+        constraint.contact_velocity.row[i][lane] = random.between(-1, 1);
+        constraint.velocity_bias.row[i][lane] = random.between(-0.5, 0.5);
+        constraint.arms.b[i][lane] = random.between(-1, 1);
+        contacts.mid_arms[p].b[i][lane] = constraint.arms.b[i][lane] + random.between(-0.1, 0.1);
+        if (constraint.a == static_cast<std::int32_t>(kBodies)) continue;
+        constraint.arms.a[i][lane] = random.between(-1, 1);
+        contacts.mid_arms[p].a[i][lane] = constraint.arms.a[i][lane] + random.between(-0.1, 0.1);
       }
       for (std::size_t k = 0; k < 2; ++k) {
-        patch.resistance[k][lane] = random.between(0.5, 3);
-        patch.compliance[k][lane] = 1.0 / patch.resistance[k][lane];
+        constraint.penalty[k][lane] = random.between(0.5, 3);
+        constraint.inverse_penalty[k][lane] = 1.0 / constraint.penalty[k][lane];
       }
     }
   }

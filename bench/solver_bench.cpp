@@ -1,0 +1,199 @@
+// Contact problems of real worlds, written to files and solved alone: how contact solvers are compared.
+//
+//   solver_bench dump LAYOUT ACCELERATION FOLDER [--accuracy NAME] [--every N]
+//   solver_bench solve FILES... [--solver admm] [--repeat N]
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/engine/series_recorder.hpp"
+#include "core/engine/simulate.hpp"
+#include "core/native/native_world.hpp"
+#include "core/native/solver/admm.hpp"
+#include "core/native/solver/problem_bytes.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_file.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  fmt::print(stderr, "solver_bench: {}\n", what);
+  std::exit(1);
+}
+
+template <class T>
+T value_or_fail(Result<T> result) {
+  if (!result) fail(result.error().message());
+  return std::move(*result);
+}
+
+int whole_number(const std::string& text) {
+  char* end = nullptr;
+  const long number = std::strtol(text.c_str(), &end, 10);
+  if (end == text.c_str() || *end != '\0' || number < 1 || number > 1'000'000) fail("no number from 1: " + text);
+  return static_cast<int>(number);
+}
+
+using Options = std::map<std::string, std::string>;
+
+/// Writes every n-th problem that it is given, and has another solver solve it. A problem that goes on from the
+/// solve before is left out: it cannot be solved alone.
+class DumpingSolver final : public ContactSolver {
+ public:
+  DumpingSolver(std::filesystem::path folder, int every) : folder_(std::move(folder)), every_(every) {}
+
+  std::span<const std::uint32_t> order(std::size_t count, std::span<const BodyPair> pairs) override {
+    return solver_->order(count, pairs);
+  }
+
+  SolveResult solve(ContactProblem& problem, const SolveLimits& limits) override {
+    if (!problem.continues && !problem.constraints.empty() && count_++ % every_ == 0) {
+      const std::string bytes = bytes_of({problem, limits});
+      std::ofstream file(folder_ / fmt::format("{:07}.problem", count_ - 1), std::ios::binary);
+      if (!file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        fail(fmt::format("{}: cannot be written", folder_.string()));
+    }
+    return solver_->solve(problem, limits);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  int every_;
+  int count_ = 0;
+  std::unique_ptr<ContactSolver> solver_ = make_contact_solver();
+};
+
+/// The native engine for one world, with a solver of its own.
+class DumpingEngine final : public Engine {
+ public:
+  DumpingEngine(const Settings& settings, std::filesystem::path folder, int every)
+      : settings_(settings), folder_(std::move(folder)), every_(every) {}
+
+  const EngineTraits& traits() const override { return traits_; }
+  std::unique_ptr<Simulation> build(const WorldBatch& batch) const override {
+    return std::make_unique<OneWorld>(NativeWorld(batch, batch.worlds.front(), settings_, native_options(settings_),
+                                                  std::make_unique<DumpingSolver>(folder_, every_)));
+  }
+
+ private:
+  class OneWorld final : public Simulation {
+   public:
+    explicit OneWorld(NativeWorld world) : world_(std::move(world)) {}
+    double advance(std::size_t /*world*/, const Phase& phase, double /*watch*/) override {
+      return world_.advance(phase);
+    }
+    void read_back(std::size_t /*world*/, StateColumns& state) const override { world_.read_back(state); }
+    Counters counters(std::size_t /*world*/) const override { return world_.counters(); }
+    Status status(std::size_t /*world*/) const override { return world_.status(); }
+
+   private:
+    NativeWorld world_;
+  };
+
+  Settings settings_;
+  std::filesystem::path folder_;
+  int every_;
+  EngineTraits traits_;
+};
+
+void dump(const std::vector<std::string>& arguments, const Options& options) {
+  if (arguments.size() != 3) fail("dump takes a layout, an acceleration and a folder");
+  Settings settings;
+  const std::map<std::string, Accuracy> accuracies = {
+      {"screening", Accuracy::screening}, {"standard", Accuracy::standard}, {"reference", Accuracy::reference}};
+  const auto accuracy = accuracies.find(options.at("--accuracy"));
+  if (accuracy == accuracies.end()) fail("no accuracy: " + options.at("--accuracy"));
+  settings.native.accuracy = accuracy->second;
+  std::vector<Error> warnings;
+  const Layout layout = value_or_fail(parse_layout(value_or_fail(read_text_file(arguments[0])), settings, warnings));
+  const Acceleration acceleration =
+      value_or_fail(parse_acceleration(value_or_fail(read_text_file(arguments[1])), warnings));
+  std::filesystem::create_directories(arguments[2]);
+  const Acceleration* const accelerations[] = {&acceleration};
+  const Layout* const layouts[] = {&layout};
+  WorldBatch batch = make_batch(layouts, accelerations, settings);
+  SeriesRecorder recorder(recording_plan(settings, false));
+  Recorder* const recorders[] = {&recorder};
+  const std::atomic<bool> abort = false;
+  simulate(DumpingEngine(settings, arguments[2], whole_number(options.at("--every"))), batch, settings, recorders,
+           abort);
+}
+
+void solve(const std::vector<std::string>& files, const Options& options) {
+  if (files.empty()) fail("solve takes files of problems");
+  if (options.at("--solver") != "admm") fail("no solver: " + options.at("--solver") + "; there is admm");
+  const int repeat = whole_number(options.at("--repeat"));
+  fmt::print("{:>7} {:>7} {:>11} {:>10} {:>7} {:>12} {:>9} {:>10}  file\n", "bodies", "points", "constraints",
+             "iterations", "factors", "residual/unit", "converged", "time (us)");
+  long iterations = 0, factorisations = 0;
+  double seconds = 0.0;
+  AdmmSolver solver;
+  for (const std::string& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    Result<StoredProblem> read = problem_from(bytes);
+    if (!read) fail(path + ": " + read.error().what);
+    SolveResult result;
+    double best = 0.0;
+    for (int i = 0; i < repeat; ++i) {
+      ContactProblem problem = read->problem;
+      solver.order(problem.bodies.size(), problem.pairs);
+      const auto start = std::chrono::steady_clock::now();
+      result = solver.solve(problem, read->limits);
+      const double time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      best = i == 0 ? time : std::min(best, time);
+    }
+    int points = 0;
+    for (const ContactConstraint& constraint : read->problem.constraints) points += constraint.count;
+    fmt::print("{:7} {:7} {:11} {:10} {:7} {:13.3e} {:>9} {:10.1f}  {}\n", read->problem.bodies.size(), points,
+               read->problem.constraints.size(), result.iterations, result.factorisations,
+               result.residual / read->limits.velocity_unit, result.converged ? "yes" : "no", 1e6 * best, path);
+    iterations += result.iterations;
+    factorisations += result.factorisations;
+    seconds += best;
+  }
+  fmt::print("{} problems: {} iterations, {} factorisations, {:.3f} s\n", files.size(), iterations, factorisations,
+             seconds);
+}
+
+}  // namespace
+
+}  // namespace holdfast::internal::native
+
+int main(int count, char** values) {
+  using namespace holdfast::internal::native;
+  const std::vector<std::string> words(values + 1, values + count);
+  Options options = {{"--accuracy", "screening"}, {"--every", "1"}, {"--solver", "admm"}, {"--repeat", "1"}};
+  std::vector<std::string> arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) {
+      arguments.push_back(words[i]);
+      continue;
+    }
+    const auto option = options.find(words[i]);
+    if (option == options.end() || i + 1 == words.size()) fail("no such option, or no value: " + words[i]);
+    option->second = words[++i];
+  }
+  if (arguments.empty() || (arguments.front() != "dump" && arguments.front() != "solve"))
+    fail(
+        "dump LAYOUT ACCELERATION FOLDER [--accuracy NAME] [--every N], or solve FILES... [--solver admm] [--repeat "
+        "N]");
+  const bool dumps = arguments.front() == "dump";
+  arguments.erase(arguments.begin());
+  dumps ? dump(arguments, options) : solve(arguments, options);
+  return 0;
+}

@@ -1,0 +1,278 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The tuned constants of the native engine. Numbers that merely keep rounding out (a divisor that could be zero, a
+// counter that could overflow) stand where they are used; what depends on the accuracy stands in `native_options`.
+//
+// With each stands what half and twice its value change, as measured on the 90 worlds of `configs/` at `screening`
+// (time and verdicts) and on the 778 measurements of `holdfast validate --quick --engine native` without loads, 655 of
+// which pass. "Insensitive" is a value where no case fails that passed, and verdicts change no more than wherever any
+// bit does: 3 worlds of 90 at most, which tumble. "Noticed by" names the unit tests under `tests/core` that fail at
+// half or at twice; a change of any bit of its scenes is noticed by `native_golden`, and a case that fails by the test
+// of the recorded bounds.
+
+namespace holdfast::internal::native {
+
+// --- Lengths, m ---
+
+/// Surfaces this near are in touch, and points this near are one: far above rounding, far below what shows.
+/// Half and twice: insensitive.
+inline constexpr double kTouch = 1e-7;
+
+/// Geometry below this length does not count: boxes whose outlines overlap by less touch along an edge or a corner, and
+/// boxes of a packing do so everywhere, without holding each other; edges that pass by less do cross; faces that
+/// separate boxes alike to this are equally good, less than `kAxisHysteresis`, which must decide first. Contacts are
+/// looked for this far away at least, and supports with gaps up to this carry weight when a world starts.
+/// Half and twice: insensitive. Noticed by `box_box`, `clipping`.
+inline constexpr double kContactTolerance = 1e-5;
+
+/// Gap up to which points of a contact that carried a force in the last step count as touching in a proof of rest:
+/// boxes that come to rest rock by a few micrometres for some steps. With 0.1 µm worlds under the road accelerations
+/// take 15 % more time at `screening`, with 50 µm 2 % less. Half: case `row_of_3_at_wall` fails; twice: insensitive.
+inline constexpr double kPressedTouch = 1.01e-5;
+
+/// The separating axis of the step before is kept until another is better by this much: more than the jitter of boxes
+/// at rest, far less than the thinnest plate.
+/// Half and twice: insensitive. Noticed by `box_box`.
+inline constexpr double kAxisHysteresis = 20e-6;
+
+/// Edges have to separate boxes this much better than faces: faces give up to 8 points, and edges one.
+/// Half and twice: insensitive. Noticed by `separating_axis`, `box_box_random`.
+inline constexpr double kEdgeHandicap = 50e-6;
+
+/// The point of two edges and a corner of a face's contact that are nearer than this are one; points of the face's
+/// contact whose gap is larger by more than this are not beside it.
+/// Half and twice: insensitive.
+inline constexpr double kSameEdge = 1e-3;
+
+/// A contact point keeps its cached impulse from step to step while it moves less than this over one of its bodies.
+/// Half and twice: insensitive.
+inline constexpr double kMatchDistance = 0.02;
+
+/// The same for points of one index, without a look at the others: points come in the order of the contact's corners.
+/// Half and twice: insensitive.
+inline constexpr double kMatchDistanceInOrder = 1e-3;
+
+/// Penetration slop: overlap that a step may end with before a contact is solved, at most this and at most
+/// `kPenetrationSlopShare` |g − a| h². The accuracy may allow more.
+/// Half and twice: insensitive.
+inline constexpr double kPenetrationSlop = 5e-6;
+/// Half and twice: insensitive. Noticed by `native_impacts`.
+inline constexpr double kPenetrationSlopShare = 0.01;
+
+// --- Contacts ---
+
+/// A contact supports when its normal is this much along the vertical: it carries weight rather than merely touching.
+/// 0.25 and 0.9: no bit changes.
+inline constexpr double kSupporting = 0.5;
+
+/// Cosine of 0.57°: edges of boxes aligned to this are either nearly parallel, with no cross product to speak of, or
+/// span a plane that is nearly that of a face, whose contact covers them.
+/// 0.999975 and 0.9999: insensitive.
+inline constexpr double kNearlyAligned = 0.99995;
+
+/// The speculative margin holds the distance that bodies approach by in the longest step, times this: velocities change
+/// within the step.
+/// Half: case `closing_up_0.9371_s` fails; twice: insensitive. Noticed by `native_impacts`.
+inline constexpr double kSpeculation = 1.2;
+
+/// Another axis is swept along only where the boxes are spread further by this factor: a change costs a full sort.
+/// Half and twice: no bit changes.
+inline constexpr double kBetterSweepAxis = 1.5;
+
+/// Solved steps without force after which a manifold is no longer active.
+/// Half and twice: insensitive.
+inline constexpr int kIdleSteps = 8;
+
+// --- Steps and the events that cut them ---
+
+/// Islands of more bodies are large islands.
+/// Half: insensitive; twice: 12 % more time.
+inline constexpr std::size_t kSmallIslandBodies = 8;
+
+/// Largest rotation that is predicted for a step, rad.
+/// Half and twice: no bit changes.
+inline constexpr double kLargestTurn = 0.25;
+
+/// Impacts slower than this share of |g − a| h are not located in time: they close at the end of their step.
+/// Half: insensitive; twice: cases `rebound_wall_e_…_v_1` fail at `screening`.
+inline constexpr double kLocatedShare = 0.25;
+
+/// Impacts slower than this many |g − a| h do not rebound: rest would otherwise never come.
+/// Half: no bit changes; twice: case `rebound_wall_e_0.5_v_0.1` fails. Noticed by `native_impacts`.
+inline constexpr double kReboundShare = 2.0;
+
+/// An approach, or a change of velocity beyond that of the step before, above this share of |g − a| h is an impact.
+/// Half: case `rocking_0.25_by_1_from_0.5` fails; twice: insensitive.
+inline constexpr double kJumpShare = 0.1;
+
+/// Slip below this share of |g − a| h counts as none.
+/// Half and twice: insensitive.
+inline constexpr double kSlipShare = 1e-3;
+
+/// Slip above this many |g − a| h does not end within the step: friction opposes its mean over the step.
+/// Half: insensitive; twice: case `braking_in_a_corner_mu_0.45` fails.
+inline constexpr double kLastingSlip = 3.0;
+
+/// Where a hit makes boxes overlap, pairs of the island that end the step within this share of |g − a| h² are solved as
+/// well.
+/// Half and twice: insensitive.
+inline constexpr double kNearbyShare = 0.2;
+
+/// An event cuts a step no sooner than at this share of it.
+/// Half: no bit changes; twice: insensitive.
+inline constexpr double kLeastCut = 1e-4;
+
+/// A step that is cut leaves no less than this share of it: divided by rounding alone, velocities would be anything.
+/// Half and twice: no bit changes.
+inline constexpr double kLeastRemainder = 1e-9;
+
+/// Rounds of activating contacts that a step may take; likewise of contacts that bodies lean on.
+/// Half: the bits of 2 worlds change; twice: no bit changes.
+inline constexpr int kActivationRounds = 12;
+
+/// Times that a step is halved to see contacts in time that none showed before, or to go on where a solve does not
+/// converge.
+/// Half: boxes overlap by up to 2.3 mm instead of 1.2 mm; twice: no bit changes. Noticed by `native_impacts`.
+inline constexpr int kHalvings = 4;
+
+/// Overlaps are corrected to this share of the overlap that is left alone.
+/// Half and twice: insensitive.
+inline constexpr double kCorrectionTolerance = 0.1;
+
+/// Iterations of a position correction, at most.
+/// Half: the bits of 6 worlds change; twice: no bit changes.
+inline constexpr int kCorrectionIterations = 24;
+
+// --- The contact solver ---
+
+/// Penalty R of a contact over the mass that it carries, along the normal and where it sticks.
+/// Half: 7 % more time, and 4 measurements fail (`oblique_landing_u_3`, `slipping_stack_45`); twice: 3 % more time,
+/// 1 fails and 2 pass.
+inline constexpr double kStickingPenalty = 10.0;
+
+/// The same along the tangents where it slides.
+/// Half: 1 measurement fails (`slipping_stack_30`) and 6 pass (`braking_then_cornering`, `lane_change`); twice: 6 %
+/// more time, and 5 fail (`braking_then_cornering`, `lane_change`).
+inline constexpr double kSlidingPenalty = 3.0;
+
+/// Mass that a contact without impulse counts as carrying, over its effective mass. With little, what is about to close
+/// takes a third more iterations; with much, what separates is held back.
+/// Half: 5 % more time, and 2 measurements fail (`oblique_landing_u_3`); twice: 7 % more time, and 3 fail.
+inline constexpr double kIdlePenalty = 0.1;
+
+/// The same in a large island, which settles sooner with much.
+/// Half: 2 % more time; twice: 12 % more time.
+inline constexpr double kLargeIslandIdlePenalty = 1.0;
+
+/// A contact slides from this share of the friction disc's radius on.
+/// 0.9995 and 0.998: insensitive.
+inline constexpr double kSlidingShare = 0.999;
+
+/// Iterations between two looks at R, and the share of the points above which it is fitted anew where so many call for
+/// another one.
+/// Half: 19 % more time, and 2 measurements fail; twice: case `stack_3_gap_1mm` fails at `screening`. Noticed by
+/// `native_engine`.
+inline constexpr int kRefitEvery = 12;
+/// Half: 5 % more time; twice: case `stack_3_gap_1mm` fails at `screening`.
+inline constexpr double kRefitShare = 0.2;
+
+/// Iterations before a solve may stop: the first only meets the start values.
+/// Half: 7 measurements fail (`slide_frictionless`, `rebound_…`); twice: none fails and 4 pass.
+inline constexpr int kLeastIterations = 2;
+
+/// Where bodies are slower than |g − a| h, a smaller residual may pass, in proportion: whether they move at all depends
+/// on it. No smaller than this share.
+/// Half and twice: insensitive.
+inline constexpr double kSlowShare = 0.04;
+
+/// Iterations that a solve may take on top of its cap where the residual may not pass, over the cap; and those of a
+/// second solve where it still may not, over those of the first.
+/// Half: the bits of 9 worlds change; twice: no bit changes.
+inline constexpr int kMoreIterations = 4;
+
+/// No component of a residual may be larger than this many |g − a| h: it moves a box by half of what it falls freely in
+/// a step.
+/// Half and twice: insensitive.
+inline constexpr double kWorstResidual = 0.5;
+
+/// A solve whose residual is above this many |g − a| h, or is not a number, diverges: it starts again with
+/// `kCarefulShare` of R.
+/// Half and twice: no bit changes.
+inline constexpr double kDivergedResidual = 10.0;
+/// Half and twice: no bit changes.
+inline constexpr double kCarefulShare = 0.3;
+
+/// Anderson acceleration: factor by which the residual (squared norm) may grow before the stored iterates are dropped.
+/// Half and twice: insensitive.
+inline constexpr double kAndersonGrowth = 4.0;
+
+/// Iterations without acceleration after that, twice as many each time. Where boxes just come to rest, iterates from
+/// the time when they still slid lead past rest, and applied again at once, back to sliding, for ever.
+/// Half and twice: insensitive. Noticed by `anderson`.
+inline constexpr int kAndersonPause = 3;
+
+/// Larger weights lead far away from all iterates so far: they come from directions that nearly depend on each other.
+/// Half and twice: insensitive.
+inline constexpr double kAndersonLargestWeight = 100.0;
+
+// --- Rest ---
+
+/// Bodies slower than this share of |g − a| h may be at rest: a proof is tried.
+/// Half and twice: insensitive.
+inline constexpr double kRestShare = 0.02;
+
+/// Longest wait between two tries, steps.
+/// Half and twice: insensitive.
+inline constexpr std::uint32_t kLongestWait = 16;
+
+/// Residual of the velocities in a proof of rest, over the equilibrium residual that it is to reach.
+/// Half: 2 % more time; twice: 4 % more time.
+inline constexpr double kBalanceTolerance = 0.1;
+
+/// Iterations between two looks at the equilibrium residual: one costs as much as an iteration.
+/// Half: 18 % more time, and `slipping_stack_30` fails; twice: insensitive.
+inline constexpr int kBalanceCheckEvery = 10;
+
+/// Iterations of a proof of rest until its forces are nearly found; the penalty R over the mass that a contact carries
+/// until then, and after it. A large R is slow to begin with and quick at the end. Near the limit of balance (bridged
+/// stacks of 20 to 40 boxes, 0.995 to 0.999 of it) 1000 takes 200 to 500 iterations where 100 takes 500 to 10,000; 300
+/// and 3000 take up to twice as many. Far from the limit 1000 from the start takes twice as many.
+/// Half: 10 % more time; twice: insensitive.
+inline constexpr int kSettlingIterations = 60;
+/// Half: 4 % more time; twice: 5 % more time.
+inline constexpr double kRestPenalty = 100.0;
+/// Half and twice: insensitive.
+inline constexpr double kLateRestPenalty = 1000.0;
+
+/// `kIdlePenalty` of a proof of rest: after one that fails, the step goes on from its impulses.
+/// Half: insensitive; twice: 6 % more time.
+inline constexpr double kRestIdlePenalty = 0.01;
+
+/// Over-relaxation α of a proof of rest: it goes on to the end, where steps stop sooner and take 1.
+/// 1.0 and 1.9: insensitive.
+inline constexpr double kRestRelaxation = 1.6;
+
+/// Iterations of a proof of rest that does not follow a change of the acceleration, at most.
+/// Half and twice: insensitive.
+inline constexpr int kWarmRestIterations = 30;
+
+/// Normal force that a proof of rest may use at a wall or the roof, over that with which the body pressed against it in
+/// the last step: what is pushed into it and no more, but for the tolerance of the step.
+/// 1.005 and 1.02: insensitive.
+inline constexpr double kPressingMargin = 1.01;
+
+/// A body leans on its neighbour from this acceleration on, with which the beginning motion closes their contact, over
+/// |g − a|.
+/// Half: 3 % more time; twice: insensitive.
+inline constexpr double kLeaningAcceleration = 1e-3;
+
+/// Bodies that lean on others are asked for a proof of rest where none begins to move faster than this share of
+/// |g − a| h. With 0.02 the verdict of rows near their limit depends on the accuracy; with 0.3 worlds under the road
+/// accelerations take 11 % more time, and no verdict changes.
+/// Half and twice: insensitive.
+inline constexpr double kLeaningMotion = 0.1;
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,29 @@
+#include "core/native/contact_kinematics.hpp"
+
+#include <algorithm>
+
+namespace holdfast::internal::native {
+
+bool is_missed_contact(const ContactSet& contact, const ContactSet& before, double deep) {
+  return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
+}
+
+double penetration_slop(const StepTerms& terms, double least) {
+  return std::max(
+      {least, kTouch, std::min(kPenetrationSlop, kPenetrationSlopShare * terms.velocity_unit * terms.step)});
+}
+
+double speculative_margin(const StepTerms& terms, double approach) {
+  // What rounding may hide, what the bodies approach, and what they fall in a step.
+  return kContactTolerance + kSpeculation * terms.longest_step * approach + terms.fall_margin;
+}
+
+double speculative_margin(const StepTerms& terms, const Bodies& bodies, std::int32_t a, std::int32_t b) {
+  const StateColumns& state = bodies.state;
+  const Vec3& v = state.velocity[at(b)];
+  const double approach =
+      a < 0 ? v.norm() : (v - state.velocity[at(a)]).norm() + bodies.largest_rotational_speed(at(a));
+  return speculative_margin(terms, approach + bodies.largest_rotational_speed(at(b)));
+}
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/native/scene.hpp"
+#include "core/native/solver/contact_solver.hpp"
+
+namespace holdfast::internal::native {
+
+/// Which contact points are solved in a step: those that are closed, or close slower than what is located in time.
+struct PointFilter {
+  double closed_gap = 0.0;     ///< gap that a contact closes in the step when it is as slow as that, m
+  bool takes_closing = false;  ///< also those that are open and close in the step, however fast
+
+  bool is_closed(double gap) const { return gap <= closed_gap; }
+  bool takes(double gap, double normal_velocity, double step) const {
+    return is_closed(gap) || (takes_closing && gap + step * normal_velocity < closed_gap);
+  }
+};
+
+/// Points of the manifolds of a scene, a bit each.
+using PointBits = std::vector<std::uint8_t>;
+
+/// Writes an island as a contact problem, and takes the solution back. Geometry and masses are written by one function
+/// for all kinds of problems; each kind chooses the points that take part, and fills in free velocities, biases and
+/// start values.
+class IslandProblem {
+ public:
+  ContactProblem problem;
+
+  /// Where a constraint comes from: a manifold, and the points of its lanes.
+  struct Source {
+    std::uint32_t manifold;
+    std::array<std::uint8_t, kLanes> point;
+  };
+  std::vector<Source> sources;
+
+  /// For the velocities at the end of a step, and the impulses of the step.
+  /// @param predicted points that are solved although the filter does not take them
+  void prepare_step(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                    ContactSolver& solver, const PointFilter& filter, const PointBits& predicted);
+
+  /// For the velocities after an impact.
+  /// @param impacting of the points that the filter takes, those that take part
+  void prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                      ContactSolver& solver, const PointFilter& filter, const PointBits& impacting);
+
+  /// For impulses of a step that balance bodies at rest. Has bounds for the normal impulses.
+  void prepare_rest(const Scene& scene, const IslandView& island, const StepTerms& terms, ContactSolver& solver);
+
+  /// For displacements, in place of velocities, that end overlaps.
+  void prepare_position_correction(const Scene& scene, const IslandView& island, const StepTerms& terms,
+                                   ContactSolver& solver);
+
+  /// Caches impulses and contact velocities in their manifolds, for the next solve to start from. Points without a part
+  /// in the problem have none.
+  void store_step_impulses(Scene& scene, const IslandView& island, double step) const;
+  void store_rest_impulses(Scene& scene, const IslandView& island, double step) const;
+
+  /// Index of a body of the island in the problem.
+  std::size_t row(std::uint32_t body) const { return row_[body]; }
+
+  /// What is solved for, of a body of the island.
+  const BodyVector& solution(std::uint32_t body) const { return problem.velocity[row_[body]]; }
+
+  /// Whether the body's moments of inertia in the problem are those of the end of the step, to which it turns.
+  bool turns(std::uint32_t body) const { return turns_[row_[body]] != 0; }
+
+  /// Whether a contact of the step closes too fast for the step and too slow to be located, at any or at this body.
+  bool has_late_impact() const { return has_late_impact_; }
+  bool has_late_impact(std::uint32_t body) const { return late_impact_[row_[body]] != 0; }
+
+ private:
+  struct PointView;
+
+  void begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step, ContactSolver& solver);
+  void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
+  template <class TakesPart, class FillPoint>
+  void add_constraints(const Scene& scene, std::uint32_t index, double step, TakesPart takes_part, FillPoint fill);
+  template <class AddManifold>
+  void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
+  void store_impulse(std::size_t constraint, std::size_t lane, double step, CachedImpulse& cached) const;
+  void set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
+                std::array<Lanes, 3> Arms::*side);
+  std::uint32_t row_or_fixed(const Bodies& bodies, std::int32_t body) const;
+
+  std::vector<std::uint32_t> row_;         ///< a body of the scene
+  std::vector<BodyPair> pairs_;            ///< by position in the island
+  std::vector<Mat3> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, a row that turns
+  std::vector<std::uint8_t> turns_;        ///< a row
+  std::vector<std::uint8_t> late_impact_;  ///< a row
+  bool has_late_impact_ = false;
+};
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,86 @@
+// Whether the bodies of an island stay where they are: the proof of rest.
+
+#include <algorithm>
+#include <limits>
+
+#include "core/native/contact_kinematics.hpp"
+#include "core/native/island_stepper.hpp"
+
+namespace holdfast::internal::native {
+
+bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
+                          IslandReport& report) {
+  prepared_.prepare_rest(scene, island, terms, *solver_);
+  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
+  bool rests = !leans && find_balance(terms, report);
+  if (!rests) {
+    find_beginning_motion(island, terms, report);
+    // Forces that merely balance could lie in contacts that nothing pushes.
+    if (terms.reset_warm_start && admit_pushed(scene) &&
+        largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit)
+      rests = find_balance(terms, report);
+  }
+  prepared_.store_rest_impulses(scene, island, terms.step);
+  if (rests) return true;
+  for (const std::uint32_t body : island.bodies) {
+    scene.bodies.acceleration[body] = linear(prepared_.solution(body)) / terms.step;
+    scene.bodies.angular_acceleration[body] = angular(prepared_.solution(body)) / terms.step;
+  }
+  return false;
+}
+
+/// How the bodies of the prepared island begin to move by Coulomb's law, from where the step goes on. As exact as a
+/// proof of rest, since just above the limit of balance they hardly move.
+void IslandStepper::find_beginning_motion(const IslandView& island, const StepTerms& terms, IslandReport& report) {
+  effort_ = options_.effort(island.bodies.size());
+  SolveLimits limits = limits_after_reset();
+  limits.tolerance = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
+  solve(limits, terms, terms.step, report);
+}
+
+/// Lets a proof of rest use those contacts beside bodies that the beginning motion pushes, and no others; at walls no
+/// more than it pushes. False when it pushes none.
+bool IslandStepper::admit_pushed(const Scene& scene) {
+  ContactProblem& problem = prepared_.problem;
+  bool any = false;
+  for (std::size_t p = 0; p < problem.constraints.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
+    const bool wall = is_wall(scene.bodies, manifold);
+    if (!wall && (supports(scene.bodies, manifold) || is_wall_or_roof(scene.bodies, manifold))) continue;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(problem.constraints[p].count); ++lane) {
+      const double push = problem.constraints[p].impulse.row[0][lane];
+      const double most = wall ? kPressingMargin * push : std::numeric_limits<double>::infinity();
+      problem.normal_bounds[p].lane[lane] = push > 0.0 ? most : 0.0;
+      any = any || push > 0.0;
+    }
+  }
+  return any;
+}
+
+/// Looks for forces in the contacts' cones that balance the prepared island. The problem is convex: it ends with them,
+/// or with a motion that proves that there are none.
+bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
+  SolveLimits limits;
+  limits.iterations = kBalanceCheckEvery;
+  limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
+  limits.projection = Projection::orthogonal;
+  limits.relaxation = kRestRelaxation;
+  limits.idle_penalty = kRestIdlePenalty;
+  limits.accelerate = true;
+  double island_mass = 0.0;
+  for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
+  const double largest_impulse = island_mass * terms.velocity_unit;
+  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
+  const int iterations = terms.reset_warm_start ? options_.rest_iterations : kWarmRestIterations;
+  for (int done = 0; done < iterations; done += limits.iterations) {
+    // R follows the forces that are found; later it would only alternate.
+    limits.refit_share = done <= kSettlingIterations ? 0.0 : 1.0;
+    limits.sticking = limits.sliding = done < kSettlingIterations ? kRestPenalty : kLateRestPenalty;
+    solve(limits, terms, terms.step, report);
+    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
+    if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
+  }
+  return false;
+}
+
+}  // namespace holdfast::internal::native

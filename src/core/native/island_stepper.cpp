@@ -1,0 +1,204 @@
+#include "core/native/island_stepper.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/native/contact_kinematics.hpp"
+#include "core/native/rotation_step.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// Root of the mean square of the bodies' speeds, m/s.
+double mean_speed(const Bodies& bodies, const IslandView& island) {
+  double squares = 0.0;
+  for (const std::uint32_t body : island.bodies) squares += bodies.state.velocity[body].squaredNorm();
+  return std::sqrt(squares / static_cast<double>(island.bodies.size()));
+}
+
+/// Turns a body by a rotation vector, rad.
+void rotate(Bodies& bodies, std::uint32_t body, const Vec3& turn) {
+  if (turn == Vec3::Zero()) return;
+  Rotation& orientation = bodies.state.orientation[body];
+  orientation = (rotation_by(turn) * orientation).normalized();
+}
+
+}  // namespace
+
+void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
+  effort_ = options_.effort(island.bodies.size());
+  correct_positions(scene, island, terms, report);
+  const SolveLimits limits = step_limits(scene, island, terms);
+  impact_cuts_ = slip_end_cuts_ = 0;
+  for (double remaining = terms.step; remaining > 0.0;) {
+    locates_impacts_ = impact_cuts_ < effort_.impact_cuts;
+    resolve_impacts(scene, island, terms, remaining, report);
+    const Part part = solve_part(scene, island, terms, limits, remaining, report);
+    report.residual = std::max(report.residual, part.result.residual);
+    prepared_.store_step_impulses(scene, island, part.length);
+    const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
+    const double share = impact ? part.impact_time / part.length : 1.0;
+    integrate(scene, island, terms, part.length, share);
+    if (share == 1.0 && part.length == remaining) return;
+    if (update_manifolds(scene, island, terms)) report.missed_contact = true;
+    remaining -= share * part.length;
+    ++(share < 1.0 ? impact_cuts_ : slip_end_cuts_);
+  }
+}
+
+/// Prepares, solves and looks for events, until the step brings no overlap that the solve did not know of. The part
+/// ends where a slip does.
+IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& island, const StepTerms& terms,
+                                              const SolveLimits& limits, double remaining, IslandReport& report) {
+  Part part{.length = remaining, .impact_time = std::numeric_limits<double>::infinity()};
+  predicted_.assign(scene.manifolds.size(), 0);
+  for (int round = 0; round < kActivationRounds;) {
+    prepared_.prepare_step(scene, island, terms, part.length, *solver_, point_filter(terms, part.length), predicted_);
+    part.result = solve(limits, terms, part.length, report);
+    const Event event = find_overlap(scene, island, terms, part.length);
+    part.impact_time = event.time;
+    if (event.activated) {
+      prepared_.store_step_impulses(scene, island, part.length);
+      ++round;
+      continue;
+    }
+    if (slip_end_cuts_ >= effort_.slip_end_cuts || part.length != remaining) break;
+    const double slip_end = first_slip_end(scene, terms, part.length);
+    if (slip_end >= part.length || slip_end >= event.time) break;
+    // Forces change where a slip ends: what comes before is a step of its own.
+    part.length = slip_end;
+  }
+  return part;
+}
+
+/// How a moving step is solved. What may be left over shrinks with the speed of slow bodies.
+SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const {
+  SolveLimits limits;
+  if (terms.reset_warm_start) {
+    limits = limits_after_reset();
+  } else {
+    limits.tolerance = effort_.tolerance;
+    limits.iterations = effort_.iterations;
+  }
+  const double speed = mean_speed(scene.bodies, island);
+  const double slow = speed < terms.velocity_unit ? std::max(kSlowShare, speed / terms.velocity_unit) : 1.0;
+  limits.mean_residual = slow * effort_.mean_residual;
+  if (island.bodies.size() > kSmallIslandBodies) limits.idle_penalty = kLargeIslandIdlePenalty;
+  limits.more_iterations = kMoreIterations * effort_.iterations;
+  return limits;
+}
+
+/// How a solve is made where the effective gravity has just changed: to the end, since the last step is no guess.
+SolveLimits IslandStepper::limits_after_reset() const {
+  SolveLimits limits;
+  limits.tolerance = effort_.reset_tolerance;
+  limits.iterations = effort_.reset_iterations;
+  limits.accelerate = true;
+  return limits;
+}
+
+/// Solves what is prepared. Where the residual may not pass, it goes on for longer, and where the iteration diverges,
+/// it starts again with less of the penalty R.
+SolveResult IslandStepper::solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report) {
+  const double unit = terms.effective_gravity.norm() * step;
+  limits.velocity_unit = unit > 0.0 ? unit : 1e-3 * step;
+  const SolveResult result = solve_once(limits, report);
+  const bool diverged = !(result.residual < kDivergedResidual * limits.velocity_unit);
+  const bool may_pass = result.residual <= limits.worst_residual * limits.velocity_unit;
+  if (!diverged && (limits.more_iterations == 0 || may_pass)) return result;
+  SolveLimits careful = limits;
+  careful.accelerate = false;
+  careful.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);
+  if (diverged) {
+    careful.sticking *= kCarefulShare;
+    careful.sliding *= kCarefulShare;
+    prepared_.problem.reset_warm_start();
+  }
+  return solve_once(careful, report);
+}
+
+SolveResult IslandStepper::solve_once(const SolveLimits& limits, IslandReport& report) {
+  const SolveResult result = solver_->solve(prepared_.problem, limits);
+  assert(impulses_are_in_cones(prepared_.problem));
+  report.iterations += static_cast<std::uint64_t>(result.iterations);
+  return result;
+}
+
+/// Moves the bodies through a share of the solved step.
+void IslandStepper::integrate(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
+                              double share) {
+  Bodies& bodies = scene.bodies;
+  const double time = share * step;
+  for (const std::uint32_t body : island.bodies) {
+    Vec3& v = bodies.state.velocity[body];
+    Vec3& w = bodies.state.angular_velocity[body];
+    const Vec3 v_end = linear(prepared_.solution(body));
+    const Vec3 w_end = angular(prepared_.solution(body));
+    const Vec3 v_new = share == 1.0 ? v_end : Vec3(v + share * (v_end - v));
+    Vec3 w_new = share == 1.0 ? w_end : Vec3(w + share * (w_end - w));
+    // The trapezoid: exact under constant forces. A velocity that jumps, at an impact too slow to be located, has
+    // its new value from the start of the step: with the old one bodies would overlap.
+    const double jump = (v_end - v - step * bodies.acceleration[body]).norm() +
+                        bodies.radius[body] * (w_end - w - step * bodies.angular_acceleration[body]).norm();
+    // Where the effective gravity has just changed, every velocity jumps: only bodies at a late impact count.
+    const bool shows =
+        prepared_.has_late_impact(body) || (!terms.reset_warm_start && jump > kJumpShare * terms.velocity_unit);
+    const bool jumps = prepared_.has_late_impact() && share == 1.0 && shows;
+    const Vec3 v_mean = jumps ? v_new : Vec3(0.5 * (v + v_new));
+    const Vec3 w_mean = jumps ? w_new : Vec3(0.5 * (w + w_new));
+    bodies.acceleration[body] = jumps ? Vec3::Zero() : Vec3((v_end - v) / step);
+    bodies.angular_acceleration[body] = jumps ? Vec3::Zero() : Vec3((w_end - w) / step);
+    bodies.state.position[body] += time * v_mean;
+    rotate(bodies, body, time * w_mean);
+    bodies.update_shape(body);
+    if (share == 1.0 && prepared_.turns(body))
+      w_new = bodies.inertia(body).inverse() * (prepared_.problem.bodies[prepared_.row(body)].inertia * w_end);
+    v = v_new;
+    w = w_new;
+  }
+}
+
+/// Finds the contacts of the island anew, and keeps the old ones in `scene.undo`. True when it finds a missed contact.
+bool IslandStepper::update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  bool missed = false;
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    scene.undo.emplace_back(index, manifold);
+    const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
+    const ContactSet contact =
+        contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
+    missed = missed || is_missed_contact(contact, manifold.contact, options_.missed_contact_overlap);
+    update_contact(manifold, contact, scene.bodies);
+  }
+  return missed;
+}
+
+/// Takes out overlaps above a length by a solve for displacements, which never feeds velocities.
+void IslandStepper::correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms,
+                                      IslandReport& report) {
+  bool any = false;
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    for (int i = 0; i < manifold.contact.count; ++i) {
+      if (manifold.contact.points[at(i)].gap >= -effort_.overlap) continue;
+      any = true;
+      manifold.activate();
+    }
+  }
+  if (!any) return;
+  prepared_.prepare_position_correction(scene, island, terms, *solver_);
+  SolveLimits limits;
+  limits.iterations = kCorrectionIterations;
+  limits.tolerance = kCorrectionTolerance * effort_.overlap;
+  solve_once(limits, report);
+  for (const std::uint32_t body : island.bodies) {
+    scene.bodies.state.position[body] += linear(prepared_.solution(body));
+    rotate(scene.bodies, body, clamped(angular(prepared_.solution(body)), kLargestTurn));
+    scene.bodies.update_shape(body);
+  }
+  update_manifolds(scene, island, terms);
+}
+
+}  // namespace holdfast::internal::native

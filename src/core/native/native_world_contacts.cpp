@@ -1,0 +1,120 @@
+// The pairs of a world that are near each other, and their contacts.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/native/contact_kinematics.hpp"
+#include "core/native/native_world.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// Whether two boxes have gone from one side of each other to the other.
+/// @param before,after vector between their centres, m
+/// @param room         how near the centres may be along each axis before the boxes overlap, m
+/// @param slack        overlap along an axis that does not count, m
+bool have_passed(const Vec3& before, const Vec3& after, const Vec3& room, double slack) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(before[k] * after[k] < 0.0)) continue;
+    if (std::min(std::abs(before[k]), std::abs(after[k])) < room[k] - slack) continue;
+    // At the time when the centres are level along this axis: do the boxes overlap along the others?
+    Vec3 level = (before + before[k] / (before[k] - after[k]) * (after - before)).cwiseAbs();
+    level[k] = 0.0;
+    if ((level.array() < room.array()).all()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
+  const Bodies& bodies = scene_.bodies;
+  const std::int32_t known = pairs_.find(a, b);
+  static const ContactSet kNone;
+  const ContactSet& before = known < 0 ? kNone : scene_.manifolds[at(known)].contact;
+  const ContactSet contact =
+      contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before.axis);
+  if (is_missed_contact(contact, before, options_.missed_contact_overlap)) missed_contact_ = true;
+  if (known >= 0 && contact.count > 0) {
+    update_contact(scene_.manifolds[at(known)], contact, bodies);
+  } else if (known >= 0) {
+    end_manifold(at(known));
+  } else if (contact.count > 0) {
+    const Surface& on_a = a < 0 ? scene_.sides[static_cast<std::size_t>(-1 - a)].surface : bodies.surface[at(a)];
+    pairs_.set(a, b, static_cast<std::int32_t>(scene_.manifolds.size()));
+    Manifold& manifold = scene_.manifolds.emplace_back();
+    manifold.a = a;
+    manifold.b = b;
+    manifold.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
+    manifold.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
+    update_contact(manifold, contact, bodies);
+  }
+}
+
+void NativeWorld::end_manifold(std::size_t index) {
+  const Manifold& ended = scene_.manifolds[index];
+  pairs_.erase(ended.a, ended.b);
+  if (index + 1 < scene_.manifolds.size()) {
+    const Manifold& last = scene_.manifolds.back();
+    pairs_.set(last.a, last.b, static_cast<std::int32_t>(index));
+    scene_.manifolds[index] = last;
+  }
+  scene_.manifolds.pop_back();
+}
+
+void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
+  const Bodies& bodies = scene_.bodies;
+  const std::size_t count = bodies.count();
+  lower_.resize(count);
+  upper_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const OrientedBox& box = bodies.shape[i];
+    const double speed = bodies.state.velocity[i].norm() + bodies.largest_rotational_speed(i);
+    const Vec3 extent = box.bounding_half_extents().array() + 0.5 * speculative_margin(terms_, 2.0 * speed);
+    lower_[i] = box.centre - extent;
+    upper_[i] = box.centre + extent;
+    if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
+    for (std::size_t s = 0; s < scene_.sides.size(); ++s)
+      update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
+  }
+  // Ends pairs that are no longer near. Backwards, because the last manifold takes the index of one that ends.
+  for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
+    const Manifold& manifold = scene_.manifolds[m];
+    if (manifold.with_side()) continue;
+    const std::size_t a = at(manifold.a);
+    const std::size_t b = at(manifold.b);
+    const bool near = (lower_[a].array() <= upper_[b].array()).all() && (lower_[b].array() <= upper_[a].array()).all();
+    if ((moved[a] != 0 || moved[b] != 0) && !near) end_manifold(m);
+  }
+  for (const IndexPair& pair : broad_phase_.find_pairs(lower_, upper_, moved))
+    if (bodies.fixed[pair.i] == 0 || bodies.fixed[pair.j] == 0)
+      update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
+}
+
+/// Whether a body has passed through another in the step. Contacts are looked for along the velocities at its start: a
+/// body that an impact deflects may be beyond another at the end, where no contact shows.
+bool NativeWorld::has_tunnelled(double step) const {
+  const Bodies& bodies = scene_.bodies;
+  const auto shift = [&](std::size_t i) -> Vec3 {
+    if (moving_[i] == 0) return Vec3::Zero();
+    return bodies.state.position[i] - before_.position[i];
+  };
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (moving_[i] == 0 || (shift(i) - step * before_.velocity[i]).norm() <= terms_.fall_margin) continue;
+    const OrientedBox& box = bodies.shape[i];
+    for (std::size_t j = 0; j < bodies.count(); ++j) {
+      const OrientedBox& other = bodies.shape[j];
+      const Vec3 after = box.centre - other.centre;
+      const Vec3 before = after - (shift(i) - shift(j));
+      if (j == i || !(before.array() * after.array() < 0.0).any()) continue;
+      const Vec3 room = box.bounding_half_extents() + other.bounding_half_extents();
+      if (!have_passed(before, after, room, options_.missed_contact_overlap)) continue;
+      const auto [first, second] = std::minmax(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+      if (pairs_.find(first, second) == PairTable::kNone) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace holdfast::internal::native

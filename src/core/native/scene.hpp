@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/native/bodies.hpp"
+#include "core/native/collision/manifold.hpp"
+
+namespace holdfast::internal::native {
+
+/// Everything that islands of a world share.
+struct Scene {
+  Bodies bodies;
+  std::vector<Side> sides;
+  std::vector<Manifold> manifolds;
+  /// Manifolds as they were before an event within the step updated them, to take the step again.
+  std::vector<std::pair<std::uint32_t, Manifold>> undo;
+};
+
+/// Bodies that are solved together, with the manifolds inside: those whose ends are among the bodies or fixed.
+struct IslandView {
+  std::span<const std::uint32_t> bodies;
+  std::span<const std::uint32_t> manifolds;
+};
+
+/// What holds for all islands in a step.
+struct StepTerms {
+  double step = 0.0;                      ///< s
+  double longest_step = 0.0;              ///< that any step may have, s: contacts are found for it
+  Vec3 effective_gravity = Vec3::Zero();  ///< gravity minus the container's acceleration, g − a, m/s²
+  double velocity_unit = 0.0;             ///< |g − a| · step: what tolerances are measured in, m/s
+  bool reset_warm_start = false;          ///< g − a has just changed: the last step is no guess for this one
+  double fall_margin = 0.0;               ///< what the strongest g − a of the world moves a body by in a step, m
+};
+
+}  // namespace holdfast::internal::native

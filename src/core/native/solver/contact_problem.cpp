@@ -1,0 +1,66 @@
+#include "core/native/solver/contact_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace holdfast::internal::native {
+
+void ContactProblem::reset_warm_start() {
+  std::copy(free_velocity.begin(), free_velocity.end(), velocity.begin());
+  mid_arms.clear();
+  continues = false;
+  for (ContactConstraint& constraint : constraints) {
+    constraint.impulse = ConstraintVector{};
+    constraint.contact_velocity = ConstraintVector{};
+    constraint.expected_impulse = Lanes{};
+  }
+}
+
+bool impulses_are_in_cones(const ContactProblem& problem) {
+  constexpr double kRounding = 1e-9;
+  // Squares of smaller numbers are 0, and are not cut.
+  constexpr double kUnderflow = 1e-150;
+  for (const ContactConstraint& constraint : problem.constraints) {
+    const auto& y = constraint.impulse.row;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
+      const double tangential = std::hypot(y[1][lane], y[2][lane]);
+      if (y[0][lane] < 0.0 || tangential > constraint.friction * y[0][lane] * (1.0 + kRounding) + kUnderflow)
+        return false;
+    }
+  }
+  return true;
+}
+
+double largest_speed(const ContactProblem& problem, std::size_t body) {
+  const double* v = problem.velocity[body].row;
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+         problem.bodies[body].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+}
+
+double largest_speed(const ContactProblem& problem) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) largest = std::max(largest, largest_speed(problem, i));
+  return largest;
+}
+
+void momentum_residual(const ContactProblem& problem, std::span<const LaneWrench> wrench, bool at_rest,
+                       std::vector<BodyVector>& out) {
+  out.resize(problem.bodies.size());
+  const BodyVector rest;
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    const double* v = (at_rest ? rest : problem.velocity[i]).row;
+    const double* free = problem.free_velocity[i].row;
+    const auto total = [&](std::size_t row) {
+      const double* lane = wrench[i].row[row];
+      return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+    };
+    const Vec3 turn(free[3] - v[3], free[4] - v[4], free[5] - v[5]);
+    const Vec3 angular = problem.bodies[i].inertia * turn;
+    for (std::size_t k = 0; k < 3; ++k) {
+      out[i].row[k] = problem.bodies[i].mass * (free[k] - v[k]) + total(k);
+      out[i].row[3 + k] = angular[static_cast<Eigen::Index>(k)] + total(3 + k);
+    }
+  }
+}
+
+}  // namespace holdfast::internal::native
