@@ -90,17 +90,16 @@ class DumpingEngine final : public Engine {
   }
 
  private:
-  class OneWorld final : public Simulation {
+  class OneWorld final : public SteppedSimulation {
    public:
     explicit OneWorld(NativeWorld world) : world_(std::move(world)) {}
-    double advance(std::size_t /*world*/, const Phase& phase, double /*watch*/) override {
-      return world_.advance(phase);
-    }
     void read_back(std::size_t /*world*/, StateColumns& state) const override { world_.read_back(state); }
     Counters counters(std::size_t /*world*/) const override { return world_.counters(); }
     Status status(std::size_t /*world*/) const override { return world_.status(); }
 
    private:
+    double step(std::size_t /*world*/, const Phase& phase) override { return world_.advance(phase); }
+
     NativeWorld world_;
   };
 

@@ -114,13 +114,15 @@ enum class Verdict : std::uint8_t {
 
 /// Bits of `WorldOutcome::status`: what went wrong with a world.
 namespace status {
-inline constexpr std::uint32_t ok = 0;
-inline constexpr std::uint32_t bad_layout = 1;        ///< the layout cannot be used; not simulated
-inline constexpr std::uint32_t bad_acceleration = 2;  ///< the acceleration cannot be used; not simulated
-inline constexpr std::uint32_t non_finite = 4;        ///< a state became infinite or undefined
-inline constexpr std::uint32_t not_converged = 8;     ///< the solver's residual stayed above its bound
-inline constexpr std::uint32_t capacity = 16;         ///< a device had no room for all contacts, or failed
-inline constexpr std::uint32_t too_large = 32;        ///< its series would take too much memory; not simulated
+enum Bit : std::uint32_t {
+  ok = 0,
+  bad_layout = 1,        ///< the layout cannot be used; not simulated
+  bad_acceleration = 2,  ///< the acceleration cannot be used; not simulated
+  non_finite = 4,        ///< a state became infinite or undefined
+  not_converged = 8,     ///< the solver's residual stayed above its bound
+  capacity = 16,         ///< a device had no room for all contacts, or failed
+  too_large = 32,        ///< its series would take too much memory; not simulated
+};
 }  // namespace status
 
 /// Why a world ended.
@@ -131,10 +133,10 @@ enum class StopReason : std::uint8_t {
   failed = 3,    ///< the status says why
 };
 
-/// How one box ended.
+/// How one box ended. The reference pose is that of the layout, or by `ReferencePose` the one after settling.
 struct BoxOutcome {
-  std::array<float, 3> displacement = {};  ///< of the centre of mass, from the layout's pose, at the end, m
-  float tilt = 0;                          ///< angle of the rotation from the layout's pose, at the end, degrees
+  std::array<float, 3> displacement = {};  ///< of the centre of mass, from the reference pose, at the end, m
+  float tilt = 0;                          ///< angle of the rotation from the reference pose, at the end, degrees
   float kinetic_energy = 0;                ///< at the end, J
   float peak_displacement = 0;             ///< largest over all steps, m
   float peak_kinetic_energy = 0;           ///< largest over all steps, J
@@ -185,7 +187,7 @@ struct WorldOutcome {
 /// Unit of the corners of boxes.
 enum class LengthUnit : std::uint8_t { metre, centimetre };
 
-/// What a layout does that cannot be used.
+/// What `evaluate` and `record` do with a layout that cannot be used.
 enum class BadLayouts : std::uint8_t {
   raise,  ///< `evaluate` throws an `Error` with every problem of every layout, before anything is simulated
   mark,   ///< its worlds have `status::bad_layout` and a message; the others are simulated

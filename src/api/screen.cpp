@@ -24,13 +24,17 @@ using internal::value_or_throw;
 
 namespace {
 
-/// Runs what may run out of memory; that becomes an `Error` as all else.
+/// Runs a call of the library: whatever goes wrong in it becomes an `Error`.
 template <class Work>
-auto with_memory(Work&& work) -> decltype(work()) {
+auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
+  } catch (const Error&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw internal::exception_of({internal::out_of_memory("")});
+  } catch (const std::exception& error) {
+    throw internal::exception_of({{.what = "the system refused", .value = error.what()}});
   }
 }
 
@@ -87,7 +91,7 @@ std::string hash_of(const internal::Acceleration& acceleration) {
 const char* version() noexcept { return internal::kVersion; }
 
 Acceleration read_acceleration(const std::string& path) {
-  return with_memory([&] {
+  return guarded([&] {
     const internal::TextFile file = value_or_throw(internal::read_text_file(path));
     std::vector<internal::Error> warnings;
     return internal::public_acceleration(value_or_throw(internal::parse_acceleration(file, warnings)));
@@ -95,7 +99,7 @@ Acceleration read_acceleration(const std::string& path) {
 }
 
 std::vector<EngineInfo> engines() {
-  return with_memory([] {
+  return guarded([] {
     std::vector<EngineInfo> infos;
     for (const internal::EngineEntry& entry : internal::engine_registry()) {
       const auto missing = internal::why_not_loadable(entry);
@@ -139,7 +143,7 @@ struct Screen::State {
 };
 
 Screen::Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options) {
-  with_memory([&] {
+  guarded([&] {
     state_ = std::make_unique<State>();
     state_->options = options;
     state_->settings = settings_of(options);
@@ -158,7 +162,7 @@ Screen::Screen(Screen&&) noexcept = default;
 Screen& Screen::operator=(Screen&&) noexcept = default;
 
 Layout Screen::read_layout(const std::string& path) const {
-  return with_memory([&] {
+  return guarded([&] {
     const internal::TextFile file = value_or_throw(internal::read_text_file(path));
     std::vector<internal::Error> warnings;
     return internal::public_layout(value_or_throw(internal::parse_layout(file, state_->settings, warnings)),
@@ -173,7 +177,7 @@ std::vector<WorldOutcome> Screen::evaluate(std::span<const Layout> layouts) {
 }
 
 void Screen::evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>& worlds) {
-  with_memory([&] {
+  guarded([&] {
     State& state = *state_;
     state.forget_cancel();
     const std::size_t count = state.accelerations.size();
@@ -192,7 +196,7 @@ void Screen::evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>
 }
 
 bool Screen::record(std::span<const Layout> layouts, const std::string& path, const RecordOptions& options) {
-  return with_memory([&] {
+  return guarded([&] {
     State& state = *state_;
     state.forget_cancel();
     if (layouts.empty()) throw internal::exception_of({{.file = path, .what = "a results file needs a layout"}});

@@ -57,7 +57,9 @@ TEST_CASE("world_invariants: they hold after every step, at every accuracy", "[c
     Layout layout = layout_of({});
     for (int i = 0; i < 12; ++i) {
       const Vec3 size(random.between(0.2, 0.5), random.between(0.2, 0.5), random.between(0.1, 0.5));
-      layout.boxes.push_back(box({1.0 + 0.6 * (i % 3), 0.1 + 0.6 * (i / 3 % 2), 0.02 + 0.6 * (i / 6)}, size));
+      const int row = i / 3 % 2;
+      const int layer = i / 6;
+      layout.boxes.push_back(box({1.0 + 0.6 * (i % 3), 0.1 + 0.6 * row, 0.02 + 0.6 * layer}, size));
     }
     OneWorld scene(settings, layout,
                    acceleration_of({{0.3, Vec3(6, 3, 0)}, {0.3, Vec3(-5, 0, 2)}, {0.2, Vec3::Zero()}}));
