@@ -1,12 +1,12 @@
 #include "api/convert.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "core/model/acceleration_check.hpp"
 #include "core/model/layout_check.hpp"
+#include "core/model/setting_kinds.hpp"
 
 namespace holdfast::internal {
 
@@ -136,16 +136,10 @@ Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleratio
   return read;
 }
 
-/// The number of centimetres that gives exactly these metres when it is divided by 100, where there is one.
-static double centimetres(double metres) {
-  const double rounded = std::round(metres * 1e11) / 1e9;
-  return rounded / 100.0 == metres ? rounded : metres * 100.0;
-}
-
 holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) {
   holdfast::Layout converted{.name = layout.name};
   const auto number = [&](double length) {
-    return unit == holdfast::LengthUnit::centimetre ? centimetres(length) : length;
+    return unit == holdfast::LengthUnit::centimetre ? setting_kinds::centimetres(length) : length;
   };
   const auto numbers = [&](const Vec3& v) { return std::array{number(v.x()), number(v.y()), number(v.z())}; };
   for (const Box& box : layout.boxes)

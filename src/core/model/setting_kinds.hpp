@@ -79,11 +79,14 @@ using Angle = Number<AngleRange>;
 using Rate = Number<RateRange>;
 using Interval = Number<IntervalRange>;
 
-/// Text of a length in centimetres; reading it gives exactly `metres`.
-inline std::string centimetre_text(double metres) {
+/// The number of centimetres that gives exactly these metres when it is divided by 100, where there is one.
+inline double centimetres(double metres) {
   const double rounded = std::round(metres * 1e11) / 1e9;
-  return number_text(rounded / 100.0 == metres ? rounded : metres * 100.0);
+  return rounded / 100.0 == metres ? rounded : metres * 100.0;
 }
+
+/// Text of a length in centimetres; reading it gives exactly `metres`.
+inline std::string centimetre_text(double metres) { return number_text(centimetres(metres)); }
 
 /// A length that the file gives in centimetres. Divided by 100, so that 587 gives the double nearest to 5.87.
 template <class Kind>
