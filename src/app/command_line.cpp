@@ -51,7 +51,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       .add_option("--accuracy", options.accuracy,
                   "How far the native engine goes: screening, standard or reference; stands in for [Native] Accuracy")
       ->type_name("NAME");
-  command.add_option("--threads", options.threads, "Threads; 0: one a core")
+  command.add_option("--threads", options.threads, "Threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
@@ -195,7 +195,7 @@ void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
       ->type_name("PATH");
   command->add_flag("--quick", options->quick, "Quick settings and cases, no loads: a minute");
   command->add_flag("--json", options->json, "Print the measurements as JSON, and nothing else");
-  command->add_option("--threads", options->threads, "Threads; 0: one a core")
+  command->add_option("--threads", options->threads, "Threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
   command->add_option("-o,--output", options->folder, "Write tables, pictures and an HTML report into this folder")

@@ -48,6 +48,8 @@ class InstalledTest(unittest.TestCase):
         done("cmake", "-S", SOURCE / "examples/embed", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
         done("cmake", "--build", build)
         self.assertEqual(done(build / "embed", ACCELERATION, *LAYOUTS).splitlines(), self.screened())
+        # The box slides against friction of 0.5 under 7 m/s² for a second: x = 2.25 - 0.5 (7 - 0.5 * 9.81).
+        self.assertIn("1.00 s: x = 1.2025 m", done(build / "replay").splitlines())
 
     def test_pkg_config_tells_how_to_build(self):
         environment = dict(os.environ, PKG_CONFIG_PATH=str(self.library / "pkgconfig"))

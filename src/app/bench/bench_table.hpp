@@ -11,7 +11,7 @@ namespace holdfast::internal {
 /// All runs of a case.
 struct BenchRow {
   BenchCase bench_case;
-  std::vector<BenchSample> samples;  ///< one a repetition
+  std::vector<BenchSample> samples;  ///< one per repetition
 };
 
 /// Runs that must agree and do not: cases of the same engine and the same worlds have one hash, however they were

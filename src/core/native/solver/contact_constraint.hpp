@@ -7,7 +7,7 @@
 
 namespace holdfast::internal::native {
 
-/// Contact points that are solved side by side, one a SIMD lane.
+/// Contact points that are solved side by side, one per SIMD lane.
 inline constexpr int kLanes = 4;
 
 /// Two bodies that share contacts, by index.
