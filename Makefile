@@ -49,8 +49,8 @@ fuzz:  ## Feed the readers made-up files, FUZZ_SECONDS each (60), with Clang's s
 LINT_FOLDERS ?=
 lint:  ## Check format, names, likely bugs and who includes whom
 	@$(INSTALL) --dev
-	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
-	tools/lint.sh build/release $(JOBS) $(LINT_FOLDERS)
+	@cmake --preset lint > /dev/null
+	tools/lint.sh build/lint $(JOBS) $(LINT_FOLDERS)
 
 format:  ## Format all sources in place
 	@$(INSTALL) --dev

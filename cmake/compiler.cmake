@@ -3,7 +3,11 @@ find_program(HOLDFAST_CCACHE ccache)
 mark_as_advanced(HOLDFAST_CCACHE)
 if(HOLDFAST_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER ${HOLDFAST_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${HOLDFAST_CCACHE})
+  # What ccache asks for where headers are precompiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${HOLDFAST_CCACHE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+  endif()
 endif()
 
 # One target carries the flags that all of our code is compiled with.
@@ -16,8 +20,8 @@ target_compile_options(holdfast_options INTERFACE
   -Woverloaded-virtual -Wold-style-cast
   -Wno-missing-field-initializers)  # designated initialisers name what they set; the rest has defaults
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # GCC 12 warns of an overlap inside std::string's own operator+ (GCC bug 105651).
-  target_compile_options(holdfast_options INTERFACE -Wno-restrict)
+  # GCC 12 warns of overlaps and overflows inside std::string's own operator+ (GCC bugs 105651 and 105329).
+  target_compile_options(holdfast_options INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 if(HOLDFAST_WARNINGS_AS_ERRORS)
   target_compile_options(holdfast_options INTERFACE -Werror)

@@ -30,7 +30,7 @@ void OutputFile::fail() const {
 void make_output_folder(const std::string& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure) throw h5::Failure(Error{.file = folder, .what = "cannot be made", .value = failure.message()});
+  if (failure) throw h5::Failure(Error{.file = folder, .what = "cannot be created", .value = failure.message()});
 }
 
 std::string layout_name(const ResultsInfo& info, const WorldRow& row) {

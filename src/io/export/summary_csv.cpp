@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "io/export/csv_field.hpp"
 #include "io/export/output_file.hpp"
@@ -42,13 +41,13 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   const WorldSummary& w = slice.worlds;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-                   naming(info, slice.world_begin + i, row), to_string(w.verdict[i]), to_string(row.status),
-                   csv_field(row.status_text), to_string(row.stop_reason), row.end_time, row.box_count,
-                   count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
-                   count(w.tilted_boxes[i]), number(w.total_kinetic_energy[i]), number(w.peak_kinetic_energy[i]),
-                   number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual, row.residual_scale,
-                   row.max_penetration, row.cpu_seconds);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+                        naming(info, slice.world_begin + i, row), to_string(w.verdict[i]), to_string(row.status),
+                        csv_field(row.status_text), to_string(row.stop_reason), row.end_time, row.box_count,
+                        count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
+                        count(w.tilted_boxes[i]), number(w.total_kinetic_energy[i]), number(w.peak_kinetic_energy[i]),
+                        number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual,
+                        row.residual_scale, row.max_penetration, row.cpu_seconds);
   }
   return text;
 }
@@ -61,11 +60,11 @@ std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const 
     const std::string names = naming(info, slice.world_begin + world, row);
     const std::size_t begin = row.box_begin - slice.box_begin;
     for (std::size_t i = begin; i < begin + row.box_count; ++i) {
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", names, boxes.id[i],
-                     boxes.material[i], number(boxes.mass[i]), vector(b.displacement[i]), number(b.max_displacement[i]),
-                     number(b.drop[i]), number(b.tilt[i]), number(b.kinetic_energy[i]),
-                     number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i], b.tilted[i], b.unstable[i],
-                     number(b.first_move_time[i]));
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", names, boxes.id[i], boxes.material[i],
+                          number(boxes.mass[i]), vector(b.displacement[i]), number(b.max_displacement[i]),
+                          number(b.drop[i]), number(b.tilt[i]), number(b.kinetic_energy[i]),
+                          number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i], b.tilted[i], b.unstable[i],
+                          number(b.first_move_time[i]));
     }
   }
   return text;

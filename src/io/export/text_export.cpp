@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <set>
 #include <vector>
 
@@ -70,8 +69,8 @@ std::string solution_lines(const Series& series, const BoxTable& boxes) {
     const Float3& f = series.force[i];
     const Float3& w = series.angular_velocity[i];
     const Float3& a = series.linear_acceleration[i];
-    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", boxes.id[i % box_count],
-                   d.x, d.y, d.z, f.x, f.y, f.z, w.x, w.y, w.z, a.x, a.y, a.z, series.time[i / box_count]);
+    text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", boxes.id[i % box_count], d.x, d.y, d.z, f.x, f.y,
+                        f.z, w.x, w.y, w.z, a.x, a.y, a.z, series.time[i / box_count]);
   }
   return text;
 }
@@ -104,8 +103,7 @@ void write_resumed(ResultsReader& results, const SummarySlice& slice, std::size_
   for (std::size_t box = 0; box < row.box_count; ++box) {
     const std::size_t i = row.box_begin - slice.box_begin + box;
     const Float3& d = slice.boxes.displacement[i];
-    fmt::format_to(std::back_inserter(lines), "{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z,
-                   slice.boxes.kinetic_energy[i]);
+    lines += fmt::format("{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z, slice.boxes.kinetic_energy[i]);
   }
   file.write(lines);
   file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds.total_kinetic_energy[world]) + '\n');
