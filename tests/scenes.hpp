@@ -127,7 +127,7 @@ inline Run run(const Engine& engine, const Layout& layout, const Acceleration& a
   return std::move(run_all(engine, std::span(&layout, 1), accelerations, settings, prepare).front());
 }
 
-/// An engine of the catalogue; a failure of the test where it cannot be made.
+/// An engine of the catalogue; a failure of the test where it cannot be created.
 inline std::unique_ptr<Engine> engine_of(const std::string& name, const Settings& settings) {
   Result<std::unique_ptr<Engine>> engine = make_engine(name, settings);
   if (!engine) FAIL(engine.error().message());

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks format, includes, and names and likely bugs by clang-tidy.
 #   tools/lint.sh BUILD_FOLDER [JOBS [FOLDER...]]
-# The build folder must be configured: compile_commands.json tells how files are compiled. Folders (src, tests, bench)
+# The build folder must be configured: compile_commands.json says how files are compiled. Folders (src, tests, bench)
 # limit what clang-tidy reads, which takes seconds per file; without them it reads all.
 set -euo pipefail
 build=${1:?give the build folder}

@@ -239,7 +239,8 @@ class HOLDFAST_API Screen {
   void evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>& worlds);
 
   /// The same into a results file, as `holdfast screen` writes it, with everything that a later analysis needs. What is
-  /// finished survives whatever ends the process. Throws `Error`; an existing file is one, unless told otherwise.
+  /// finished survives whatever ends the process. Throws `Error`, also when the file exists and `options` do not say
+  /// what to do with it.
   /// @return false when `cancel` ended it: the finished worlds are kept for `RecordOptions::resume`
   bool record(std::span<const Layout> layouts, const std::string& path, const RecordOptions& options = {});
 

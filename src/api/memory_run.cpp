@@ -8,7 +8,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// A unit that is where it belongs already.
+/// A unit whose results are in place already.
 class DoneUnit final : public SinkUnit {
  public:
   std::optional<Error> write() override { return std::nullopt; }

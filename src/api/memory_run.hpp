@@ -28,7 +28,7 @@ class MemoryLayouts final : public LayoutSource {
   std::vector<ReadLayout> layouts_;
 };
 
-/// Puts what becomes of worlds into memory of the caller.
+/// Writes the results of worlds into memory of the caller.
 class MemorySink final : public ResultSink {
  public:
   /// @param worlds one per world of the run, in its order

@@ -19,7 +19,7 @@ struct Recording {
   std::string path;            ///< of the results file
   RunDescription description;  ///< what the file says of the run
   ExistingResults existing = ExistingResults::refuse;
-  bool report_finished = false;  ///< the observer also hears of the worlds that an earlier run finished
+  bool report_finished = false;  ///< the observer is also called for worlds that an earlier run finished
 };
 
 /// How such a run ended.

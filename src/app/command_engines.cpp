@@ -12,7 +12,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Why an engine cannot be used, if it cannot. One that runs on devices is asked for them only when these are wanted.
+/// Why an engine cannot be used, if it cannot. An engine that runs on devices lists them only when `devices` is set.
 std::optional<Error> why_missing(const EngineEntry& entry, bool devices) {
   if (!devices) return why_not_loadable(entry);
   const auto engine = make_engine(std::string(entry.name), Settings{});

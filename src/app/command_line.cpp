@@ -27,13 +27,13 @@ namespace holdfast::internal {
 
 namespace {
 
-/// What the chosen command does, once the command line is read. Set by the command's callback, which owns its options.
+/// Runs the chosen command once the command line is read. Set by the command's callback, which owns its options.
 struct ChosenCommand {
   std::function<ExitCode()> run;
   std::string command_line;  ///< as typed
 };
 
-/// Has an option take what the configuration's key takes.
+/// Checks the values of an option as those of the key of the configuration.
 CLI::Validator as_in_config(const char* section, const char* name) {
   const SettingKey& key = *find_setting(section, name);
   return {[&key](const std::string& text) {
@@ -143,7 +143,7 @@ void add_check_command(CLI::App& program, ChosenCommand& chosen) {
 void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("bench", "Measure how fast this machine screens");
   command->footer(
-      "Every run is a `holdfast screen` of its own; speeds are told only when all runs gave the same results.\n"
+      "Every run is a `holdfast screen` of its own; speeds are reported only when all runs gave the same results.\n"
       "Speeds are medians over the repetitions; the spread is that of the fastest to the slowest.\n\n"
       "Example:\n"
       "  holdfast bench --layouts configs/layouts --accelerations configs/accelerations/road_brake_0g8.txt "
@@ -233,7 +233,7 @@ std::string words_of(int argc, char** argv) {
   return line;
 }
 
-/// The first word of a command line that should be a command and is none. CLI11 itself would only say that a
+/// The first argument, which should be a command and is not. CLI11 itself would only say that a
 /// command is required.
 std::optional<Error> unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return std::nullopt;
@@ -248,8 +248,8 @@ std::optional<Error> unknown_command(const CLI::App& program, int argc, char** a
                                  : fmt::format("accepted are {}", fmt::join(names, ", "))};
 }
 
-/// The first word behind a command that belongs nowhere: an unknown option, or one word too many. It is told before
-/// all else, since what else CLI11 finds wrong mostly follows from it.
+/// The first argument of a command that the command does not know: an unknown option, or one argument too many. It is
+/// reported first, since the other errors of CLI11 mostly follow from it.
 std::optional<Error> unknown_word(const CLI::App& program) {
   const std::vector<std::string> left = program.remaining(true);
   if (left.empty()) return std::nullopt;
@@ -266,7 +266,7 @@ std::optional<Error> unknown_word(const CLI::App& program) {
                .accepted = meant ? fmt::format("did you mean '{}'?", *meant) : "--help lists all"};
 }
 
-/// Runs the command; what it cannot have, memory or a thread, becomes a message.
+/// Runs the command; a failure to get memory or a thread becomes a message.
 ExitCode run_within_memory(const ChosenCommand& chosen) {
   try {
     return chosen.run();

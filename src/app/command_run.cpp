@@ -42,7 +42,7 @@ ExitCode run_run_command(const ConfigRunOptions& options, const std::string& com
   std::filesystem::create_directories(folder, error);
   if (error) {
     return fail(ExitCode::bad_usage, {.file = options.config_path,
-                                      .what = "SavePath cannot be made",
+                                      .what = "SavePath cannot be created",
                                       .value = folder.string(),
                                       .accepted = error.message()});
   }

@@ -54,7 +54,7 @@ ExitCode guard_reading(const std::string& path, const std::function<ExitCode()>&
   if (is_crash(signal))
     return fail(ExitCode::bad_usage,
                 {.file = path, .what = "is damaged: the HDF5 library crashed on it", .accepted = cure});
-  // Killed by somebody: so are we.
+  // Somebody killed the child: this process ends in the same way.
   std::signal(signal, SIG_DFL);
   std::raise(signal);
   return ExitCode::some_failed;

@@ -2,8 +2,8 @@
 
 namespace holdfast::internal {
 
-/// What the program tells its caller when it ends. A shell tells 141 of one that wrote into a pipe whose reader had
-/// gone: SIGPIPE keeps its usual effect.
+/// Exit code of the program. A shell shows 141 when the program writes into a pipe whose reader has ended: SIGPIPE
+/// keeps its usual effect.
 enum class ExitCode : int {
   done = 0,
   some_failed = 1,    ///< some worlds failed, or a file could not be written; the rest is complete and readable

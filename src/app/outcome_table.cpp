@@ -100,7 +100,7 @@ class Tally {
     if (worst_.size() > kWorstShown) worst_.pop_back();
   }
 
-  /// A part names the layouts that begin in it, and not the one that goes on from the part before.
+  /// A slice names the layouts that begin in it, and not the one that continues from the slice before.
   std::string name_of_layout(std::uint64_t layout) const {
     const std::uint64_t i = layout - info_.layout_begin;
     return i < info_.layouts.size() ? printable(info_.layouts[i]) : fmt::format("layout {}", layout);

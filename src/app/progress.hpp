@@ -9,8 +9,8 @@
 
 namespace holdfast::internal {
 
-/// The text of a progress line: done and in all, done per second, share of steps skipped (when there were steps), time
-/// to go.
+/// The text of a progress line: done and in all, done per second, share of steps skipped (when there were steps),
+/// remaining time.
 /// @param noun what is counted: "worlds"
 std::string progress_text(const RunProgress& progress, const char* noun, double seconds);
 

@@ -30,7 +30,7 @@ std::filesystem::path place_of(const std::string& path) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unknown), unknown);
 }
 
-/// What keeps the files beside the results from being written, so that it is told before the run.
+/// An error when the files beside the results could not be written; reported before the run.
 std::optional<Error> check_side_files(const ScreeningJob& job, const RunDescription& description) {
   if (job.costs_path) {
     if (place_of(*job.costs_path) == place_of(job.results_path))
@@ -55,15 +55,15 @@ ExitCode report_failure(const ScreeningJob& job, const RecordedEnd& end) {
   } else if (end.safe_worlds == end.total) {
     print_to(stderr, "all {} are in {}; --resume puts them together once the cause is gone\n", worlds, folder);
   } else {
-    print_to(stderr, "{} of {} worlds are safe in {}; --resume goes on from there\n", end.safe_worlds, end.total,
+    print_to(stderr, "{} of {} worlds are safe in {}; --resume continues from there\n", end.safe_worlds, end.total,
              folder);
   }
   return ExitCode::some_failed;
 }
 
-/// What is left to do when the results file is there: export, show, judge.
+/// The steps after the results file is complete: export, table, exit code.
 ExitCode conclude(const ScreeningJob& job, const RunDescription& description, const StageCosts& costs) {
-  unwatch_stop_signals();  // all is safe: what is left may end at once
+  unwatch_stop_signals();  // all results are safe: a signal may end the rest at once
   if (job.costs_path) {
     if (const auto error = write_stage_seconds(costs.seconds(), *job.costs_path))
       return fail(ExitCode::some_failed, *error);
@@ -146,7 +146,7 @@ ExitCode run_screening(const ScreeningJob& job) {
     case RecordedEnd::Kind::failed:
       return report_failure(job, end);
     case RecordedEnd::Kind::stopped:
-      print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume goes on\n",
+      print_to(stderr, "stopped after {} of {} worlds, kept in {}.parts; the same command with --resume continues\n",
                end.done, end.total, job.results_path);
       return exit_code_of(stop);
     case RecordedEnd::Kind::complete:

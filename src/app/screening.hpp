@@ -24,7 +24,7 @@ struct ScreeningJob {
   bool record_series = true;
   ExistingResults existing = ExistingResults::refuse;
   std::optional<std::string> costs_path;  ///< write there where the processor time went
-  bool json = false;   ///< one JSON object a world on standard output, finished ones first; nothing else there
+  bool json = false;   ///< one JSON object per world on standard output, finished ones first; nothing else there
   bool quiet = false;  ///< no progress, no table
 };
 

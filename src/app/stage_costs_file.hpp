@@ -8,7 +8,7 @@
 
 namespace holdfast::internal {
 
-/// Writes the seconds as a JSON object, a key a stage, into a new file or over an old one.
+/// Writes the seconds as a JSON object, one key per stage, into a new file or over an old one.
 std::optional<Error> write_stage_seconds(const StageSeconds& seconds, const std::string& path);
 
 /// What keeps `write_stage_seconds` from writing there, if anything.

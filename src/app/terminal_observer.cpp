@@ -25,7 +25,7 @@ std::string engine_text(const Settings& settings) {
   return settings.screening.engine + (accuracy.empty() ? "" : ", accuracy " + accuracy);
 }
 
-/// The line that says what is run.
+/// The first line: what is run.
 std::string start_text(const ScreeningJob& job, std::size_t finished) {
   const Settings& settings = job.settings;
   const std::size_t layouts = job.layout_paths.size();
@@ -95,10 +95,10 @@ void TerminalObserver::tick() {
     notes.swap(notes_);
   }
   for (const std::string& note : notes) display_->line.note(note);
-  if (stop_.no_more && !display_->stop_told) {
+  if (stop_.no_more && !display_->stop_shown) {
     display_->line.note(stop_.drop ? "stopping"
                                    : "stopping: finishing the worlds in flight; press Ctrl-C again to drop them");
-    display_->stop_told = true;
+    display_->stop_shown = true;
   }
   display_->line.show();
 }

@@ -32,7 +32,7 @@ class TerminalObserver final : public RunObserver {
   struct Display {
     Display(const RunProgress& progress, bool quiet) : line(progress, "worlds", stderr, quiet) {}
     ProgressLine line;
-    bool stop_told = false;
+    bool stop_shown = false;
   };
 
   void note(std::string text);

@@ -19,7 +19,7 @@ void say(const char* text) { static_cast<void>(!::write(STDERR_FILENO, text, std
 void say_cause() {
   try {
     if (const auto uncaught = std::current_exception()) std::rethrow_exception(uncaught);
-    say("an error that nobody can name");
+    say("an error of unknown kind");
   } catch (const std::bad_alloc&) {
     say("memory ran out");
   } catch (const std::exception& exception) {
@@ -39,7 +39,7 @@ void say_cause() {
   say_cause();
   say("; take less with fewer --threads, a longer ResultsIntervallInSeconds, or --no-series; finished parts are kept, "
       "and "
-      "--resume goes on from them\n");
+      "--resume continues from them\n");
   ::_exit(static_cast<int>(ExitCode::some_failed));
 }
 

@@ -2,8 +2,8 @@
 
 namespace holdfast::internal {
 
-/// Has an exception that nobody can catch end the program with a message and the exit code `some_failed`: memory that
-/// ran out where a library cannot go back, a thread that cannot be had. What is in finished parts is kept.
+/// Makes an exception that nobody can catch end the program with a message and the exit code `some_failed`: memory that
+/// runs out inside a library that cannot recover, a thread that cannot be started. What is in finished parts is kept.
 void report_uncaught();
 
 }  // namespace holdfast::internal

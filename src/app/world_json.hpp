@@ -7,8 +7,8 @@
 
 namespace holdfast::internal {
 
-/// The line of JSON that tells a program of a finished world; units are in the names, in SI. What is not known of a
-/// world that was not simulated is null.
+/// One finished world as one line of JSON; units are in the names, in SI. Values that a world has only when it was
+/// simulated are null otherwise.
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds);
 

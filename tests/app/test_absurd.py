@@ -26,7 +26,7 @@ class Sizes(CliTest):
         self.layouts = self.layouts[:1]
 
     def assert_bad_layout(self, path, *words):
-        """The layout is marked and told; the good one beside it is simulated."""
+        """The layout is marked and reported; the good one beside it is simulated."""
         done = self.check("screen", "-c", self.config, "--layouts", path, *self.layouts, "--accelerations", "rest.txt",
                           "-o", "results.h5", "--overwrite")
         self.assert_exit(done, 1)
@@ -66,7 +66,7 @@ class Sizes(CliTest):
 
 class Values(CliTest):
     def test_numbers_at_the_end_of_their_range(self):
-        """What is beyond all use is refused; whatever is accepted, a run ends and every world is told of."""
+        """What is beyond all use is refused; whatever is accepted, a run ends and every world is reported."""
         self.write_inputs()
         self.layouts = [self.write(f"{name}.txt", f"1 1\n{line} 1\n") for name, line in (
             ("huge", "0 0 0 1e308 50 50"), ("minus_zero", "-0 -0 -0 50 50 50"), ("tiny", "0 0 0 1e-300 1e-300 1e-300"),
@@ -137,17 +137,17 @@ class Names(CliTest):
         expected = [*names, "latin-\ufffd.txt", "seed.txt", "bad\nname.txt"]
         with h5py.File(path) as file:
             self.assertEqual(list(file["inputs/layouts/name"].asstr()[:]), expected)
-        told = [json.loads(line)["layout"] for line in done.stdout.splitlines()]
-        self.assertEqual(told, [name for name in expected for _ in self.accelerations])
+        reported = [json.loads(line)["layout"] for line in done.stdout.splitlines()]
+        self.assertEqual(reported, [name for name in expected for _ in self.accelerations])
         self.assert_exit(self.run_here("summary", output, "--csv", "out put/tables"), 0)
         table = pd.read_csv(self.folder / "out put/tables/worlds.csv")
-        self.assertEqual(list(table["layout"]), told)
+        self.assertEqual(list(table["layout"]), reported)
 
         # Nothing was written anywhere but where it was asked for.
         after = {path for path in self.folder.rglob("*") if path.is_file()}
         for new in after - before:
             self.assertEqual(new.relative_to(self.folder).parts[0], "out put", new)
-        self.assertEqual(len(list((self.folder / "out put/text").iterdir())), 2 * len(told) + 1)
+        self.assertEqual(len(list((self.folder / "out put/text").iterdir())), 2 * len(reported) + 1)
 
     def test_a_name_in_the_results_leads_nowhere(self):
         """A results file from elsewhere names its layouts `../x`: the text files stay in their folder all the same."""

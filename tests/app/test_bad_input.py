@@ -91,7 +91,7 @@ class Check(CliTest):
                     self.assertIn(what, said)
                 self.assertEqual(done.stderr.splitlines()[-1], "1 of 1 files are bad")
 
-    def test_all_faults_of_all_files_are_told(self):
+    def test_all_faults_of_all_files_are_reported(self):
         self.write("a.txt", HEAD + "0 0 zero 80 60 100 1\n0 0 0 80 60 tall 1\n")
         self.write("b.txt", "0 1 0 fast 0\n")
         self.write("good.txt", HEAD + BOX)
@@ -101,7 +101,7 @@ class Check(CliTest):
                          ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
         self.assertEqual(done.stdout, "good.txt: ok: layout, 1 boxes\n")
 
-    def test_a_layout_that_was_cut_off_is_told(self):
+    def test_a_layout_that_was_cut_off_is_reported(self):
         text = layout_text(SEED)
         self.write("whole.txt", text)
         self.write("cut.txt", "".join(text.splitlines(keepends=True)[:-1]))
@@ -159,7 +159,7 @@ class Screen(CliTest):
                 text = data["/worlds/status_text"][2 * i].decode()
                 self.assertIn(f"b_{name}.txt:{place}", text)
                 self.assertIn(what, text)
-                self.assertEqual(said.count(text), 1, "each is told once")
+                self.assertEqual(said.count(text), 1, "each is reported once")
                 self.assertEqual(data["/worlds/box_count"][2 * i], 0)
         # The good ones are what they are without the bad ones.
         self.layouts = [self.layouts[0]]
@@ -195,7 +195,7 @@ class Screen(CliTest):
                 self.assert_refused(done, f"bad.ini:{place}: ", what)
         self.assertFalse(list(self.folder.glob("results*")))
 
-    def test_what_is_not_there_is_told(self):
+    def test_what_is_not_there_is_reported(self):
         self.write_inputs()
         for arguments, words in (
                 (("--engine", "bulet"), ("unknown engine: bulet", "did you mean 'bullet'?")),
@@ -269,10 +269,10 @@ class Usage(CliTest):
         for command in commands:
             self.assertIn(f"\n  {command} ", self.run_here("--help").stdout)
 
-    def test_exit_codes_are_told(self):
-        told = self.run_here("--help").stdout
+    def test_exit_codes_are_reported(self):
+        reported = self.run_here("--help").stdout
         for code in ("0 done", "1 some", "2 bad", "130 and 143", "141"):
-            self.assertIn(code, told)
+            self.assertIn(code, reported)
         # More than a pipe holds, so that the program still writes when its reader is gone.
         ended = subprocess.run(["bash", "-c", f"(for i in $(seq 40); do '{HOLDFAST}' --help-config || echo $? >&2; done) | head -1"],
                                capture_output=True, text=True, timeout=PATIENCE, check=False)
@@ -318,7 +318,7 @@ class NoRegularFiles(CliTest):
                 with self.subTest(path=path, words=words[:2]):
                     self.assert_refused(self.run_here(*words), f"{path}: is {kind}, not a file; save its output in a file")
 
-    def test_a_pipe_in_a_folder_is_told(self):
+    def test_a_pipe_in_a_folder_is_reported(self):
         self.write("layouts/seed.txt", layout_text(SEED))
         os.mkfifo(self.folder / "layouts/pipe.txt")
         self.write("shove.txt", SHOVE)

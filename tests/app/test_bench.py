@@ -1,4 +1,4 @@
-"""`holdfast bench`: its figures are those of the runs, and no speed is told where a run failed."""
+"""`holdfast bench`: its figures are those of the runs, and no speed is reported where a run failed."""
 import os
 import pathlib
 import signal
@@ -107,7 +107,7 @@ class Bench(CliTest):
                 process.send_signal(number)
                 out, said = process.communicate(timeout=PATIENCE)
                 self.assertEqual((process.returncode, out), (code, ""), said)
-                self.assertEqual(said.splitlines()[1:], ["stopped; nothing is told of a benchmark that is not complete"])
+                self.assertEqual(said.splitlines()[1:], ["stopped; an incomplete benchmark reports nothing"])
                 self.assertEqual(len(children), 1)
                 self.assertFalse(pathlib.Path("/proc", children[0]).exists())
                 self.assertFalse(list((self.folder / "scratch").iterdir()))

@@ -203,7 +203,7 @@ class SmallDisk(ManyWorlds):
         self.assertIn("No space left on device", done.stderr)
         safe = self.safe_worlds("disk/results.h5")
         self.assertTrue(0 < safe < 1400, safe)
-        self.assertIn(f"{safe} of 1400 worlds are safe in disk/results.h5.parts; --resume goes on from there", done.stderr)
+        self.assertIn(f"{safe} of 1400 worlds are safe in disk/results.h5.parts; --resume continues from there", done.stderr)
         self.assertFalse(list(self.disk.glob("**/*.tmp")))
 
         # Room for the parts, and not for the file that they become.
@@ -223,7 +223,7 @@ class SmallDisk(ManyWorlds):
         self.write_many(1, 0.1)
         self.remount("ro")
         done = self.run_here(*self.arguments("-o", "disk/results.h5"))
-        self.assert_refused(done, "disk/results.h5.parts: cannot be made", "Read-only file system")
+        self.assert_refused(done, "disk/results.h5.parts: cannot be created", "Read-only file system")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Runs that get less memory than they need: told by the world's name, and what finished is kept."""
+"""Runs that get less memory than they need: reported by the world's name, and what finished is kept."""
 import resource
 import unittest
 
@@ -41,7 +41,7 @@ class LittleMemory(CliTest):
             with self.subTest(scheduler=scheduler):
                 done = self.run_here(*words, "--overwrite", preexec_fn=memory(150))
                 self.assert_refused(done, "b_large.txt: memory ran out when its world under still.txt was simulated", REMEDY,
-                                    "1 of 3 worlds are safe in results.h5.parts; --resume goes on from there", code=1, lines=2)
+                                    "1 of 3 worlds are safe in results.h5.parts; --resume continues from there", code=1, lines=2)
                 self.assert_exit(self.run_here(*words, "--resume"), 0)
                 self.assert_same_results(self.folder / "whole.h5", self.folder / "results.h5")
 

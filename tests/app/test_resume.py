@@ -76,18 +76,18 @@ class LongRun(CliTest):
         self.assert_refused(self.run_here(*self.arguments(), "--resume"), "results.h5", "is of a run with other accelerations")
 
     def test_json_tells_of_all_worlds(self):
-        def told(done):
+        def reported(done):
             self.assert_exit(done, 0)
             worlds = [json.loads(line) for line in done.stdout.splitlines()]
             for world in worlds:
                 self.assertGreater(world.pop("cpu_seconds"), 0)
             return worlds
 
-        resumed = told(self.run_here(*self.arguments(), "--resume", "--json"))
+        resumed = reported(self.run_here(*self.arguments(), "--resume", "--json"))
         self.assertEqual([world["world"] for world in resumed], list(range(48)))
-        again = told(self.run_here(*self.arguments(), "--resume", "--json"))
+        again = reported(self.run_here(*self.arguments(), "--resume", "--json"))
         self.assertEqual(again, resumed)
-        anew = told(self.run_here(*self.arguments(), "--overwrite", "--json"))
+        anew = reported(self.run_here(*self.arguments(), "--overwrite", "--json"))
         self.assertEqual(anew, resumed)
 
     def test_with_other_threads_and_scheduler(self):
@@ -125,7 +125,7 @@ class LongRun(CliTest):
         self.assert_refused(self.run_here(*self.arguments(), "--resume"), "is of a run with other software: by holdfast 0.0.9",
                             "--overwrite starts anew")
 
-    def test_nothing_to_resume_is_told(self):
+    def test_nothing_to_resume_is_reported(self):
         shutil.rmtree(self.folder / "results.h5.parts")
         arguments = ("screen", "-c", "config.ini", "--layouts", "layouts/layout00.txt", "--accelerations", "short.txt")
         done = self.run_here(*arguments, "--resume")
@@ -257,7 +257,7 @@ class FullDisk(CliTest):
             with h5py.File(path) as part:
                 safe += len(part["worlds/layout"])
         self.assertTrue(0 < safe < 296, safe)
-        self.assertIn(f"{safe} of 296 worlds are safe in results.h5.parts; --resume goes on from there", done.stderr)
+        self.assertIn(f"{safe} of 296 worlds are safe in results.h5.parts; --resume continues from there", done.stderr)
 
         self.assert_second_part_is_read()
 

@@ -122,7 +122,7 @@ class Run(CliTest):
             self.assertEqual(file.attrs["engine"], "native")
             self.assertEqual(file["inputs/settings"].attrs["Native/Accuracy"], "screening")
 
-    def test_what_is_missing_is_told(self):
+    def test_what_is_missing_is_reported(self):
         self.write("empty/notes.txt", "Nothing to load.\n")
         self.write("layouts/seed.txt", layout_text(SEED))
         for text, words in (
@@ -146,7 +146,7 @@ class Run(CliTest):
         self.write("shove.txt", SHOVE)
         done = self.run_config(CONFIG + "Layout = tower.txt\nAcceleration = shove.txt\n"
                                "[Export Settings]\nSavePath = tower.txt/out\n", 2)
-        self.assert_refused(done, "config.ini: SavePath cannot be made: tower.txt/out")
+        self.assert_refused(done, "config.ini: SavePath cannot be created: tower.txt/out")
 
 
 if __name__ == "__main__":

@@ -338,7 +338,7 @@ class Output(CliTest):
         self.assert_refused(done, "precious.txt", "not a results file")
         self.assertEqual(precious.read_text(), "mine\n")
 
-    def test_inputs_of_the_same_name_are_told(self):
+    def test_inputs_of_the_same_name_are_reported(self):
         self.layouts += [self.write("again/seed.txt", layout_text(SEED)), self.write("once/more/seed.txt", layout_text(SEED))]
         _, done = self.screen()
         self.assertIn(f"warning: {self.layouts[3]}: has the same name in the results as: {self.layouts[0]}; "
@@ -353,7 +353,7 @@ class Output(CliTest):
     def test_text_files_that_cannot_be_are_told_before(self):
         self.layouts.append(self.write(f"{'l' * 240}.txt", layout_text(SEED)))
         for folder, words in (("text", ("text: cannot have a text file with such a long name: [SOLUTION_RESUMED]$lll", "at most 255 bytes")),
-                              ("seed.txt/text", ("seed.txt/text: cannot be made",))):
+                              ("seed.txt/text", ("seed.txt/text: cannot be created",))):
             with self.subTest(folder=folder):
                 _, done = self.screen("--text", folder, expect=2)
                 self.assert_refused(done, *words)

@@ -139,7 +139,7 @@ TEST_CASE("native_invariants: the same where boxes tumble onto each other", "[ph
   check_tumbling(kExpected);
 }
 
-TEST_CASE("native_invariants: the deepest penetration that is told is the one there was",
+TEST_CASE("native_invariants: the deepest penetration that is reported is the deepest there was",
           "[physics][native_invariants]") {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
@@ -149,12 +149,12 @@ TEST_CASE("native_invariants: the deepest penetration that is told is the one th
       const Settings settings = small_container(accuracy);
       const Worst worst = worst_of(layout, acceleration, settings);
       const double seen = std::max(worst.overlap.of_boxes, worst.overlap.with_side);
-      const double told =
+      const double reported =
           run(NativeEngine(settings), layout, acceleration, settings).record.outcome.counters.max_penetration;
-      CAPTURE(seed, static_cast<int>(accuracy), text(seen), text(told));
+      CAPTURE(seed, static_cast<int>(accuracy), text(seen), text(reported));
       // Of two ways out of each other a contact keeps the one it had while they are near ties.
-      CHECK(told > 0.95 * seen - 1e-9);
-      CHECK(told < 3 * seen + 1e-9);
+      CHECK(reported > 0.95 * seen - 1e-9);
+      CHECK(reported < 3 * seen + 1e-9);
     }
   }
 }

@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::uint64_t kSliceWorlds = 1024;
 
-/// What the process took, and how it ended.
+/// Resources that the process used, and how it ended.
 struct Ended {
   int exit_code = 0;
   double wall_seconds = 0.0;
@@ -39,8 +39,8 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Runs this very program with other words, until it ends or `stop` is set. Its standard input and standard error are
-/// files, its standard output is dropped.
+/// Runs this program again with other arguments, until it ends or `stop` is set. Its standard input and standard error
+/// are files, its standard output is dropped.
 Result<Ended> run_self(std::vector<std::string> words, const std::string& input_path, const std::string& said_path,
                        const std::atomic<bool>& stop) {
   std::vector<char*> arguments;
@@ -72,14 +72,14 @@ Result<Ended> run_self(std::vector<std::string> words, const std::string& input_
   return ended;
 }
 
-/// Bytes of a column, behind those of others.
+/// Appends the bytes of a column.
 template <class T>
 void append_bytes(const std::vector<T>& column, std::string& bytes) {
   const auto raw = std::as_bytes(std::span(column));
   bytes.append(reinterpret_cast<const char*>(raw.data()), raw.size());
 }
 
-/// Adds what the results file tells to the sample.
+/// Adds the figures of the results file to the sample.
 std::optional<Error> take_results(const std::string& path, BenchSample& sample) {
   Result<ResultsReader> results = ResultsReader::open(path);
   if (!results) return results.error();

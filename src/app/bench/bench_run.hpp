@@ -44,7 +44,7 @@ struct BenchInputs {
 };
 
 /// Runs a case in a process of its own, `holdfast screen`, as a user would: so its memory and time are its own.
-/// An error when a world fails, or when the process does, which has then told on standard error why.
+/// Returns an error when a world fails, or when the process does; the process prints the reason on standard error.
 /// @param stop ends the process, and the case with an error
 Result<BenchSample> run_bench_case(const BenchCase& bench_case, const BenchInputs& inputs,
                                    const std::atomic<bool>& stop);

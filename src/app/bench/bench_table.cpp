@@ -61,8 +61,7 @@ const BenchRow& base_of(const std::vector<BenchRow>& rows, const BenchRow& row) 
   return *base;
 }
 
-/// Speed-up over the fewest threads, and the share of the threads added that it makes use of; nothing to tell for
-/// those.
+/// Speed-up over the fewest threads, and the parallel efficiency of the added threads; "-" for the fewest threads.
 std::string scaling_text(const std::vector<BenchRow>& rows, const BenchRow& row) {
   const BenchRow& base = base_of(rows, row);
   if (&base == &row) return fmt::format("{:>7}  {:>10}", "-", "-");
@@ -93,7 +92,7 @@ std::optional<Error> check_same_results(const std::vector<BenchRow>& rows) {
     for (const BenchSample& sample : row.samples) {
       const auto [first, is_new] = hashes.try_emplace({row.bench_case.engine, row.bench_case.set}, sample.hash);
       if (is_new || first->second == sample.hash) continue;
-      return Error{.what = "runs of the same worlds gave different results, so no speed is told",
+      return Error{.what = "runs of the same worlds gave different results, so no speed is reported",
                    .value = fmt::format("{} of {} with {} threads, hash {} instead of {}", row.bench_case.engine,
                                         row.bench_case.set, row.bench_case.threads, sample.hash, first->second)};
     }

@@ -14,15 +14,15 @@ struct BenchRow {
   std::vector<BenchSample> samples;  ///< one per repetition
 };
 
-/// Runs that must agree and do not: cases of the same engine and the same worlds have one hash, however they were
-/// scheduled, recorded and repeated.
+/// An error when runs of the same engine and the same worlds have different hashes. Scheduling, recording and
+/// repetition must not change a result.
 std::optional<Error> check_same_results(const std::vector<BenchRow>& rows);
 
 /// What `holdfast bench` prints: medians of each case, with the spread of its runs; efficiency against the fewest
 /// threads of the same engine, set and recording; and the shares of processor time by stage.
 std::string bench_tables(const std::vector<BenchRow>& rows);
 
-/// A line a run, all figures; for plots and other programs.
+/// One line per run, with all figures; for plots and other programs.
 std::string bench_csv(const std::vector<BenchRow>& rows);
 
 /// What keeps `bench_csv` from being written there, if anything.

@@ -41,7 +41,7 @@ class ScratchFolder {
   std::string path_;
 };
 
-/// Layouts by their number of boxes: a set a class that has any, named after its limits.
+/// Layouts by their number of boxes: one set per class that has any, named after its limits.
 Result<std::vector<BenchCase>> sets_by_boxes(const BenchOptions& options, const std::vector<std::string>& layouts,
                                              const Settings& settings) {
   std::vector<std::size_t> limits = options.classes;
@@ -65,7 +65,7 @@ Result<std::vector<BenchCase>> sets_by_boxes(const BenchOptions& options, const 
   return sets;
 }
 
-/// What the runs would stumble over, or the table of theirs: told before anything is measured.
+/// An error that would end the runs, or the writing of their table: reported before anything is measured.
 std::optional<Error> check(const BenchOptions& options, const Settings& settings) {
   for (const std::string& engine : options.engines)
     if (const auto made = make_engine(engine, settings); !made) return made.error();
@@ -118,7 +118,7 @@ ExitCode run_bench_command(const BenchOptions& options) {
 
   std::vector<BenchRow> rows = all_rows(options, *layouts, *sets);
   const BenchInputs inputs{options.config_path, *accelerations, scratch.path()};
-  // Runs take turns, so that what else the machine does meets all cases alike.
+  // Repetitions of the cases are interleaved, so that other load of the machine affects all cases alike.
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (BenchRow& row : rows) {
       const BenchCase& c = row.bench_case;
@@ -126,7 +126,7 @@ ExitCode run_bench_command(const BenchOptions& options) {
                c.series ? "" : ", no series");
       Result<BenchSample> sample = run_bench_case(c, inputs, stop.no_more);
       if (stop.no_more) {
-        print_to(stderr, "stopped; nothing is told of a benchmark that is not complete\n");
+        print_to(stderr, "stopped; an incomplete benchmark reports nothing\n");
         return exit_code_of(stop);
       }
       if (!sample) return fail(ExitCode::some_failed, sample.errors());

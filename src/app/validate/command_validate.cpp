@@ -134,7 +134,7 @@ void print_rows(std::span<const ValidationRow> rows) {
   }
 }
 
-/// How many measurements pass, a line a setting and a column a suite.
+/// How many measurements pass: one line per setting, one column per suite.
 void print_table(const ValidationResult& result) {
   std::vector<std::pair<std::string, std::string>> settings;
   std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, int>> passed;
@@ -210,7 +210,7 @@ ExitCode run_validate_command(const ValidateOptions& options) {
   }
   const ValidationResult result = run_validation(*plan, stop.no_more);
   if (!result.complete) {
-    print_to(stderr, "stopped; nothing is kept of a validation that is not complete\n");
+    print_to(stderr, "stopped; an incomplete validation keeps nothing\n");
     return exit_code_of(stop);
   }
   if (options.json) {

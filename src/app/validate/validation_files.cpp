@@ -108,7 +108,7 @@ std::optional<Error> write_validation(const std::string& folder, std::span<const
                                       std::span<const SuiteCost> costs) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure) return Error{.file = folder, .what = "cannot be made", .value = failure.message()};
+  if (failure) return Error{.file = folder, .what = "cannot be created", .value = failure.message()};
 
   std::string measurements = "suite,case,engine,setting,metric,value,expected,error,tolerance,pass,cpu_seconds\n";
   for (const ValidationRow& row : rows) {
@@ -124,7 +124,8 @@ std::optional<Error> write_validation(const std::string& folder, std::span<const
   }
   std::string cases = "suite,case,question,trap\n";
   for (const Case& entry : all_cases())
-    cases += fmt::format("{},{},{},{}\n", entry.suite, entry.name, csv_field(entry.question), csv_field(entry.trap));
+    cases +=
+        fmt::format("{},{},{},{}\n", entry.suite, entry.name, csv_field(entry.question), csv_field(entry.failure_mode));
 
   const std::filesystem::path base = folder;
   if (auto error = write_text_file(base / "measurements.csv", measurements)) return error;

@@ -48,14 +48,14 @@ Result<OutputLock> OutputLock::take(const std::string& results_path, std::option
   while (true) {
     std::error_code failure;
     const bool made = std::filesystem::create_directories(folder, failure);
-    if (failure) return Error{.file = folder, .what = "cannot be made", .value = failure.message()};
+    if (failure) return Error{.file = folder, .what = "cannot be created", .value = failure.message()};
     if (made) {
       // Otherwise a power cut could remove the folder with all parts in it.
       if (const auto error = h5::caught(folder, [&] { sync_entry(folder); })) return *error;
     }
     OutputLock lock(folder, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (lock.descriptor_ < 0 && errno == ENOENT) continue;  // the previous run has just removed the folder
-    if (lock.descriptor_ < 0) return system_error(path, "cannot be made");
+    if (lock.descriptor_ < 0) return system_error(path, "cannot be created");
     if (lock_now(lock.descriptor_) == 0) {
       if (is_still_there(path, lock.descriptor_)) return lock;
     } else if (errno == EWOULDBLOCK) {

@@ -52,7 +52,7 @@ void prepare_folder(const std::string& path, const Progress& resume) {
   std::error_code failure;
   std::filesystem::create_directories(parts_folder(path), failure);
   if (failure)
-    throw h5::Failure(Error{.file = parts_folder(path), .what = "cannot be made", .value = failure.message()});
+    throw h5::Failure(Error{.file = parts_folder(path), .what = "cannot be created", .value = failure.message()});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace holdfast::internal {
 
-/// Units in flight a thread, at most: enough that a long unit does not keep the others idle while its successors
+/// Units in flight per thread, at most: enough that a long unit does not keep the others idle while its successors
 /// wait to be written, few enough that memory stays flat.
 inline constexpr std::size_t kUnitsInFlight = 8;
 
@@ -49,7 +49,7 @@ void run_in_order(Workers& workers, std::size_t count, Work work, Place place, P
   const auto write_in_order = [&](C&& item) { writing = writing && item && write(std::move(*item)); };
 
   const int threads = workers.threads();
-  // Nothing to spread: other threads would cost more than they bring.
+  // One unit: other threads would cost more than they bring.
   const Scheduler scheduler = count <= 1 || threads <= 1 ? Scheduler::serial : workers.scheduler();
   if (scheduler == Scheduler::tbb) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-// The thread sanitizer sees synchronisation only in code that it was built into, and Debian's TBB is not. What TBB
-// promises of the order of things is told to it here; in any other build nothing of this does anything.
+// The thread sanitizer sees synchronisation only in code that it was built into, and Debian's TBB is not. The order
+// that TBB guarantees is declared to it here; in any other build these functions do nothing.
 #ifdef __SANITIZE_THREAD__
 #define HOLDFAST_THREAD_SANITIZER
 #elif defined(__has_feature)

@@ -14,7 +14,7 @@ WorkUnits::WorkUnits(std::size_t layout_count, std::size_t acceleration_count, c
     : layout_count_(layout_count),
       acceleration_count_(acceleration_count),
       layouts_per_unit_(std::max<std::size_t>(1, traits.layouts_per_unit)),
-      // Several layouts a unit take all their accelerations along, or the worlds would not be consecutive.
+      // Several layouts per unit take all their accelerations along, or the worlds would not be consecutive.
       accelerations_per_unit_(layouts_per_unit_ > 1 ? std::max<std::size_t>(1, acceleration_count) : 1),
       layout_blocks_(blocks(layout_count, layouts_per_unit_)),
       acceleration_blocks_(blocks(acceleration_count, accelerations_per_unit_)) {}

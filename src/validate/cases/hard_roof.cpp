@@ -80,17 +80,17 @@ constexpr Play kPlays[] = {{"0", 0.0}, {"1um", 1e-6}, {"100um", 1e-4}, {"1mm", 1
 
 std::vector<Case> hard_roof_cases() {
   std::vector<Case> cases;
-  const std::string trap = "the column is clamped between floor and roof by forces that nothing causes";
+  const std::string failure_mode = "the column is clamped between floor and roof by forces that nothing causes";
   for (const Play& play : kPlays) {
     for (const auto& [count, length] : {std::pair(1, 1.2), std::pair(4, 1.0)})
       cases.push_back(
           {"hard", fmt::format("roof_slide_{}_play_{}", count, play.name),
-           "how far a column slides that exactly fits under the roof", trap, true,
+           "how far a column slides that exactly fits under the roof", failure_mode, true,
            [=, count = count, length = length](Laboratory& l) { return sliding_column(l, count, length, play.size); }});
     for (const double share : {0.97, 1.5})
       cases.push_back({"hard", fmt::format("roof_wedge_{:g}_play_{}", share, play.name),
-                       "whether a column that tilts under the roof is wedged there, or how far it slides", trap, true,
-                       [=](Laboratory& l) { return wedged_column(l, play.size, share); }});
+                       "whether a column that tilts under the roof is wedged there, or how far it slides", failure_mode,
+                       true, [=](Laboratory& l) { return wedged_column(l, play.size, share); }});
   }
   for (const double share : {0.9, 0.95, 0.99, 1.01})
     cases.push_back({"hard", fmt::format("bridge_{:g}", share), "whether a beam on two different supports stays",

@@ -138,8 +138,8 @@ std::vector<Measurement> edge_landing(Laboratory& laboratory, const EdgeLanding&
 
 std::vector<Case> landing_cases() {
   std::vector<Case> cases;
-  const auto add = [&](std::string name, std::string question, const char* trap, bool quick, auto measure) {
-    cases.push_back({"rebound", std::move(name), std::move(question), trap, quick, measure});
+  const auto add = [&](std::string name, std::string question, const char* failure_mode, bool quick, auto measure) {
+    cases.push_back({"rebound", std::move(name), std::move(question), failure_mode, quick, measure});
   };
   for (const double height : {0.1, 0.5, 1.0}) {
     add(fmt::format("drop_e_0_from_{}", height), fmt::format("a box falls {} m flat and does not rebound", height),

@@ -201,8 +201,8 @@ std::vector<Measurement> box_on_box(Laboratory& laboratory, double floor_frictio
 
 std::vector<Case> manoeuvre_cases() {
   std::vector<Case> cases;
-  const auto add = [&](std::string name, std::string question, const char* trap, bool quick, auto measure) {
-    cases.push_back({"manoeuvre", std::move(name), std::move(question), trap, quick, measure});
+  const auto add = [&](std::string name, std::string question, const char* failure_mode, bool quick, auto measure) {
+    cases.push_back({"manoeuvre", std::move(name), std::move(question), failure_mode, quick, measure});
   };
   const char* const edges = "first-order time stepping, steps that contain a breakpoint, stops not located in time";
   for (const double mu : {0.2, 0.3, 0.45, 0.6})

@@ -133,8 +133,8 @@ std::vector<Measurement> from_both_sides(Laboratory& laboratory, double restitut
 
 std::vector<Case> meeting_cases() {
   std::vector<Case> cases;
-  const auto add = [&](std::string name, std::string question, const char* trap, bool quick, auto measure) {
-    cases.push_back({"rebound", std::move(name), std::move(question), trap, quick, measure});
+  const auto add = [&](std::string name, std::string question, const char* failure_mode, bool quick, auto measure) {
+    cases.push_back({"rebound", std::move(name), std::move(question), failure_mode, quick, measure});
   };
   struct Masses {
     double first;

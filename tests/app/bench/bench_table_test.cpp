@@ -43,7 +43,7 @@ TEST_CASE("bench_table: medians, spread, speedup and efficiency", "[app][bench]"
   CHECK(contains(text, "10.00 %    0.00 %   80.00 %    0.00 %    0.00 %    5.00 %    5.00 %"));
 }
 
-TEST_CASE("bench_table: an efficiency is told only against another number of threads", "[app][bench]") {
+TEST_CASE("bench_table: an efficiency is reported only against another number of threads", "[app][bench]") {
   const std::string text = bench_tables({row_of(4, {4.0})});
   INFO(text);
   CHECK(contains(text, "      -           -  "));

@@ -77,7 +77,7 @@ TEST_CASE("world_invariants: they hold after every step, at every accuracy", "[c
   }
 }
 
-TEST_CASE("world_invariants: whatever is broken in a world is told", "[core][world_invariants]") {
+TEST_CASE("world_invariants: whatever is broken in a world is reported", "[core][world_invariants]") {
   OneWorld whole = two_stacks();
   whole.run([] {});
   const WorldView view = whole.world.view();

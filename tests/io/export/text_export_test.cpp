@@ -64,7 +64,7 @@ TEST_CASE("text_export: a world that was not simulated has nan as its results", 
   CHECK(batch[0] == "loading, \"0\".txt\tbraking.txt\tnan\tnan");
 }
 
-TEST_CASE("text_export: a part is refused, and so is a folder that cannot be made", "[io][results]") {
+TEST_CASE("text_export: a part is refused, and so is a folder that cannot be created", "[io][results]") {
   const Run run = make_run({{3, 4}});
   const Folder folder;
   const std::string path = folder / "results.h5";

@@ -47,5 +47,5 @@ TEST_CASE("output_lock: a folder that cannot be created is an error", "[io][resu
   std::ofstream(folder / "file") << "";
   const Result<OutputLock> lock = take(folder / "file/results.h5");
   REQUIRE_FALSE(lock);
-  CHECK(lock.error().what == "cannot be made");
+  CHECK(lock.error().what == "cannot be created");
 }
