@@ -1,8 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <span>
+#include <utility>
 
 #include "core/native/native_engine.hpp"
+#include "core/native/native_world.hpp"
 #include "scenes.hpp"
 
 /// What the tests of the native engine's known answers share.
@@ -23,5 +27,36 @@ inline scenes::Run native_run(const Layout& layout, const Acceleration& accelera
 inline Layout one_box(const Vec3& size, double height = 0.0) {
   return scenes::layout_of({scenes::box({10, 10, height}, size)});
 }
+
+/// A world with its own inputs.
+struct OneWorld {
+  Settings settings;
+  Layout layout;
+  Acceleration acceleration;
+  const Acceleration* pointer = &acceleration;
+  WorldBatch batch = scenes::batch_of(std::span(&layout, 1), std::span(&pointer, 1), settings);
+  native::NativeWorld world;
+
+  OneWorld(const Settings& given, Layout boxes, Acceleration motion,
+           std::unique_ptr<native::ContactSolver> solver = native::make_contact_solver())
+      : settings(given),
+        layout(std::move(boxes)),
+        acceleration(std::move(motion)),
+        world(batch, batch.worlds.front(), settings, native::native_options(settings), std::move(solver)) {}
+  OneWorld(const OneWorld&) = delete;
+  OneWorld& operator=(const OneWorld&) = delete;
+
+  /// Takes every step, and calls `look` after each.
+  void run(const std::function<void()>& look = [] {}) {
+    for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
+      double time = phase.begin;
+      while (time < phase.end) {
+        time = world.advance(phase);
+        look();
+      }
+    }
+    world.read_back(batch.state);
+  }
+};
 
 }  // namespace holdfast::internal::native_scenes

@@ -6,38 +6,14 @@
 #include <limits>
 
 #include "core/native/native_scenes.hpp"
-#include "core/native/native_world.hpp"
 #include "random.hpp"
 
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
+using native_scenes::OneWorld;
 
 namespace {
-
-/// A world with its own inputs.
-struct OneWorld {
-  Settings settings;
-  Layout layout;
-  Acceleration acceleration;
-  const Acceleration* pointer = &acceleration;
-  WorldBatch batch = scenes::batch_of(std::span(&layout, 1), std::span(&pointer, 1), settings);
-  NativeWorld world{batch, batch.worlds.front(), settings, native_options(settings)};
-
-  OneWorld(const Settings& given, Layout boxes, Acceleration motion)
-      : settings(given), layout(std::move(boxes)), acceleration(std::move(motion)) {}
-
-  /// Takes every step, and calls `look` after each.
-  void run(const std::function<void()>& look) {
-    for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
-      double time = phase.begin;
-      while (time < phase.end) {
-        time = world.advance(phase);
-        look();
-      }
-    }
-  }
-};
 
 /// Two stacks side by side: one is pushed against the other, and both come to rest.
 OneWorld two_stacks() {
