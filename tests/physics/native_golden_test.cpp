@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xb7996e6b12686081},
-    {"lean", lean, 0xf9c68bbef50fd0d0},
-    {"tumble", tumble, 0x8c997bd47a46b049},
-    {"drop", drop, 0x7108b9f927ff33d1},
+    {"brake", brake, 0x2198092cd01ab9d2},
+    {"lean", lean, 0x478643793f414b98},
+    {"tumble", tumble, 0x5b49963e33845965},
+    {"drop", drop, 0xfd0bd30527e3dcec},
 };
 
 }  // namespace

@@ -73,7 +73,9 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
   return part;
 }
 
-/// How a moving step is solved. What may be left over shrinks with the speed of slow bodies.
+/// How a moving step is solved. What may be left over shrinks with the speed of slow bodies. Where the effective
+/// gravity has just changed, R is that of a proof of rest: with less of it along the tangents, the solve of a column
+/// between floor and roof finds forces that hold it, though nothing pushes it against the roof (test `roof`).
 SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const {
   SolveLimits limits;
   if (terms.reset_warm_start) {
@@ -81,6 +83,9 @@ SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& isl
   } else {
     limits.tolerance = effort_.tolerance;
     limits.iterations = effort_.iterations;
+    limits.sticking = effort_.sticking_penalty;
+    limits.sliding = effort_.sliding_penalty;
+    limits.refit_share = effort_.refit_share;
   }
   const double speed = mean_speed(scene.bodies, island);
   const double slow = speed < terms.velocity_unit ? std::max(kSlowShare, speed / terms.velocity_unit) : 1.0;

@@ -12,14 +12,16 @@ NativeOptions native_options(const Settings& settings) {
       options.steps_per_second = 60.0;
       options.large_island = {.tolerance = 1e-3,
                               .reset_tolerance = 1e-6,
-                              .iterations = 8,
+                              .iterations = 12,
                               .reset_iterations = 60,
-                              .mean_residual = 0.05,
+                              .mean_residual = 0.1,
                               .impact_cuts = 0,
                               .impact_length = 2e-3,
                               .slip_end_cuts = 0,
                               .overlap = 5e-4,
-                              .penetration_slop = 1e-4};
+                              .penetration_slop = 1e-4,
+                              .sticking_penalty = kLargeIslandStickingPenalty,
+                              .refit_share = kLargeIslandRefitShare};
       options.small_island.overlap = 2e-4;
       options.rest_tolerance = 1e-6;
       options.rest_iterations = 3000;
@@ -35,7 +37,8 @@ NativeOptions native_options(const Settings& settings) {
                                                      .reset_iterations = 4000,
                                                      .impact_cuts = 32,
                                                      .impact_length = 0.0,
-                                                     .slip_end_cuts = 32};
+                                                     .slip_end_cuts = 32,
+                                                     .sliding_penalty = kSlidingPenalty};
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;
       break;
