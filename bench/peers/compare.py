@@ -1,0 +1,167 @@
+#!/usr/bin/python3
+"""Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what the numbers mean.
+
+Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers > build/peers/tables.md
+"""
+import argparse
+import subprocess
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import pandas as pd
+
+import peer_statistics as statistics
+from peer_runs import ACCELERATIONS, BENCH, Runner, files_of, generated_loads, loose_loads
+
+BASE = "native-screening"
+SETTINGS = {
+    "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x8k", "box3d-60x16k", "box3d-240x4s",
+             "box3d-240x4ks", "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
+    "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "jolt-60s", "jolt-60ps"],
+    "harsh": [BASE, f"{BASE}:Iterations=64", f"{BASE}:StepsPerSecond=240:Iterations=32", "native-standard",
+              "box3d-60x4s", "box3d-60x4", "box3d-60x8k", "box3d-60x16k", "box3d-60x32k", "box3d-240x4", "box3d-240x4k",
+              "box3d-960x4", "jolt-60s", "jolt-240", "jolt-240p", "jolt-480x20x4", "jolt-480x20x4p"],
+    "large": [BASE, "box3d-60x4s", "box3d-60x4", "box3d-60x16k", "jolt-60s", "jolt-240ps"],
+}
+REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
+              "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
+TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
+SIZES = [100, 200, 400, 600]  # boxes of the large loads
+
+
+def print_table(title, head, rows):
+    print(f"\n{title}\n\n| {' | '.join(head)} |\n|{' --- |' * len(head)}")
+    for row in rows:
+        print(f"| {' | '.join(row)} |", flush=True)
+
+
+def number(value):
+    """Two or three significant digits, without an exponent."""
+    return f"{value:.0f}" if abs(value) >= 99.5 else f"{value:.2g}"
+
+
+class Comparison:
+    """The tables of all kinds of loads, and the fronts that the plot shows."""
+
+    def __init__(self, arguments):
+        self.arguments = arguments
+        self.runner = Runner(arguments.program, arguments.output)
+        self.fronts = []  # (title, cost, label of the error, error)
+
+    def settings(self, kind):
+        return self.arguments.settings or SETTINGS[kind]
+
+    def relative(self, worlds):
+        cpu = statistics.cpu_per_second(worlds)
+        return cpu, cpu / cpu[BASE if BASE in cpu else cpu.index[0]]
+
+    def road(self):
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        accelerations = [ACCELERATIONS / f"road_{name}.txt" for name in ("brake_0g8", "rearward_0g5", "corner_left_0g5")]
+        known, _ = self.runner.references("road", layouts, accelerations, self.references("road"))
+        worlds, _ = self.runner.run("road", layouts, accelerations, self.settings("road"))
+        errors, counted, every, apart = statistics.verdict_errors(worlds, known)
+        cpu, relative = self.relative(worlds)
+        title = (f"Road: {len(layouts)} layouts under three accelerations. {' and '.join(known['setting'].unique())} agree "
+                 f"on {counted} of {every} worlds; their largest displacements differ by {1e3 * apart:.1f} mm in the median.")
+        print_table(title, ["setting", "CPU, relative", "CPU s per simulated s", f"wrong of {counted}", "difference, mm"],
+                    [[s, number(relative[s]), number(cpu[s]), str(row["wrong"]), number(1e3 * row["difference"])]
+                     for s, row in errors.astype(object).iterrows()])
+        self.fronts.append(("road", relative, f"wrong verdicts of {counted}", errors["wrong"].astype(float)))
+
+    def gentle(self):
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        worlds, _ = self.runner.run("gentle", layouts, [ACCELERATIONS / "lane_change_2ms2.txt"], self.settings("gentle"))
+        cpu, relative = self.relative(worlds)
+        found = statistics.largest(worlds)
+        print_table(f"Gentle: {len(layouts)} layouts under a lane change of 0.2 g.",
+                    ["setting", "CPU, relative", "CPU s per simulated s", "worlds that moved", "largest displacement, mm"],
+                    [[s, number(relative[s]), f"{cpu[s]:.2g}", str(int((found[s] > statistics.MOVED).sum())),
+                      number(1e3 * found[s].median())] for s in cpu.index])
+
+    def harsh(self):
+        layouts = loose_loads(self.arguments.output / "loose")
+        acceleration = [BENCH / "to_and_fro.txt"]
+        at_times = lambda table: table[table["time"].round(6).isin(TIMES)].assign(time=lambda t: t["time"].round(6))
+        _, known = self.runner.references("harsh", layouts, acceleration, self.references("harsh"), interval=0.1)
+        middle, share = statistics.consensus(at_times(known))
+        worlds, positions = self.runner.run("harsh", layouts, acceleration, self.settings("harsh"), interval=0.1)
+        errors = statistics.consensus_errors(at_times(positions), middle)
+        cpu, relative = self.relative(worlds)
+        shares = ", ".join(f"{100 * share[time]:.0f}" for time in TIMES)
+        title = (f"Harsh: {len(layouts)} layouts with 1 mm of play, to and fro. Error in mm, mean / median, over the boxes on "
+                 f"which {', '.join(known['setting'].unique())} agree to 1 mm: {shares} %.")
+        in_mm = lambda name, time, setting: f"{1e3 * errors[name][time][setting]:.2f}"
+        rms = 1e3 * errors["rms"].mean(axis=1)
+        print_table(title, ["setting", "CPU, relative", *[f"{time:g} s" for time in TIMES], "root mean square"],
+                    [[s, number(relative[s]), *[f"{in_mm('mean', t, s)} / {in_mm('median', t, s)}" for t in TIMES],
+                      f"{rms[s]:.2f}"] for s in cpu.index])
+        self.fronts.append(("harsh", relative, "error, mm: mean over boxes and times", 1e3 * errors["mean"].mean(axis=1)))
+
+    def large(self):
+        loads = {size: generated_loads(self.arguments.output / "large", size) for size in SIZES}
+        for what, file in (("lane change", "lane_change_2ms2.txt"), ("brake, 0.8 g", "road_brake_0g8.txt")):
+            parts = []
+            for size, layouts in loads.items():
+                worlds, _ = self.runner.run(f"large_{size}", layouts, [ACCELERATIONS / file], self.settings("large"))
+                parts.append(worlds.assign(size=size))
+            every = pd.concat(parts)
+            costs = statistics.cost_of_sizes(every)
+            exponent = statistics.exponents(costs)
+            fell = every.assign(fell=every["fallen"] > 0).groupby("setting", sort=False)["fell"].sum()
+            print_table(f"Large, {what}: CPU ms per simulated second against boxes, two layouts of each size.",
+                        ["setting", *map(str, SIZES), "exponent", f"fell, of {2 * len(SIZES)}"],
+                        [[s, *[number(costs[size][s]) for size in SIZES], f"{exponent[s]:.2f}", str(fell[s])]
+                         for s in costs.index])
+
+    def references(self, kind):
+        return self.arguments.references or REFERENCES[kind]
+
+    def draw(self, path):
+        """Error against cost, one panel per kind; the line joins the settings that no other one beats."""
+        if not self.fronts:
+            return
+        figure, panels = plt.subplots(1, len(self.fronts), figsize=(7 * len(self.fronts), 5.5), squeeze=False)
+        for axes, (title, cost, label, error) in zip(panels[0], self.fronts):
+            for family, marker in (("native", "o"), ("bullet", "v"), ("box3d", "s"), ("jolt", "^")):
+                of_family = [name for name in cost.index if name.startswith(family)]
+                axes.plot(cost[of_family], error[of_family], marker, label=family)
+            front = statistics.pareto_front(cost, error)
+            axes.step(cost[front], error[front], "k:", where="post", linewidth=1)
+            for name in cost.index:
+                axes.annotate(name, (cost[name], error[name]), textcoords="offset points", xytext=(4, 3), fontsize=7)
+            axes.set(xscale="log", xlabel=f"processor time relative to {BASE}", ylabel=label, title=title)
+            if title == "harsh":
+                axes.set(yscale="log")
+            axes.legend()
+        figure.tight_layout()
+        figure.savefig(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=Path, help="peer_bench, built with the sources of both peers")
+    parser.add_argument("--output", type=Path, default=Path("peers"), help="folder of CSV files, references and plot")
+    parser.add_argument("--kinds", nargs="+", choices=["road", "gentle", "harsh", "large"],
+                        default=["road", "gentle", "harsh", "large"])
+    parser.add_argument("--layouts", type=Path, nargs="+", default=[BENCH / "layouts", BENCH.parent / "configs" / "layouts"],
+                        help="folders of the road and gentle loads")
+    parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
+    parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
+    parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")
+    parser.add_argument("--plot", type=Path, help="where it goes, instead of front.svg in the output folder")
+    arguments = parser.parse_args()
+    comparison = Comparison(arguments)
+    try:
+        for kind in arguments.kinds:
+            getattr(comparison, kind)()
+    except subprocess.CalledProcessError as error:
+        parser.exit(1, f"{error.cmd[0]} failed: {error.returncode}\n")
+    comparison.draw(arguments.plot or arguments.output / "front.svg")
+
+
+if __name__ == "__main__":
+    main()
