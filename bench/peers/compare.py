@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what the numbers mean.
 
-Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers > build/peers/tables.md
+Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers
 """
 import argparse
 import subprocess
@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
+matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "peers"})
 import matplotlib.pyplot as plt
 import pandas as pd
 
@@ -18,13 +19,13 @@ from peer_runs import ACCELERATIONS, BENCH, Runner, files_of, generated_loads, l
 
 BASE = "native-screening"
 SETTINGS = {
-    "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x8k", "box3d-60x16k", "box3d-240x4s",
-             "box3d-240x4ks", "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
-    "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "jolt-60s", "jolt-60ps"],
+    "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks",
+             "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
+    "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x16ks", "jolt-60s", "jolt-60ps"],
     "harsh": [BASE, f"{BASE}:Iterations=64", f"{BASE}:StepsPerSecond=240:Iterations=32", "native-standard",
-              "box3d-60x4s", "box3d-60x4", "box3d-60x8k", "box3d-60x16k", "box3d-60x32k", "box3d-240x4", "box3d-240x4k",
-              "box3d-960x4", "jolt-60s", "jolt-240", "jolt-240p", "jolt-480x20x4", "jolt-480x20x4p"],
-    "large": [BASE, "box3d-60x4s", "box3d-60x4", "box3d-60x16k", "jolt-60s", "jolt-240ps"],
+              "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-60x32ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s",
+              "jolt-240s", "jolt-480x20x4s", "jolt-480x20x4ps"],
+    "large": [BASE, "box3d-60x4s", "box3d-60x16ks", "jolt-60s", "jolt-240ps"],
 }
 REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
               "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
@@ -32,10 +33,23 @@ TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
 SIZES = [100, 200, 400, 600]  # boxes of the large loads
 
 
-def print_table(title, head, rows):
-    print(f"\n{title}\n\n| {' | '.join(head)} |\n|{' --- |' * len(head)}")
-    for row in rows:
-        print(f"| {' | '.join(row)} |", flush=True)
+def table_of(title, head, rows):
+    """A table of Markdown under its title."""
+    lines = [title, "", f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}", *[f"| {' | '.join(row)} |" for row in rows]]
+    return "\n".join(lines)
+
+
+def replace_tables(path, tables):
+    """Puts the tables between the marks of their kinds in a page of the documentation."""
+    page = path.read_text(encoding="utf-8")
+    for kind, text in tables.items():
+        begin, end = f"<!-- peers {kind} -->\n", f"\n<!-- end of peers {kind} -->"
+        before, found, rest = page.partition(begin)
+        _, closed, after = rest.partition(end)
+        if not found or not closed:
+            raise ValueError(f"{path}: no marks '{begin.strip()}' and '{end.strip()}'")
+        page = before + begin + text + end + after
+    path.write_text(page, encoding="utf-8")
 
 
 def number(value):
@@ -67,20 +81,22 @@ class Comparison:
         cpu, relative = self.relative(worlds)
         title = (f"Road: {len(layouts)} layouts under three accelerations. {' and '.join(known['setting'].unique())} agree "
                  f"on {counted} of {every} worlds; their largest displacements differ by {1e3 * apart:.1f} mm in the median.")
-        print_table(title, ["setting", "CPU, relative", "CPU s per simulated s", f"wrong of {counted}", "difference, mm"],
-                    [[s, number(relative[s]), number(cpu[s]), str(row["wrong"]), number(1e3 * row["difference"])]
-                     for s, row in errors.astype(object).iterrows()])
         self.fronts.append(("road", relative, f"wrong verdicts of {counted}", errors["wrong"].astype(float)))
+        rows = [[name, number(relative[name]), number(cpu[name]), str(row["wrong"]), number(1e3 * row["difference"])]
+                for name, row in errors.astype(object).iterrows()]
+        return table_of(title, ["setting", "CPU, relative", "CPU s per simulated s", f"wrong of {counted}", "difference, mm"],
+                        rows)
 
     def gentle(self):
         layouts = files_of(self.arguments.layouts, self.arguments.most)
         worlds, _ = self.runner.run("gentle", layouts, [ACCELERATIONS / "lane_change_2ms2.txt"], self.settings("gentle"))
         cpu, relative = self.relative(worlds)
         found = statistics.largest(worlds)
-        print_table(f"Gentle: {len(layouts)} layouts under a lane change of 0.2 g.",
-                    ["setting", "CPU, relative", "CPU s per simulated s", "worlds that moved", "largest displacement, mm"],
-                    [[s, number(relative[s]), f"{cpu[s]:.2g}", str(int((found[s] > statistics.MOVED).sum())),
-                      number(1e3 * found[s].median())] for s in cpu.index])
+        rows = [[name, number(relative[name]), number(cpu[name]), str(int((found[name] > statistics.MOVED).sum())),
+                 number(1e3 * found[name].median())] for name in cpu.index]
+        return table_of(f"Gentle: {len(layouts)} layouts under a lane change of 0.2 g.",
+                        ["setting", "CPU, relative", "CPU s per simulated s", "worlds that moved",
+                         "largest displacement, mm: median"], rows)
 
     def harsh(self):
         layouts = loose_loads(self.arguments.output / "loose")
@@ -94,15 +110,16 @@ class Comparison:
         shares = ", ".join(f"{100 * share[time]:.0f}" for time in TIMES)
         title = (f"Harsh: {len(layouts)} layouts with 1 mm of play, to and fro. Error in mm, mean / median, over the boxes on "
                  f"which {', '.join(known['setting'].unique())} agree to 1 mm: {shares} %.")
-        in_mm = lambda name, time, setting: f"{1e3 * errors[name][time][setting]:.2f}"
-        rms = 1e3 * errors["rms"].mean(axis=1)
-        print_table(title, ["setting", "CPU, relative", *[f"{time:g} s" for time in TIMES], "root mean square"],
-                    [[s, number(relative[s]), *[f"{in_mm('mean', t, s)} / {in_mm('median', t, s)}" for t in TIMES],
-                      f"{rms[s]:.2f}"] for s in cpu.index])
         self.fronts.append(("harsh", relative, "error, mm: mean over boxes and times", 1e3 * errors["mean"].mean(axis=1)))
+        rms = 1e3 * errors["rms"].mean(axis=1)
+        rows = [[name, number(relative[name]),
+                 *[f"{1e3 * errors['mean'][t][name]:.2f} / {1e3 * errors['median'][t][name]:.2f}" for t in TIMES],
+                 f"{rms[name]:.2f}"] for name in cpu.index]
+        return table_of(title, ["setting", "CPU, relative", *[f"{time:g} s" for time in TIMES], "root mean square"], rows)
 
     def large(self):
         loads = {size: generated_loads(self.arguments.output / "large", size) for size in SIZES}
+        tables = []
         for what, file in (("lane change", "lane_change_2ms2.txt"), ("brake, 0.8 g", "road_brake_0g8.txt")):
             parts = []
             for size, layouts in loads.items():
@@ -112,10 +129,11 @@ class Comparison:
             costs = statistics.cost_of_sizes(every)
             exponent = statistics.exponents(costs)
             fell = every.assign(fell=every["fallen"] > 0).groupby("setting", sort=False)["fell"].sum()
-            print_table(f"Large, {what}: CPU ms per simulated second against boxes, two layouts of each size.",
-                        ["setting", *map(str, SIZES), "exponent", f"fell, of {2 * len(SIZES)}"],
-                        [[s, *[number(costs[size][s]) for size in SIZES], f"{exponent[s]:.2f}", str(fell[s])]
-                         for s in costs.index])
+            rows = [[name, *[number(costs[size][name]) for size in SIZES], f"{exponent[name]:.2f}", str(fell[name])]
+                    for name in costs.index]
+            tables.append(table_of(f"Large, {what}: CPU ms per simulated second, two layouts of each number of boxes.",
+                                   ["setting", *map(str, SIZES), "exponent", f"fell, of {2 * len(SIZES)}"], rows))
+        return "\n\n".join(tables)
 
     def references(self, kind):
         return self.arguments.references or REFERENCES[kind]
@@ -138,7 +156,7 @@ class Comparison:
                 axes.set(yscale="log")
             axes.legend()
         figure.tight_layout()
-        figure.savefig(path)
+        figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
 
 
 def main():
@@ -152,14 +170,19 @@ def main():
     parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
     parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
     parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")
+    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/performance.md")
     parser.add_argument("--plot", type=Path, help="where it goes, instead of front.svg in the output folder")
     arguments = parser.parse_args()
     comparison = Comparison(arguments)
     try:
+        tables = {}
         for kind in arguments.kinds:
-            getattr(comparison, kind)()
+            tables[kind] = getattr(comparison, kind)()
+            print(tables[kind], end="\n\n", flush=True)
     except subprocess.CalledProcessError as error:
         parser.exit(1, f"{error.cmd[0]} failed: {error.returncode}\n")
+    if arguments.into:
+        replace_tables(arguments.into, tables)
     comparison.draw(arguments.plot or arguments.output / "front.svg")
 
 
