@@ -23,7 +23,8 @@ Vector from_box3d(const b3Vec3& v) { return {v.x, v.y, v.z}; }
 
 class Box3dWorld final : public PeerWorld {
  public:
-  Box3dWorld(const Scene& scene, const Box3dOptions& options) : friction_(scene.friction), substeps_(options.substeps) {
+  Box3dWorld(const Scene& scene, const Box3dOptions& options)
+      : friction_(scene.friction), substeps_(options.substeps), sleeping_(options.sleeping) {
     b3WorldDef definition = b3DefaultWorldDef();
     definition.frictionCallback = friction_of_surfaces;
     definition.restitutionCallback = [](float, std::uint64_t, float, std::uint64_t) { return 0.0F; };
@@ -39,12 +40,16 @@ class Box3dWorld final : public PeerWorld {
 
   void set_gravity(const Vector& gravity) override {
     b3World_SetGravity(world_, to_box3d(gravity));
-    for (const b3BodyId box : boxes_) b3Body_SetAwake(box, true);
+    // Wakes all boxes. Those that are awake have been still for some time, which Box3D would go on to count: a load at
+    // rest for half a second would fall asleep in the step in which it is pushed. A step without sleeping counts from 0
+    // again.
+    b3World_EnableSleeping(world_, false);
   }
 
   bool step(double seconds) override {
     friction_of_step = &friction_;
     b3World_Step(world_, static_cast<float>(seconds), substeps_);
+    if (sleeping_) b3World_EnableSleeping(world_, true);
     return true;
   }
 
@@ -88,6 +93,7 @@ class Box3dWorld final : public PeerWorld {
 
   const FrictionTable& friction_;
   int substeps_;
+  bool sleeping_;
   b3WorldId world_{};
   std::vector<b3BodyId> boxes_;
 };
