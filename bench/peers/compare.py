@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what the numbers mean.
+"""Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what
+the numbers mean.
 
 Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers
 """
@@ -15,9 +16,10 @@ import matplotlib.pyplot as plt
 import pandas as pd
 
 import peer_statistics as statistics
-from peer_runs import ACCELERATIONS, BENCH, Runner, files_of, generated_loads, loose_loads
+from peer_runs import ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads
 
 BASE = "native-screening"
+KINDS = ["road", "loose", "gentle", "harsh", "large"]
 SETTINGS = {
     "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks",
              "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
@@ -29,6 +31,7 @@ SETTINGS = {
 }
 REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
               "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
+SETTINGS["loose"], REFERENCES["loose"] = SETTINGS["road"], REFERENCES["road"]
 TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
 SIZES = [100, 200, 400, 600]  # boxes of the large loads
 
@@ -73,15 +76,22 @@ class Comparison:
         return cpu, cpu / cpu[BASE if BASE in cpu else cpu.index[0]]
 
     def road(self):
+        return self.verdicts("road", "Road", files_of(self.arguments.layouts, self.arguments.most))
+
+    def loose(self):
         layouts = files_of(self.arguments.layouts, self.arguments.most)
+        return self.verdicts("loose", "Road, with 1 mm of play", loose_loads(self.arguments.output / "loose_road", layouts))
+
+    def verdicts(self, kind, title, layouts):
+        """The table of layouts under the accelerations of the road."""
         accelerations = [ACCELERATIONS / f"road_{name}.txt" for name in ("brake_0g8", "rearward_0g5", "corner_left_0g5")]
-        known, _ = self.runner.references("road", layouts, accelerations, self.references("road"))
-        worlds, _ = self.runner.run("road", layouts, accelerations, self.settings("road"))
+        known, _ = self.runner.references(kind, layouts, accelerations, self.references(kind))
+        worlds, _ = self.runner.run(kind, layouts, accelerations, self.settings(kind))
         errors, counted, every, apart = statistics.verdict_errors(worlds, known)
         cpu, relative = self.relative(worlds)
-        title = (f"Road: {len(layouts)} layouts under three accelerations. {' and '.join(known['setting'].unique())} agree "
+        title = (f"{title}: {len(layouts)} layouts under three accelerations. {' and '.join(known['setting'].unique())} agree "
                  f"on {counted} of {every} worlds; their largest displacements differ by {1e3 * apart:.1f} mm in the median.")
-        self.fronts.append(("road", relative, f"wrong verdicts of {counted}", errors["wrong"].astype(float)))
+        self.fronts.append((kind, relative, f"wrong verdicts of {counted}", errors["wrong"].astype(float)))
         rows = [[name, number(relative[name]), number(cpu[name]), str(row["wrong"]), number(1e3 * row["difference"])]
                 for name, row in errors.astype(object).iterrows()]
         return table_of(title, ["setting", "CPU, relative", "CPU s per simulated s", f"wrong of {counted}", "difference, mm"],
@@ -99,7 +109,7 @@ class Comparison:
                          "largest displacement, mm: median"], rows)
 
     def harsh(self):
-        layouts = loose_loads(self.arguments.output / "loose")
+        layouts = loose_loads(self.arguments.output / "harsh", HARSH_LOADS)
         acceleration = [BENCH / "to_and_fro.txt"]
         at_times = lambda table: table[table["time"].round(6).isin(TIMES)].assign(time=lambda t: t["time"].round(6))
         _, known = self.runner.references("harsh", layouts, acceleration, self.references("harsh"), interval=0.1)
@@ -146,7 +156,8 @@ class Comparison:
         for axes, (title, cost, label, error) in zip(panels[0], self.fronts):
             for family, marker in (("native", "o"), ("bullet", "v"), ("box3d", "s"), ("jolt", "^")):
                 of_family = [name for name in cost.index if name.startswith(family)]
-                axes.plot(cost[of_family], error[of_family], marker, label=family)
+                if of_family:
+                    axes.plot(cost[of_family], error[of_family], marker, label=family)
             front = statistics.pareto_front(cost, error)
             axes.step(cost[front], error[front], "k:", where="post", linewidth=1)
             for name in cost.index:
@@ -163,10 +174,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path, help="peer_bench, built with the sources of both peers")
     parser.add_argument("--output", type=Path, default=Path("peers"), help="folder of CSV files, references and plot")
-    parser.add_argument("--kinds", nargs="+", choices=["road", "gentle", "harsh", "large"],
-                        default=["road", "gentle", "harsh", "large"])
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=KINDS)
     parser.add_argument("--layouts", type=Path, nargs="+", default=[BENCH / "layouts", BENCH.parent / "configs" / "layouts"],
-                        help="folders of the road and gentle loads")
+                        help="folders of the road, loose and gentle loads")
     parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
     parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
     parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")

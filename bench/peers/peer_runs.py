@@ -8,7 +8,8 @@ import pandas as pd
 
 BENCH = Path(__file__).resolve().parent.parent
 ACCELERATIONS = BENCH.parent / "configs" / "accelerations"
-HARSH_LOADS = ["BR0_012_block", "BR15_077_wall", "BR1_001_ep", "BR8_009_ep", "BR2_015_brick"]
+HARSH_LOADS = [BENCH.parent / "configs" / "layouts" / f"{name}.txt"
+               for name in ("BR0_012_block", "BR15_077_wall", "BR1_001_ep", "BR8_009_ep", "BR2_015_brick")]
 
 
 def files_of(folders, most=None):
@@ -24,11 +25,10 @@ def files_of(folders, most=None):
     return [files[i * len(files) // most] for i in range(most)]
 
 
-def loose_loads(folder):
-    """The harsh loads: real layouts with 1 mm of play, made anew."""
-    layouts = [BENCH.parent / "configs" / "layouts" / f"{name}.txt" for name in HARSH_LOADS]
+def loose_loads(folder, layouts):
+    """The layouts with 1 mm of play, made anew."""
     subprocess.run([sys.executable, BENCH / "with_play.py", "1", folder, *layouts], check=True)
-    return files_of([folder])
+    return [Path(folder) / path.name for path in layouts]
 
 
 def generated_loads(folder, boxes, count=2):
