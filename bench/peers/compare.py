@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+"""Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what
+the numbers mean.
+
+Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers
+"""
+import argparse
+import subprocess
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "peers"})
+import matplotlib.pyplot as plt
+import pandas as pd
+
+import peer_statistics as statistics
+from peer_runs import ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads
+
+BASE = "native-screening"
+KINDS = ["road", "loose", "gentle", "harsh", "large"]
+SETTINGS = {
+    "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks",
+             "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
+    "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x16ks", "jolt-60s", "jolt-60ps"],
+    "harsh": [BASE, f"{BASE}:Iterations=64", f"{BASE}:StepsPerSecond=240:Iterations=32", "native-standard",
+              "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-60x32ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s",
+              "jolt-240s", "jolt-480x20x4s", "jolt-480x20x4ps"],
+    "large": [BASE, "box3d-60x4s", "box3d-60x16ks", "jolt-60s", "jolt-240ps"],
+}
+REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
+              "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
+SETTINGS["loose"], REFERENCES["loose"] = SETTINGS["road"], REFERENCES["road"]
+TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
+SIZES = [100, 200, 400, 600]  # boxes of the large loads
+
+
+def table_of(title, head, rows):
+    """A table of Markdown under its title."""
+    lines = [title, "", f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}", *[f"| {' | '.join(row)} |" for row in rows]]
+    return "\n".join(lines)
+
+
+def replace_tables(path, tables):
+    """Puts the tables between the marks of their kinds in a page of the documentation."""
+    page = path.read_text(encoding="utf-8")
+    for kind, text in tables.items():
+        begin, end = f"<!-- peers {kind} -->\n", f"\n<!-- end of peers {kind} -->"
+        before, found, rest = page.partition(begin)
+        _, closed, after = rest.partition(end)
+        if not found or not closed:
+            raise ValueError(f"{path}: no marks '{begin.strip()}' and '{end.strip()}'")
+        page = before + begin + text + end + after
+    path.write_text(page, encoding="utf-8")
+
+
+def number(value):
+    """Two or three significant digits, without an exponent."""
+    return f"{value:.0f}" if abs(value) >= 99.5 else f"{value:.2g}"
+
+
+class Comparison:
+    """The tables of all kinds of loads, and the fronts that the plot shows."""
+
+    def __init__(self, arguments):
+        self.arguments = arguments
+        self.runner = Runner(arguments.program, arguments.output)
+        self.fronts = []  # (title, cost, label of the error, error)
+
+    def settings(self, kind):
+        return self.arguments.settings or SETTINGS[kind]
+
+    def relative(self, worlds):
+        cpu = statistics.cpu_per_second(worlds)
+        return cpu, cpu / cpu[BASE if BASE in cpu else cpu.index[0]]
+
+    def road(self):
+        return self.verdicts("road", "Road", files_of(self.arguments.layouts, self.arguments.most))
+
+    def loose(self):
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        return self.verdicts("loose", "Road, with 1 mm of play", loose_loads(self.arguments.output / "loose_road", layouts))
+
+    def verdicts(self, kind, title, layouts):
+        """The table of layouts under the accelerations of the road."""
+        accelerations = [ACCELERATIONS / f"road_{name}.txt" for name in ("brake_0g8", "rearward_0g5", "corner_left_0g5")]
+        known, _ = self.runner.references(kind, layouts, accelerations, self.references(kind))
+        worlds, _ = self.runner.run(kind, layouts, accelerations, self.settings(kind))
+        errors, counted, every, apart = statistics.verdict_errors(worlds, known)
+        cpu, relative = self.relative(worlds)
+        title = (f"{title}: {len(layouts)} layouts under three accelerations. {' and '.join(known['setting'].unique())} agree "
+                 f"on {counted} of {every} worlds; their largest displacements differ by {1e3 * apart:.1f} mm in the median.")
+        self.fronts.append((kind, relative, f"wrong verdicts of {counted}", errors["wrong"].astype(float)))
+        rows = [[name, number(relative[name]), number(cpu[name]), str(row["wrong"]), number(1e3 * row["difference"])]
+                for name, row in errors.astype(object).iterrows()]
+        return table_of(title, ["setting", "CPU, relative", "CPU s per simulated s", f"wrong of {counted}", "difference, mm"],
+                        rows)
+
+    def gentle(self):
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        worlds, _ = self.runner.run("gentle", layouts, [ACCELERATIONS / "lane_change_2ms2.txt"], self.settings("gentle"))
+        cpu, relative = self.relative(worlds)
+        found = statistics.largest(worlds)
+        rows = [[name, number(relative[name]), number(cpu[name]), str(int((found[name] > statistics.MOVED).sum())),
+                 number(1e3 * found[name].median())] for name in cpu.index]
+        return table_of(f"Gentle: {len(layouts)} layouts under a lane change of 0.2 g.",
+                        ["setting", "CPU, relative", "CPU s per simulated s", "worlds that moved",
+                         "largest displacement, mm: median"], rows)
+
+    def harsh(self):
+        layouts = loose_loads(self.arguments.output / "harsh", HARSH_LOADS)
+        acceleration = [BENCH / "to_and_fro.txt"]
+        at_times = lambda table: table[table["time"].round(6).isin(TIMES)].assign(time=lambda t: t["time"].round(6))
+        _, known = self.runner.references("harsh", layouts, acceleration, self.references("harsh"), interval=0.1)
+        middle, share = statistics.consensus(at_times(known))
+        worlds, positions = self.runner.run("harsh", layouts, acceleration, self.settings("harsh"), interval=0.1)
+        errors = statistics.consensus_errors(at_times(positions), middle)
+        cpu, relative = self.relative(worlds)
+        shares = ", ".join(f"{100 * share[time]:.0f}" for time in TIMES)
+        title = (f"Harsh: {len(layouts)} layouts with 1 mm of play, to and fro. Error in mm, mean / median, over the boxes on "
+                 f"which {', '.join(known['setting'].unique())} agree to 1 mm: {shares} %.")
+        self.fronts.append(("harsh", relative, "error, mm: mean over boxes and times", 1e3 * errors["mean"].mean(axis=1)))
+        rms = 1e3 * errors["rms"].mean(axis=1)
+        rows = [[name, number(relative[name]),
+                 *[f"{1e3 * errors['mean'][t][name]:.2f} / {1e3 * errors['median'][t][name]:.2f}" for t in TIMES],
+                 f"{rms[name]:.2f}"] for name in cpu.index]
+        return table_of(title, ["setting", "CPU, relative", *[f"{time:g} s" for time in TIMES], "root mean square"], rows)
+
+    def large(self):
+        loads = {size: generated_loads(self.arguments.output / "large", size) for size in SIZES}
+        tables = []
+        for what, file in (("lane change", "lane_change_2ms2.txt"), ("brake, 0.8 g", "road_brake_0g8.txt")):
+            parts = []
+            for size, layouts in loads.items():
+                worlds, _ = self.runner.run(f"large_{size}", layouts, [ACCELERATIONS / file], self.settings("large"))
+                parts.append(worlds.assign(size=size))
+            every = pd.concat(parts)
+            costs = statistics.cost_of_sizes(every)
+            exponent = statistics.exponents(costs)
+            fell = every.assign(fell=every["fallen"] > 0).groupby("setting", sort=False)["fell"].sum()
+            rows = [[name, *[number(costs[size][name]) for size in SIZES], f"{exponent[name]:.2f}", str(fell[name])]
+                    for name in costs.index]
+            tables.append(table_of(f"Large, {what}: CPU ms per simulated second, two layouts of each number of boxes.",
+                                   ["setting", *map(str, SIZES), "exponent", f"fell, of {2 * len(SIZES)}"], rows))
+        return "\n\n".join(tables)
+
+    def references(self, kind):
+        return self.arguments.references or REFERENCES[kind]
+
+    def draw(self, path):
+        """Error against cost, one panel per kind; the line joins the settings that no other one beats."""
+        if not self.fronts:
+            return
+        figure, panels = plt.subplots(1, len(self.fronts), figsize=(7 * len(self.fronts), 5.5), squeeze=False)
+        for axes, (title, cost, label, error) in zip(panels[0], self.fronts):
+            for family, marker in (("native", "o"), ("bullet", "v"), ("box3d", "s"), ("jolt", "^")):
+                of_family = [name for name in cost.index if name.startswith(family)]
+                if of_family:
+                    axes.plot(cost[of_family], error[of_family], marker, label=family)
+            front = statistics.pareto_front(cost, error)
+            axes.step(cost[front], error[front], "k:", where="post", linewidth=1)
+            for name in cost.index:
+                axes.annotate(name, (cost[name], error[name]), textcoords="offset points", xytext=(4, 3), fontsize=7)
+            axes.set(xscale="log", xlabel=f"processor time relative to {BASE}", ylabel=label, title=title)
+            if title == "harsh":
+                axes.set(yscale="log")
+            axes.legend()
+        figure.tight_layout()
+        figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=Path, help="peer_bench, built with the sources of both peers")
+    parser.add_argument("--output", type=Path, default=Path("peers"), help="folder of CSV files, references and plot")
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=KINDS)
+    parser.add_argument("--layouts", type=Path, nargs="+", default=[BENCH / "layouts", BENCH.parent / "configs" / "layouts"],
+                        help="folders of the road, loose and gentle loads")
+    parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
+    parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
+    parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")
+    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/performance.md")
+    parser.add_argument("--plot", type=Path, help="where it goes, instead of front.svg in the output folder")
+    arguments = parser.parse_args()
+    comparison = Comparison(arguments)
+    try:
+        tables = {}
+        for kind in arguments.kinds:
+            tables[kind] = getattr(comparison, kind)()
+            print(tables[kind], end="\n\n", flush=True)
+    except subprocess.CalledProcessError as error:
+        parser.exit(1, f"{error.cmd[0]} failed: {error.returncode}\n")
+    if arguments.into:
+        replace_tables(arguments.into, tables)
+    comparison.draw(arguments.plot or arguments.output / "front.svg")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,181 @@
+// Layouts under accelerations in native, Bullet, Box3D and Jolt, taking turns on one thread: README.md says how.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/engine/series_recorder.hpp"
+#include "core/engine/simulate.hpp"
+#include "core/model/verdict.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_file.hpp"
+#include "parallel/schedulers/processor_time.hpp"
+#include "parallel/screening/series_limit.hpp"
+#include "setting_name.hpp"
+
+namespace holdfast::peers {
+
+namespace {
+
+using internal::Acceleration;
+using internal::Error;
+using internal::Layout;
+using internal::Result;
+using internal::Settings;
+using internal::WorldRecord;
+
+/// What the command line asks for.
+struct Request {
+  std::vector<std::string> layouts;
+  std::vector<std::string> accelerations;
+  std::vector<std::string> settings;
+  std::string worlds;
+  std::string positions;  ///< empty: none
+  double interval = 0.1;  ///< s
+  int repeats = 1;
+};
+
+[[noreturn]] void fail(const std::string& what) {
+  fmt::print(stderr, "peer_bench: {}\n", what);
+  std::exit(1);
+}
+
+template <class T>
+T value_or_fail(Result<T> result) {
+  if (!result) fail(result.error().message());
+  return std::move(*result);
+}
+
+/// A text file that is closed when the program ends.
+class TextFile {
+ public:
+  explicit TextFile(const std::string& path) : file_(std::fopen(path.c_str(), "w")) {
+    if (file_ == nullptr) fail(path + ": cannot be written");
+  }
+  void write(const std::string& text) {
+    if (std::fputs(text.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0) fail("a file cannot be written");
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+struct NamedEngine {
+  std::string name;
+  std::unique_ptr<internal::Engine> engine;
+};
+
+/// Builds and simulates one world; `cpu_seconds` is the processor time of both.
+WorldRecord run(const internal::Engine& engine, const Layout& layout, const Acceleration& acceleration,
+                const Settings& settings, bool series) {
+  const Layout* const layouts[] = {&layout};
+  const Acceleration* const accelerations[] = {&acceleration};
+  internal::WorldBatch batch = make_batch(layouts, accelerations, settings);
+  internal::RecordingPlan plan = recording_plan(settings, series);
+  plan.samples = static_cast<std::size_t>(most_samples(acceleration, settings));
+  internal::SeriesRecorder recorder(plan);
+  internal::Recorder* const recorders[] = {&recorder};
+  const std::atomic<bool> abort = false;
+  const double begin = internal::processor_seconds();
+  simulate(engine, batch, settings, recorders, abort);
+  const double end = internal::processor_seconds();
+  WorldRecord record = recorder.take();
+  record.cpu_seconds = end - begin;
+  return record;
+}
+
+std::string row_of(const WorldRecord& record, const Settings& settings) {
+  const internal::WorldVerdict verdict =
+      judge_world(record.outcome.status, record.outcome.stop_reason, record.peak_total_kinetic_energy, record.end,
+                  recording_plan(settings, false).thresholds);
+  return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.outcome.end_time,
+                     record.cpu_seconds, to_string(verdict.verdict), verdict.max_displacement, verdict.moved_boxes,
+                     verdict.fallen_boxes, verdict.tilted_boxes);
+}
+
+/// One line per sample and box, each after the columns in `key`.
+std::string rows_of_positions(const std::string& key, const WorldRecord& record) {
+  std::string rows;
+  const std::size_t boxes = record.boxes.id.size();
+  for (std::size_t i = 0; i < record.series.displacement.size(); ++i) {
+    const internal::Float3& d = record.series.displacement[i];
+    rows += fmt::format("{},{:.6g},{},{:.7g},{:.7g},{:.7g}\n", key, record.series.time[i / boxes],
+                        record.boxes.id[i % boxes], d.x, d.y, d.z);
+  }
+  return rows;
+}
+
+Layout read_layout(const std::string& path, const Settings& settings) {
+  std::vector<Error> warnings;
+  return value_or_fail(parse_layout(value_or_fail(internal::read_text_file(path)), settings, warnings));
+}
+
+Acceleration read_acceleration(const std::string& path) {
+  std::vector<Error> warnings;
+  return value_or_fail(parse_acceleration(value_or_fail(internal::read_text_file(path)), warnings));
+}
+
+void run_all(const Request& request) {
+  Settings settings;
+  settings.results_interval = request.interval;
+  std::vector<NamedEngine> engines;
+  for (const std::string& name : request.settings) engines.push_back({name, value_or_fail(engine_of(name, settings))});
+  std::vector<Acceleration> accelerations;
+  for (const std::string& path : request.accelerations) accelerations.push_back(read_acceleration(path));
+
+  TextFile worlds(request.worlds);
+  worlds.write(
+      "layout,acceleration,setting,repeat,boxes,simulated_seconds,cpu_seconds,verdict,max_displacement,moved,fallen,"
+      "tilted\n");
+  std::unique_ptr<TextFile> positions;
+  if (!request.positions.empty()) {
+    positions = std::make_unique<TextFile>(request.positions);
+    positions->write("layout,acceleration,setting,time,box,x,y,z\n");
+  }
+  for (const std::string& path : request.layouts) {
+    const Layout layout = read_layout(path, settings);
+    for (const Acceleration& acceleration : accelerations) {
+      for (int repeat = 0; repeat < request.repeats; ++repeat) {
+        for (const NamedEngine& named : engines) {
+          const WorldRecord record = run(*named.engine, layout, acceleration, settings, positions != nullptr);
+          const std::string key = fmt::format("{},{},{}", layout.name, acceleration.name, named.name);
+          worlds.write(fmt::format("{},{},{}\n", key, repeat, row_of(record, settings)));
+          if (positions && repeat == 0) positions->write(rows_of_positions(key, record));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace holdfast::peers
+
+int main(int count, char** values) {
+  holdfast::peers::Request request;
+  CLI::App app("Simulates layouts under accelerations with several engines that take turns, on one thread.");
+  app.add_option("--layouts", request.layouts, "Files of layouts")->required()->type_name("FILE");
+  app.add_option("--accelerations", request.accelerations, "Files of accelerations")->required()->type_name("FILE");
+  app.add_option("--settings", request.settings, "Such as native-screening, box3d-60x4s, jolt-480x20x4p")
+      ->required()
+      ->type_name("NAME");
+  app.add_option("--worlds", request.worlds, "CSV to write: one line per world, setting and repeat")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--positions", request.positions, "CSV to write: displacements of all boxes, m")->type_name("FILE");
+  app.add_option("--interval", request.interval, "Between two positions of a box, s")->type_name("S");
+  app.add_option("--repeats", request.repeats, "How often every world is simulated")->type_name("N");
+  CLI11_PARSE(app, count, values);
+  holdfast::peers::run_all(request);
+  return 0;
+}

@@ -1,0 +1,86 @@
+"""Runs peer_bench for one kind of loads, and keeps what the peers' references computed."""
+import hashlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+
+BENCH = Path(__file__).resolve().parent.parent
+ACCELERATIONS = BENCH.parent / "configs" / "accelerations"
+HARSH_LOADS = [BENCH.parent / "configs" / "layouts" / f"{name}.txt"
+               for name in ("BR0_012_block", "BR15_077_wall", "BR1_001_ep", "BR8_009_ep", "BR2_015_brick")]
+
+
+def files_of(folders, most=None):
+    """The layouts in folders, by name, without those that are unstable by design; at most so many, evenly chosen."""
+    found = {}
+    for folder in folders:
+        for path in sorted(Path(folder).glob("*.txt")):
+            if not path.name.startswith("unstable"):
+                found.setdefault(path.name, path)
+    files = [found[name] for name in sorted(found)]
+    if most is None or most >= len(files):
+        return files
+    return [files[i * len(files) // most] for i in range(most)]
+
+
+def loose_loads(folder, layouts):
+    """The layouts with 1 mm of play, made anew."""
+    subprocess.run([sys.executable, BENCH / "with_play.py", "1", folder, *layouts], check=True)
+    return [Path(folder) / path.name for path in layouts]
+
+
+def generated_loads(folder, boxes, count=2):
+    """Generated layouts of that many boxes, made anew."""
+    target = Path(folder) / str(boxes)
+    subprocess.run([sys.executable, BENCH / "candidates.py", str(count), target, "--boxes", str(boxes), str(boxes)],
+                   check=True, stdout=subprocess.DEVNULL)
+    return files_of([target])
+
+
+def signature(layouts, accelerations, words):
+    """Changes with the bytes of the inputs and with the words."""
+    digest = hashlib.sha256(repr(words).encode())
+    for path in [*layouts, *accelerations]:
+        digest.update(Path(path).name.encode() + Path(path).read_bytes())
+    return digest.hexdigest()[:16]
+
+
+class Runner:
+    """Runs peer_bench and reads what it writes, in an output folder."""
+
+    def __init__(self, program, output):
+        self.program, self.output = Path(program), Path(output)
+        self.output.mkdir(parents=True, exist_ok=True)
+
+    def run(self, name, layouts, accelerations, settings, interval=None, repeats=1):
+        """The settings, taking turns in one process: (worlds, positions); no positions without an interval."""
+        worlds, positions = self.output / f"{name}_worlds.csv", self.output / f"{name}_positions.csv"
+        command = [self.program, "--layouts", *layouts, "--accelerations", *accelerations, "--settings", *settings,
+                   "--worlds", worlds, "--repeats", str(repeats)]
+        if interval:
+            command += ["--positions", positions, "--interval", str(interval)]
+        subprocess.run([str(word) for word in command], check=True)
+        return pd.read_csv(worlds), pd.read_csv(positions) if interval else None
+
+    def references(self, name, layouts, accelerations, settings, interval=None):
+        """The same for references, one acceleration after the other. Peers' results of the same inputs are kept from
+        the last time: only ours change."""
+        worlds, positions = [], []
+        for setting in settings:
+            for acceleration in accelerations:
+                peer = setting.startswith(("box3d-", "jolt-"))
+                part = f"reference_{name}_{signature(layouts, [acceleration], [setting, interval])}"
+                kept = self.output / f"{part}.done"
+                if peer and kept.exists():
+                    worlds.append(pd.read_csv(self.output / f"{part}_worlds.csv"))
+                    if interval:
+                        positions.append(pd.read_csv(self.output / f"{part}_positions.csv"))
+                    continue
+                kept.unlink(missing_ok=True)
+                found, moved = self.run(part, layouts, [acceleration], [setting], interval)
+                kept.touch()
+                worlds.append(found)
+                positions.append(moved)
+        return pd.concat(worlds), pd.concat(positions) if interval else None
