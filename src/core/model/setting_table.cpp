@@ -179,13 +179,13 @@ std::vector<SettingKey> make_table() {
   add(Whole<IterationRange>{}, "Iterations", "", "", MEMBER(native.iterations),
       "Iteration limit of the contact solver in a step, used when the residual is then acceptable; for islands of up "
       "to "
-      "8 boxes and for larger ones: screening 60 and 12, standard 60 and 16, reference 400 and 400.");
+      "8 boxes and for larger ones: screening 60 and 12, standard 60 and 16, reference 400 and 100.");
   add(Positive{}, "RestTolerance", "", "", MEMBER(native.rest_tolerance),
       "Largest net force on a box in static equilibrium, relative to its weight; screening 1e-6, standard 1e-8, "
       "reference 1e-9.");
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
-      "How many times impacts may divide a step of an island; screening and standard 8, or 0 in islands of more than "
-      "8 boxes; reference 32.");
+      "How many times impacts may divide a step of an island of up to 8 boxes; screening and standard 8, reference 32. "
+      "Larger islands: 0, unless this key is given.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time jumps to the next change of the acceleration when all boxes are in static equilibrium; it does not "
       "affect the results.");

@@ -31,14 +31,23 @@ NativeOptions native_options(const Settings& settings) {
       break;
     case Accuracy::reference:
       options.steps_per_second = 1440.0;
-      options.small_island = options.large_island = {.tolerance = 1e-9,
-                                                     .reset_tolerance = 1e-14,
-                                                     .iterations = 400,
-                                                     .reset_iterations = 4000,
-                                                     .impact_cuts = 32,
-                                                     .impact_length = 0.0,
-                                                     .slip_end_cuts = 32,
-                                                     .sliding_penalty = kSlidingPenalty};
+      options.small_island = {.tolerance = 1e-9,
+                              .reset_tolerance = 1e-14,
+                              .iterations = 400,
+                              .reset_iterations = 4000,
+                              .impact_cuts = 32,
+                              .impact_length = 0.0,
+                              .slip_end_cuts = 32,
+                              .sliding_penalty = kSlidingPenalty};
+      // Below about 1e-3 of |g − a| h, the velocities of a jammed crowd are not determined.
+      options.large_island = {.tolerance = 1e-6,
+                              .reset_tolerance = 1e-9,
+                              .iterations = 100,
+                              .reset_iterations = 400,
+                              .mean_residual = 1e-3,
+                              .impact_cuts = 0,
+                              .slip_end_cuts = 0,
+                              .sliding_penalty = kSlidingPenalty};
       options.rest_tolerance = 1e-9;
       options.rest_iterations = 4000;
       break;

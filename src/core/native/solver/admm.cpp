@@ -137,9 +137,14 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
       anderson_.restart();
     }
     wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
-    primal_residual = relax(problem.constraints, problem.velocity, limits.relaxation, u_, g_, r_);
-    if (limits.accelerate) anderson_.accelerate(problem.constraints, g_, r_);
-    project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);
+    if (limits.accelerate) {
+      primal_residual = relax(problem.constraints, problem.velocity, limits.relaxation, u_, g_, r_);
+      anderson_.accelerate(problem.constraints, g_, r_);
+      project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);
+    } else {
+      primal_residual = relax_and_project(limits.projection, problem.constraints, problem.mid_arms, problem.velocity,
+                                          limits.relaxation, problem.normal_bounds, wrench_);
+    }
     momentum_residual(problem, wrench_, false, change_);
     ldlt_.solve(change_);
     const double largest_change = update_velocities(problem);

@@ -81,62 +81,103 @@ HWY_INLINE double largest(const Four& four) {
   return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3]));
 }
 
+/// The primal residual u − z over the constraints that have been relaxed.
+struct ResidualSum {
+  Four worst;
+  Four squares[3];
+
+  static HWY_INLINE ResidualSum zero() { return {Four::all(0.0), {Four::all(0.0), Four::all(0.0), Four::all(0.0)}}; }
+  HWY_INLINE PrimalResidual result() const { return {largest(worst), total(squares[0] + (squares[1] + squares[2]))}; }
+};
+
+/// What `relax` computes for a constraint.
+struct Relaxed {
+  Four u[3], g[3], r[3];
+};
+HWY_INLINE Relaxed relax_one(const ContactConstraint& constraint, const BodyVector* velocity, const Four& alpha,
+                             ResidualSum& residual) {
+  const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
+  const Four penalty[2] = {Four::load(constraint.penalty[0].data()), Four::load(constraint.penalty[1].data())};
+  const Four inverse_penalty[2] = {Four::load(constraint.inverse_penalty[0].data()),
+                                   Four::load(constraint.inverse_penalty[1].data())};
+  Relaxed out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.u[i] = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
+    const Four z = load(constraint.contact_velocity, i);
+    const Four primal_residual = out.u[i] - z;
+    out.r[i] = Four::all(0.0) - alpha * (penalty[i > 0] * primal_residual);
+    out.g[i] = load(constraint.impulse, i) - penalty[i > 0] * z + out.r[i];
+    // A lane without a point has no velocity to compare with.
+    const Four counted = primal_residual * (inverse_penalty[i > 0] * penalty[i > 0]);
+    residual.worst = max(residual.worst, counted.abs());
+    residual.squares[i] = residual.squares[i] + counted * counted;
+  }
+  return out;
+}
+
+/// What `project` does with a constraint.
+HWY_INLINE void project_one(Projection projection, ContactConstraint& constraint, const Arms& arms, const Four (&x)[3],
+                            const Four (&u)[3], const NormalBounds* most, LaneWrench* wrench) {
+  const Four friction = Four::all(constraint.friction);
+  const Four square = x[1] * x[1] + x[2] * x[2];
+  Four normal = max(x[0], Four::all(0.0));
+  if (projection == Projection::orthogonal) {
+    // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
+    // one.
+    const Four raise = Four::all(1.0 / (1.0 + constraint.friction * constraint.friction));
+    normal = max(normal, raise * (x[0] + friction * square.sqrt()));
+    if (most != nullptr) normal = min(normal, Four::load(most->lane.data()));
+  }
+  const Four share = shrink(friction * normal, square);
+  const Four y[3] = {normal, x[1] * share, x[2] * share};
+  Four f[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Four z = (y[i] - x[i]) * Four::load(constraint.inverse_penalty[i > 0].data());
+    y[i].store(constraint.impulse.row[i].data());
+    z.store(constraint.contact_velocity.row[i].data());
+    f[i] = y[i] + Four::load(constraint.penalty[i > 0].data()) * (z - u[i]);
+  }
+  add_wrench(constraint, arms, f, wrench);
+}
+
 HWY_ATTR PrimalResidual relax_kernel(const ContactConstraint* constraints, std::size_t count,
                                      const BodyVector* velocity, double relaxation, ConstraintVector* out_u,
                                      ConstraintVector* out_g, ConstraintVector* out_r) {
   const Four alpha = Four::all(relaxation);
-  Four worst = Four::all(0.0);
-  Four squares[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
+  ResidualSum residual = ResidualSum::zero();
   for (std::size_t p = 0; p < count; ++p) {
-    const ContactConstraint& constraint = constraints[p];
-    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
-    const Four penalty[2] = {Four::load(constraint.penalty[0].data()), Four::load(constraint.penalty[1].data())};
-    const Four inverse_penalty[2] = {Four::load(constraint.inverse_penalty[0].data()),
-                                     Four::load(constraint.inverse_penalty[1].data())};
+    const Relaxed relaxed = relax_one(constraints[p], velocity, alpha, residual);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Four u = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
-      const Four z = load(constraint.contact_velocity, i);
-      const Four primal_residual = u - z;
-      const Four r = Four::all(0.0) - alpha * (penalty[i > 0] * primal_residual);
-      u.store(out_u[p].row[i].data());
-      r.store(out_r[p].row[i].data());
-      (load(constraint.impulse, i) - penalty[i > 0] * z + r).store(out_g[p].row[i].data());
-      // A lane without a point has no velocity to compare with.
-      const Four counted = primal_residual * (inverse_penalty[i > 0] * penalty[i > 0]);
-      worst = max(worst, counted.abs());
-      squares[i] = squares[i] + counted * counted;
+      relaxed.u[i].store(out_u[p].row[i].data());
+      relaxed.g[i].store(out_g[p].row[i].data());
+      relaxed.r[i].store(out_r[p].row[i].data());
     }
   }
-  return {largest(worst), total(squares[0] + (squares[1] + squares[2]))};
+  return residual.result();
 }
 
 HWY_ATTR void project_kernel(Projection projection, ContactConstraint* constraints, const Arms* mid_arms,
                              std::size_t count, const ConstraintVector* in_x, const ConstraintVector* in_u,
                              const NormalBounds* most, LaneWrench* wrench) {
   for (std::size_t p = 0; p < count; ++p) {
-    ContactConstraint& constraint = constraints[p];
     const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
-    const Four friction = Four::all(constraint.friction);
-    const Four square = x[1] * x[1] + x[2] * x[2];
-    Four normal = max(x[0], Four::all(0.0));
-    if (projection == Projection::orthogonal) {
-      // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
-      // one.
-      const Four raise = Four::all(1.0 / (1.0 + constraint.friction * constraint.friction));
-      normal = max(normal, raise * (x[0] + friction * square.sqrt()));
-      if (most != nullptr) normal = min(normal, Four::load(most[p].lane.data()));
-    }
-    const Four share = shrink(friction * normal, square);
-    const Four y[3] = {normal, x[1] * share, x[2] * share};
-    Four f[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Four z = (y[i] - x[i]) * Four::load(constraint.inverse_penalty[i > 0].data());
-      y[i].store(constraint.impulse.row[i].data());
-      z.store(constraint.contact_velocity.row[i].data());
-      f[i] = y[i] + Four::load(constraint.penalty[i > 0].data()) * (z - load(in_u[p], i));
-    }
-    add_wrench(constraint, mid_arms == nullptr ? constraint.arms : mid_arms[p], f, wrench);
+    const Four u[3] = {load(in_u[p], 0), load(in_u[p], 1), load(in_u[p], 2)};
+    project_one(projection, constraints[p], mid_arms == nullptr ? constraints[p].arms : mid_arms[p], x, u,
+                most == nullptr ? nullptr : most + p, wrench);
   }
+}
+
+HWY_ATTR PrimalResidual relax_and_project_kernel(Projection projection, ContactConstraint* constraints,
+                                                 const Arms* mid_arms, std::size_t count, const BodyVector* velocity,
+                                                 double relaxation, const NormalBounds* most, LaneWrench* wrench) {
+  const Four alpha = Four::all(relaxation);
+  ResidualSum residual = ResidualSum::zero();
+  for (std::size_t p = 0; p < count; ++p) {
+    const Relaxed relaxed = relax_one(constraints[p], velocity, alpha, residual);
+    project_one(projection, constraints[p], mid_arms == nullptr ? constraints[p].arms : mid_arms[p], relaxed.g,
+                relaxed.u, most == nullptr ? nullptr : most + p, wrench);
+  }
+  return residual.result();
 }
 
 HWY_ATTR double dot_kernel(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
@@ -188,6 +229,7 @@ namespace holdfast::internal::native {
 
 HWY_EXPORT(relax_kernel);
 HWY_EXPORT(project_kernel);
+HWY_EXPORT(relax_and_project_kernel);
 HWY_EXPORT(dot_kernel);
 HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
@@ -206,6 +248,14 @@ void project(Projection projection, std::span<ContactConstraint> constraints, st
   HWY_DYNAMIC_DISPATCH(project_kernel)
   (projection, constraints.data(), arms_or_null(mid_arms), constraints.size(), x.data(), u.data(),
    most.empty() ? nullptr : most.data(), wrench.data());
+}
+
+PrimalResidual relax_and_project(Projection projection, std::span<ContactConstraint> constraints,
+                                 std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
+                                 double relaxation, std::span<const NormalBounds> most, std::span<LaneWrench> wrench) {
+  return HWY_DYNAMIC_DISPATCH(relax_and_project_kernel)(projection, constraints.data(), arms_or_null(mid_arms),
+                                                        constraints.size(), velocity.data(), relaxation,
+                                                        most.empty() ? nullptr : most.data(), wrench.data());
 }
 
 double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,

@@ -45,6 +45,12 @@ void project(Projection projection, std::span<ContactConstraint> constraints, st
              std::span<const ConstraintVector> x, std::span<const ConstraintVector> u,
              std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
 
+/// `relax`, then `project` of x = g, in one pass over the constraints, with the same bits: for iterations that do not
+/// accelerate.
+PrimalResidual relax_and_project(Projection projection, std::span<ContactConstraint> constraints,
+                                 std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
+                                 double relaxation, std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
+
 /// Σ a b / R over all points: an inner product of impulses.
 double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
            std::span<const ConstraintVector> b);

@@ -133,6 +133,22 @@ TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact
   }
 }
 
+TEST_CASE("contact_kernels: relaxed and projected in one pass, the bits are those of two", "[core][contact_kernels]") {
+  for (const bool with_mid_arms : {false, true}) {
+    Contacts contacts = random_contacts(14);
+    Contacts copy = contacts;
+    const Sweep swept(contacts, with_mid_arms);
+    std::vector<LaneWrench> wrench(kBodies + 1);
+    const PrimalResidual residual =
+        relax_and_project(Projection::coulomb, copy.constraints, with_mid_arms ? copy.mid_arms : std::vector<Arms>(),
+                          copy.velocity, kRelaxation, {}, wrench);
+    CHECK(same_constraints(contacts.constraints, copy.constraints));
+    CHECK(same_bits(swept.wrench, wrench));
+    CHECK(residual.largest == swept.primal_residual.largest);
+    CHECK(residual.squares == swept.primal_residual.squares);
+  }
+}
+
 TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing",
           "[core][contact_kernels]") {
   Contacts contacts = random_contacts(12);
