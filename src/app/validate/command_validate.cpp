@@ -76,13 +76,6 @@ std::optional<Error> leave_out_missing(const ValidateOptions& options, Validatio
   return std::nullopt;
 }
 
-/// Why the load suite cannot be run here: an engine that it compares with cannot be used.
-std::optional<Error> missing_reference() {
-  for (const EngineSetting& reference : load_references())
-    if (const auto engine = make_engine(reference.engine, Settings{}); !engine) return engine.error();
-  return std::nullopt;
-}
-
 Result<ValidationPlan> plan_of(const ValidateOptions& options) {
   ValidationPlan plan;
   plan.threads = thread_count(options.threads);
@@ -108,13 +101,8 @@ Result<ValidationPlan> plan_of(const ValidateOptions& options) {
   }
   if (options.case_name && !is_wanted(names, *options.case_name)) return unknown("case", *options.case_name, names);
 
-  bool loads =
+  const bool loads =
       is_wanted(options.suites, "load") && !options.quick && (!options.case_name || *options.case_name == "real_loads");
-  if (const auto problem = loads ? missing_reference() : std::nullopt) {
-    if (!options.suites.empty()) return *problem;
-    print_to(stderr, "left out: load: {}\n", problem->message());
-    loads = false;
-  }
   if (loads) {
     Result<std::vector<LoadWorld>> worlds = read_loads(options.layouts);
     if (!worlds) return worlds.errors();

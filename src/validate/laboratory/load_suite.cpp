@@ -85,9 +85,10 @@ double median(std::vector<double> values) {
 }
 
 EngineSetting reference(const char* name, double steps_per_second, int iterations) {
-  return {"bullet-f64", name, [=](Settings& settings) {
+  return {"native", name, [=](Settings& settings) {
+            settings.native.accuracy = Accuracy::reference;
             settings.steps_per_second = steps_per_second;
-            settings.bullet.iterations = iterations;
+            settings.native.iterations = iterations;
           }};
 }
 
@@ -179,8 +180,8 @@ std::vector<Measurement> compare_loads(std::span<const LoadRun> runs, std::span<
 }
 
 const std::vector<EngineSetting>& load_references() {
-  static const std::vector<EngineSetting> kReferences = {reference("1000 Hz, 50 it", 1000, 50),
-                                                         reference("500 Hz, 100 it", 500, 100)};
+  static const std::vector<EngineSetting> kReferences = {reference("1440 Hz, 100 it", 1440, 100),
+                                                         reference("960 Hz, 200 it", 960, 200)};
   return kReferences;
 }
 

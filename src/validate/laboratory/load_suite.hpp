@@ -45,8 +45,9 @@ LoadRun run_load(Laboratory& laboratory, const LoadWorld& world);
 std::vector<Measurement> compare_loads(std::span<const LoadRun> runs, std::span<const LoadRun> reference,
                                        std::span<const LoadRun> second);
 
-/// The two settings that are references, the finer step first: they differ in step and iterations, and their agreement
-/// shows how far they can be trusted.
+/// The two settings that are references, the finer step first: `native` at `reference`, with other steps and iterations
+/// the second time. Their agreement shows how far they can be trusted; that of the other engines, whether they are
+/// right.
 const std::vector<EngineSetting>& load_references();
 
 }  // namespace holdfast::internal
