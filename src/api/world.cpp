@@ -4,11 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "api/apply_settings.hpp"
 #include "api/convert.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/engine/interpolation.hpp"
 #include "core/engine/simulate.hpp"
-#include "core/model/setting_table.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -17,21 +17,6 @@ using internal::StateColumns;
 using internal::value_or_throw;
 
 namespace {
-
-internal::Settings settings_of(std::span<const Setting> given) {
-  internal::Settings settings;
-  for (const Setting& setting : given) {
-    const std::string name = '[' + setting.section + "] " + setting.key;
-    const internal::SettingKey* key = internal::find_setting(setting.section, setting.key);
-    if (key == nullptr || key->section == internal::kMaterialSection)
-      throw internal::exception_of({{.what = "unknown key", .value = name}});
-    if (!key->set(settings, 0, setting.value))
-      throw internal::exception_of({{.what = "not a value of " + name,
-                                     .value = setting.value,
-                                     .accepted = "accepted are " + std::string(key->accepted)}});
-  }
-  return settings;
-}
 
 std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) {
   const internal::EngineEntry* entry = internal::find_engine(settings.screening.engine);
@@ -48,11 +33,11 @@ std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) 
 struct World::State {
   State(const Layout& given, const Acceleration& given_acceleration, std::span<const Setting> given_settings,
         LengthUnit unit)
-      : settings(settings_of(given_settings)),
-        acceleration(value_or_throw(internal::read_acceleration(given_acceleration))),
-        engine(engine_of(settings)) {
+      : acceleration(value_or_throw(internal::read_acceleration(given_acceleration))) {
+    internal::apply_settings(settings, given_settings);
+    engine = engine_of(settings);
     std::vector<internal::Error> errors;
-    layout = internal::read_layout(given, unit, settings, errors).layout;
+    layout = internal::read_layout(given, given.name, unit, settings, errors).layout;
     if (!errors.empty()) throw internal::exception_of(errors);
     const internal::Layout* const layouts[] = {&layout};
     const internal::Acceleration* const accelerations[] = {&acceleration};
