@@ -54,7 +54,7 @@ lint:  ## Check format, names, likely bugs and who includes whom
 
 format:  ## Format all sources in place
 	@$(INSTALL) --dev
-	git ls-files -z --cached --others --exclude-standard '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
+	git ls-files -z --cached --others --exclude-standard '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
 
 docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
 	build/release/bin/holdfast --config-page > docs/config.md

@@ -34,8 +34,10 @@
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
+#define HOLDFAST_LOCAL __attribute__((visibility("hidden")))
 #else
 #define HOLDFAST_API
+#define HOLDFAST_LOCAL
 #endif
 
 namespace holdfast {
@@ -319,7 +321,7 @@ class HOLDFAST_API Screen {
   std::span<const Acceleration> accelerations() const noexcept;
 
  private:
-  struct State;
+  struct HOLDFAST_LOCAL State;
   std::unique_ptr<State> state_;
 };
 
@@ -338,6 +340,8 @@ class HOLDFAST_API World {
   /// Throws `Error` when a setting, the layout or the acceleration cannot be used.
   /// @param layout corners in `unit`
   World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
+        LengthUnit unit = LengthUnit::metre);
+  World(const LayoutView& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
         LengthUnit unit = LengthUnit::metre);
   ~World();
   World(World&&) noexcept;
@@ -358,7 +362,7 @@ class HOLDFAST_API World {
   std::uint64_t state_hash() const;
 
  private:
-  struct State;
+  struct HOLDFAST_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

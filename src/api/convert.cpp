@@ -18,8 +18,6 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::size_t kNumbersPerBox = 7;
-
 double metres(double length, holdfast::LengthUnit unit) {
   // Divided as the reader of layout files does it, so that equal numbers give equal bits.
   return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,11 @@
 #include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
 
-/// Between the types of the public header and those inside.
+/// Between the types of holdfast.hpp and those inside.
 namespace holdfast::internal {
+
+/// Numbers of a box in a row of `LayoutView`: two corners and a material.
+inline constexpr std::size_t kNumbersPerBox = 7;
 
 /// What an error of the input says, to the caller of the library.
 holdfast::Problem problem_of(const Error& error);

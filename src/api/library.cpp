@@ -6,6 +6,7 @@
 #include "api/version.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/setting_table.hpp"
+#include "holdfast/holdfast.h"
 #include "holdfast/holdfast.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/config_reader.hpp"
@@ -18,6 +19,12 @@ using internal::guarded;
 using internal::value_or_throw;
 
 const char* version() noexcept { return internal::kVersion; }
+
+}  // namespace holdfast
+
+const char* holdfast_version() { return holdfast::version(); }
+
+namespace holdfast {
 
 Acceleration read_acceleration(const std::string& path) {
   return guarded([&] {
