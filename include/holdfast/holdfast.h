@@ -31,7 +31,9 @@
  * Objects. `_new` makes one, `_free` ends it, and takes NULL too. A function that is given what is no living object of
  * its kind, such as one that was freed, does nothing and returns HOLDFAST_BAD_HANDLE. One thread at a time uses an
  * object; a second one meanwhile gets HOLDFAST_IN_USE, apart from `_cancel` and `_free`, which any thread may call.
- * Different objects are independent of each other. Objects that are left at exit are freed then.
+ * Different objects are independent of each other. Objects that are left at exit are freed then. In a process
+ * that was forked, a screen of the parent has nothing in flight, and works on one thread, if the parent has used
+ * several.
  *
  * Errors. Functions return a status code and throw nothing. The object keeps a message, and a screen every problem in
  * its parts. Texts belong to the object, and are valid until the next call on it. Text is UTF-8 and ends with a zero

@@ -256,7 +256,7 @@ enum class PollOrder : std::uint8_t {
 /// Construction reads the settings, loads the engine and may throw `Error`; it starts no thread. A screen may be used
 /// by one thread at a time, and only `cancel` may be called by others meanwhile. Screens are independent of each other.
 /// An object that was moved from may only be destroyed or assigned to. In a process that was forked, a screen of the
-/// parent has nothing in flight, and evaluates as before.
+/// parent has nothing in flight; `evaluate` and `record` then work on one thread, if the parent has used several.
 class HOLDFAST_API Screen {
  public:
   /// @param accelerations at least one; a bad one is an `Error`
