@@ -17,6 +17,7 @@ import numpy.typing as npt
 from . import _core
 from .accelerations import Acceleration, AccelerationLike, acceleration_of
 from .errors import Error, Problem
+from .flight import Flight
 from .replay import Replay
 from .usage import Usage
 from .verdicts import Verdicts
@@ -129,9 +130,8 @@ class Screen:
                [1]], dtype=uint32)
         """
         given = list(names) if names is not None else []
-        arrays = layouts if offsets is not None or isinstance(layouts, (list, tuple, np.ndarray)) else list(layouts)
         with self._usage as core:
-            table, messages, problems, boxes = core.evaluate(arrays, offsets, given, _is_main_thread())
+            table, messages, problems, boxes = core.evaluate(_indexed(layouts, offsets), offsets, given, _is_main_thread())
         return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)))
 
     def stream(self, layouts: Iterable[npt.ArrayLike], *, ordered: bool = False,
@@ -153,54 +153,29 @@ class Screen:
             if self._streaming:
                 raise RuntimeError("the screen has a stream already, which is not at its end")
             self._streaming = True
-        places: dict[int, tuple[int, tuple[Problem, ...]]] = {}  # by ticket: index of the layout, and what is wrong
-        given_names: list[str] = []
-        taken = 0
-        waiting: Optional[npt.ArrayLike] = None
-        more = True
+        flight = Flight(self._usage, layouts, names)
         try:
             while True:
-                while more:
-                    if waiting is None:
-                        waiting = next(layouts, None)
-                        more = waiting is not None
-                        if waiting is None:
-                            break
-                        given_names.append("" if names is None else next(names, ""))
-                    with self._usage as core:
-                        try:
-                            submitted = core.submit(waiting, given_names[-1] or f"layout {taken}")
-                        except Error as error:
-                            raise error.at_layout(taken) from None
-                    if submitted is None:
-                        break
-                    places[submitted[0]] = taken, tuple(one._replace(layout=taken) for one in submitted[1])
-                    taken += 1
-                    waiting = None
-                with self._usage as core:
-                    polled = core.poll(ordered, _is_main_thread())
-                if polled is None:
-                    if places:
-                        raise RuntimeError("the stream is one of the process that this one was forked from")
+                flight.fill()
+                landed = flight.land(ordered, _is_main_thread())
+                if landed is None:
                     return
-                ticket, table, messages, boxes = polled
-                index, problems = places.pop(ticket)
-                table["layout"] = index
-                yield index, self._verdicts(
-                    table, {(index, world): text for (_, world), text in messages.items()}, problems,
-                    given_names if names is not None else (), None if boxes is None else {index: boxes[0]})
+                verdicts = self._verdicts(landed.table, landed.messages, landed.problems, flight.names, landed.boxes)
+                yield landed.index, verdicts
         finally:
             self._end_stream()
 
     def _end_stream(self) -> None:
         """Drops what is in flight."""
         self._streaming = False
-        if self.closed:
-            return
-        with self._usage as core:
-            while core.in_flight():
-                core.cancel()
-                core.poll(False, False)
+        try:
+            with self._usage as core:
+                while core.in_flight():
+                    core.cancel()
+                    core.poll(False, False)
+        except ValueError:
+            if not self.closed:
+                raise
 
     def record(self, layouts: Layouts, path: str | os.PathLike[str], *, offsets: Optional[npt.ArrayLike] = None,
                names: Optional[Iterable[str]] = None, series: bool = True, resume: bool = False,
@@ -217,9 +192,8 @@ class Screen:
         :return: False when :meth:`cancel` ended it: the finished worlds are kept for ``resume``
         :raises Error: a layout cannot be used, or the file cannot be written, or exists
         """
-        arrays = layouts if offsets is not None or isinstance(layouts, (list, tuple, np.ndarray)) else list(layouts)
         with self._usage as core:
-            return core.record(arrays, offsets, list(names) if names is not None else [], os.fspath(path),
+            return core.record(_indexed(layouts, offsets), offsets, list(names) if names is not None else [], os.fspath(path),
                                series=series, resume=resume, overwrite=overwrite, command_line=command_line,
                                on_main_thread=_is_main_thread())
 
@@ -299,6 +273,13 @@ class Screen:
 
 def _made(accelerations: tuple[Acceleration, ...], options: dict[str, Any]) -> Screen:
     return Screen(accelerations, **options)
+
+
+def _indexed(layouts: Any, offsets: Optional[npt.ArrayLike]) -> Any:
+    """The layouts of a call as something that has a length and indices."""
+    if offsets is not None or isinstance(layouts, (list, tuple, np.ndarray)):
+        return layouts
+    return list(layouts)
 
 
 def _is_main_thread() -> bool:

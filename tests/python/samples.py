@@ -32,7 +32,9 @@ def screened(layouts, accelerations, *options):
     with tempfile.TemporaryDirectory() as folder:
         words = [PROGRAM, "screen", "--quiet", "--json", "--layouts", *layouts, "--accelerations", *accelerations, "-o",
                  "results.h5", *options]
-        lines = subprocess.run([str(word) for word in words], cwd=folder, check=True, capture_output=True,
+        # A sanitizer's runtime, which Python needs to have loaded, is in the program already.
+        environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+        lines = subprocess.run([str(word) for word in words], cwd=folder, env=environment, check=True, capture_output=True,
                                text=True).stdout.splitlines()
     return [json.loads(line) for line in lines]
 

@@ -53,6 +53,8 @@ class StreamTest(unittest.TestCase):
         with self.assertRaisesRegex(holdfast.Error, "layout 1 has a wrong shape") as caught:
             list(self.screen.stream([BOX, BOX[:, :6]]))
         self.assertEqual(caught.exception.layout, 1)
+        with self.assertRaisesRegex(holdfast.Error, "layout 1"):
+            list(self.screen.stream([BOX, None, BOX]))
         with holdfast.Screen([SLIDE], errors="mark", keep_boxes=True) as screen:
             found = dict(screen.stream(layouts, names=["a", "b", "c"]))
         self.assertIn("c: the material of box 1", found[2].messages[2, 0])
