@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format docs dependencies build program
+.PHONY: help demo test bench fuzz lint format docs dependencies build program python
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -54,7 +54,13 @@ lint:  ## Check format, names, likely bugs and who includes whom
 
 format:  ## Format all sources in place
 	@$(INSTALL) --dev
-	git ls-files -z --cached --others --exclude-standard '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
+	git ls-files -z --cached --others --exclude-standard '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 -r clang-format -i
+
+python:  ## Build the Python package into build/release/python
+	@$(INSTALL) --python
+	@cmake --preset release -DHOLDFAST_PYTHON=ON > /dev/null
+	cmake --build --preset release -j $(JOBS) --target holdfast_python
+	@echo 'The package is built: export PYTHONPATH=$(CURDIR)/build/release/python'
 
 docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
 	build/release/bin/holdfast --config-page > docs/config.md

@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS holdfast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS holdfast_library holdfast_core EXPORT holdfastTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/holdfast)
+install(FILES ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.h ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/holdfast)
 foreach(plugin holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
   if(TARGET ${plugin})
     install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

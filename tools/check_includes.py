@@ -26,6 +26,7 @@ LIBRARIES = {
     "CLI11": r"CLI/",
     "nlohmann": r"nlohmann/",
     "Catch2": r"catch2/",
+    "pybind11": r"pybind11/",
     "POSIX": r"(unistd|fcntl|dlfcn|signal|spawn|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
 }
 
@@ -69,7 +70,7 @@ def judge(folder, header, quoted, src):
     ours, libraries = RULES[folder]
     first = header.split("/")[0]
     if quoted and first == "holdfast":
-        return None if folder == "api" else f"src/{folder} must not include the library's public header"
+        return None if folder == "api" else f"src/{folder} must not include a public header of the library"
     if quoted and first in RULES:
         if not (src / header).is_file():
             return f'"{header}" is not there'
@@ -86,10 +87,19 @@ def judge(folder, header, quoted, src):
     return None
 
 
+def judge_module(header, quoted, folder):
+    """The same for the Python module, which uses the library as any other program does."""
+    if quoted:
+        return None if (folder / header).is_file() else f'"{header}" is not there'
+    if re.match(r"pybind11/|holdfast/holdfast\.hpp$", header) or not re.search(r"[./]", header):
+        return None
+    return f"python/module must not include {header}: only pybind11 and the library's header"
+
+
 def check(root):
     src = root / "src"
     findings = []
-    sources = [p for top in ("src", "tests", "bench") for p in sorted((root / top).rglob("*.[ch]pp"))]
+    sources = [p for top in ("src", "tests", "bench", "python") for p in sorted((root / top).rglob("*.[ch]pp"))]
     for path in sources:
         name = path.relative_to(root).as_posix()
         folder = name.split("/")[1] if name.startswith("src/") else None
@@ -101,6 +111,10 @@ def check(root):
             if LEFTOVER.search(line):
                 findings.append(f"{name}:{number}: a note of what is left to do")
             match = INCLUDE.match(line)
+            if match and name.startswith("python/"):
+                wrong = judge_module(match[2], match[1] == '"', path.parent)
+                if wrong:
+                    findings.append(f"{name}:{number}: {wrong}")
             if not match or folder is None:
                 continue
             wrong = judge(folder, match[2], match[1] == '"', src)

@@ -3,6 +3,7 @@
 #   tools/install_dependencies.sh           to build and run
 #   tools/install_dependencies.sh --test    and what tests, examples and benchmarks need
 #   tools/install_dependencies.sh --dev     and what lint and the Clang build need
+#   tools/install_dependencies.sh --python  to build, run and test, with the Python package
 set -euo pipefail
 
 packages=(
@@ -42,13 +43,25 @@ dev_packages=(
   ccache             # makes a second build of the same code quick
   libclang-rt-14-dev # sanitizers for Clang
 )
+python_packages=(
+  pybind11-dev       # pybind11, the compiled part of the Python package
+  python3-dev        # headers of Python
+  python3-numpy      # arrays in and out
+  python3-pip        # pip install . --no-build-isolation
+  python3-pybind11   # pybind11 as pip looks for it
+  python3-setuptools # the build that pip starts
+  python3-wheel      # what it makes
+  mypy               # checks types and the stub
+  python3-deap       # a test fits the package into DEAP, a framework for evolutionary algorithms
+)
 
 case "${1-}" in
   '') ;;
   --test) packages+=("${test_packages[@]}") ;;
   --dev) packages+=("${test_packages[@]}" "${dev_packages[@]}") ;;
-  -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
-  *) echo "$0: unknown option: $1; accepted: --test, --dev, --help" >&2; exit 2 ;;
+  --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
+  -h | --help) sed -n '2,6s/^# //p' "$0"; exit 0 ;;
+  *) echo "$0: unknown option: $1; accepted: --test, --dev, --python, --help" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then

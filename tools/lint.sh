@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks format, includes, and names and likely bugs by clang-tidy.
 #   tools/lint.sh BUILD_FOLDER [JOBS [FOLDER...]]
-# The build folder must be configured: compile_commands.json says how files are compiled. Folders (src, tests, bench)
+# The build folder must be configured: compile_commands.json says how files are compiled. Folders (src, tests, bench, python)
 # limit what clang-tidy reads, which takes seconds per file; without them it reads all.
 set -euo pipefail
 build=${1:?give the build folder}
@@ -10,7 +10,7 @@ folders=("${@:3}")
 cd "$(dirname "$0")/.."
 
 echo "Lint: format"
-git ls-files -z --cached --others --exclude-standard 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'include/*.hpp' 'examples/*.cpp' |
+git ls-files -z --cached --others --exclude-standard 'src/*.[ch]pp' 'tests/*.[ch]pp' 'tests/*.c' 'bench/*.[ch]pp' 'python/*.[ch]pp' 'include/*.h*' 'examples/*.c*' |
   xargs -0 -r clang-format --dry-run -Werror
 
 echo "Lint: includes"

@@ -26,6 +26,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch.
@@ -33,8 +34,10 @@
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
+#define HOLDFAST_LOCAL __attribute__((visibility("hidden")))
 #else
 #define HOLDFAST_API
+#define HOLDFAST_LOCAL
 #endif
 
 namespace holdfast {
@@ -42,15 +45,19 @@ namespace holdfast {
 /// Version of the library that is linked, such as "0.2.0". May be called from any thread.
 HOLDFAST_API const char* version() noexcept;
 
-/// One thing that is wrong with an input, in the parts that a message needs. What does not apply is empty or 0.
+/// One thing that is wrong with an input, in the parts that a message needs. Text that does not apply is empty, a place
+/// in a file 0, an index -1.
 struct Problem {
-  std::string file;      ///< path of the file, or name of the layout or acceleration
-  long line = 0;         ///< in the file, from 1
-  long column = 0;       ///< in the line, from 1
-  std::string what;      ///< what is wrong
-  std::string value;     ///< the offending value
-  std::string accepted;  ///< what would be accepted
-  std::string message;   ///< all of it in one line: `file:line:column: what: value; accepted`
+  std::string file;            ///< path of the file, or name of the layout or acceleration
+  long line = 0;               ///< in the file, from 1
+  long column = 0;             ///< in the line, from 1
+  std::string what;            ///< what is wrong
+  std::string value;           ///< the offending value
+  std::string accepted;        ///< what would be accepted
+  std::string message;         ///< all of it in one line: `file:line:column: what: value; accepted`
+  std::ptrdiff_t layout = -1;  ///< index into the layouts of the call
+  std::ptrdiff_t box = -1;     ///< index into the boxes of that layout
+  int box_column = -1;         ///< index into that box's seven numbers, as in `LayoutView`
 };
 
 /// The one exception that the library throws: input that cannot be used, a file that cannot be written, memory that has
@@ -82,8 +89,15 @@ struct Box {
 
 /// A candidate loading. Boxes may touch; they overlap each other, or protrude from the container, by 0.1 mm at most.
 struct Layout {
-  std::string name;  ///< labels results and messages; need not be unique
+  std::string name;  ///< labels results and messages; need not be unique; empty: `layout` and its index in the call
   std::vector<Box> boxes;
+};
+
+/// The same in memory of the caller: rows of seven numbers, one row per box. They are x, y, z of the corner with the
+/// smallest coordinates, x, y, z of that with the largest, and the material, a whole number.
+struct LayoutView {
+  std::string_view name;            ///< as in `Layout`
+  std::span<const double> numbers;  ///< seven times as many as there are boxes
 };
 
 /// A stretch of time in which the container has one acceleration.
@@ -193,17 +207,28 @@ enum class BadLayouts : std::uint8_t {
   mark,   ///< its worlds have `status::bad_layout` and a message; the others are simulated
 };
 
+/// A key of config.ini and its value, such as {"Native", "Accuracy", "screening"} or {"Material 3", "Density", "300"}.
+struct Setting {
+  std::string section, key, value;
+};
+
+/// The keys that the text of a config.ini gives (docs/config.md), in the order of that page. Throws `Error` with every
+/// mistake, by line and column. May be called from any thread.
+HOLDFAST_API std::vector<Setting> read_settings(const std::string& text);
+
 /// How a `Screen` works. What is absent is as `config` says.
 struct ScreenOptions {
   std::string config;                    ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::vector<Setting> settings;         ///< keys that are set after `config`, in this order
   std::optional<std::string> engine;     ///< such as "native"; see `engines`
   std::optional<std::string> accuracy;   ///< of the native engine: "screening", "standard", "reference"
   std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
   std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
   LengthUnit unit = LengthUnit::metre;   ///< of the corners of boxes; layout files have centimetres
   BadLayouts bad_layouts = BadLayouts::raise;
-  bool keep_boxes = false;   ///< fill `WorldOutcome::box_outcomes`
-  bool keep_series = false;  ///< fill `WorldOutcome::series`
+  bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
+  bool keep_series = false;        ///< fill `WorldOutcome::series`
+  std::size_t most_in_flight = 0;  ///< layouts that `submit` takes before `poll` gives one back; 0: 16 per thread
 };
 
 /// How `Screen::record` treats its file.
@@ -214,18 +239,37 @@ struct RecordOptions {
   std::string command_line;  ///< noted in the file; may be empty
 };
 
-/// Evaluates layouts under a fixed set of accelerations.
+/// A submitted layout that is finished.
+struct FinishedLayout {
+  std::uint64_t ticket = 0;          ///< what `Screen::submit` gave
+  std::vector<WorldOutcome> worlds;  ///< one per acceleration; `WorldOutcome::layout` is the ticket
+};
+
+/// Which finished layout `Screen::poll` gives.
+enum class PollOrder : std::uint8_t {
+  as_finished,   ///< the one that was finished first
+  as_submitted,  ///< the one that was submitted first, and none before it is finished
+};
+
+/// Evaluates layouts under a set of accelerations.
 ///
 /// Construction reads the settings, loads the engine and may throw `Error`; it starts no thread. A screen may be used
 /// by one thread at a time, and only `cancel` may be called by others meanwhile. Screens are independent of each other.
-/// An object that was moved from may only be destroyed or assigned to.
+/// An object that was moved from may only be destroyed or assigned to. In a process that was forked, a screen of the
+/// parent has nothing in flight; `evaluate` and `record` then work on one thread, if the parent has used several.
 class HOLDFAST_API Screen {
  public:
   /// @param accelerations at least one; a bad one is an `Error`
   explicit Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options = {});
+  /// A screen that `add_acceleration` gives its accelerations.
+  explicit Screen(const ScreenOptions& options);
+  /// Drops what is in flight and waits until all threads have let go of it.
   ~Screen();
   Screen(Screen&&) noexcept;
   Screen& operator=(Screen&&) noexcept;
+
+  /// Adds an acceleration, the last one of `accelerations`. Throws `Error`, also while layouts are in flight.
+  void add_acceleration(Acceleration acceleration);
 
   /// Reads a layout file by the settings of this screen: a header line, then one box per line. Its boxes are in the
   /// unit of this screen. Throws `Error`.
@@ -238,20 +282,46 @@ class HOLDFAST_API Screen {
   /// The same into memory of the caller, whose capacity is used again.
   void evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>& worlds);
 
+  /// The same of layouts in memory of the caller.
+  void evaluate(std::span<const LayoutView> layouts, std::vector<WorldOutcome>& worlds);
+
   /// The same into a results file, as `holdfast screen` writes it, with everything that a later analysis needs. What is
   /// finished survives whatever ends the process. Throws `Error`, also when the file exists and `options` do not say
   /// what to do with it.
   /// @return false when `cancel` ended it: the finished worlds are kept for `RecordOptions::resume`
   bool record(std::span<const Layout> layouts, const std::string& path, const RecordOptions& options = {});
+  bool record(std::span<const LayoutView> layouts, const std::string& path, const RecordOptions& options = {});
 
-  /// Ends the running call early. May be called from any thread; without a running call it does nothing.
+  /// Hands a layout over, and returns while it is evaluated on threads of the screen. Layouts of one screen, and those
+  /// of a call of `evaluate` meanwhile, share nothing: results are the same as of `evaluate`. Throws `Error`, and then
+  /// nothing is handed over.
+  /// @return the ticket by which `poll` names it, counted from 0; nothing when `ScreenOptions::most_in_flight` layouts
+  ///         are in flight, which are those handed over that `poll` has not given back
+  std::optional<std::uint64_t> submit(const Layout& layout);
+  std::optional<std::uint64_t> submit(const LayoutView& layout);
+
+  /// Gives a finished layout back, whose memory is used again. Throws `Error` where memory ran out in the evaluation of
+  /// the layout that `finished` names then, which is no longer in flight.
+  /// @param seconds how long to wait for one, at most
+  /// @return false when there is none: none in flight, or none finished in time
+  bool poll(FinishedLayout& finished, double seconds = 0.0, PollOrder order = PollOrder::as_finished);
+
+  /// Number of layouts that were submitted and that `poll` has not given back.
+  std::size_t in_flight() const noexcept;
+
+  /// Ends the running call early, and all layouts in flight: their unfinished worlds have `StopReason::not_run`. May be
+  /// called from any thread; without a running call and layouts in flight it does nothing.
   void cancel() noexcept;
+
+  /// What is wrong with the layouts of the last call of `evaluate`, `record` or `submit`, with `BadLayouts::mark`; at
+  /// most some twenty per layout. Valid until the next call.
+  std::span<const Problem> problems() const noexcept;
 
   /// The accelerations that the screen was made with.
   std::span<const Acceleration> accelerations() const noexcept;
 
  private:
-  struct State;
+  struct HOLDFAST_LOCAL State;
   std::unique_ptr<State> state_;
 };
 
@@ -259,11 +329,6 @@ class HOLDFAST_API Screen {
 struct Pose {
   std::array<double, 3> position = {};               ///< of the centre of mass, m
   std::array<double, 4> orientation = {1, 0, 0, 0};  ///< quaternion w x y z, container from body
-};
-
-/// A key of config.ini and its value, such as {"Native", "Accuracy", "screening"}.
-struct Setting {
-  std::string section, key, value;
 };
 
 /// One layout under one acceleration, taken forward as far as the caller wants: for pictures, and for analyses of one's
@@ -275,6 +340,8 @@ class HOLDFAST_API World {
   /// Throws `Error` when a setting, the layout or the acceleration cannot be used.
   /// @param layout corners in `unit`
   World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
+        LengthUnit unit = LengthUnit::metre);
+  World(const LayoutView& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
         LengthUnit unit = LengthUnit::metre);
   ~World();
   World(World&&) noexcept;
@@ -295,7 +362,7 @@ class HOLDFAST_API World {
   std::uint64_t state_hash() const;
 
  private:
-  struct State;
+  struct HOLDFAST_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

@@ -1,9 +1,15 @@
 #include "api/convert.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "core/base/error_list.hpp"
+#include "core/base/number_text.hpp"
 #include "core/model/acceleration_check.hpp"
 #include "core/model/layout_check.hpp"
 #include "core/model/setting_kinds.hpp"
@@ -30,26 +36,55 @@ bool looks_like_centimetres(const Layout& layout, const Settings& settings) {
          (largest.array() / 100.0 <= size.array() + kLayoutTolerance).all();
 }
 
+/// An error when there are more boxes than a layout may have.
+std::vector<Error> check_count(std::size_t boxes, const std::string& name) {
+  if (boxes <= kMostBoxes) return {};
+  return {{.file = name,
+           .what = "too many boxes",
+           .value = std::to_string(boxes),
+           .accepted = "at most " + std::to_string(kMostBoxes)}};
+}
+
+/// The number as an int; nothing when it is none.
+std::optional<int> whole_number(double number) {
+  const bool fits = number >= std::numeric_limits<int>::min() && number <= std::numeric_limits<int>::max();
+  if (!fits || number != std::floor(number)) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+/// @param box from 0
+void add_bad_material(ErrorList& errors, std::size_t box, std::string value) {
+  if (errors.full()) return errors.count_more();
+  errors.add({.what = "the material of box " + std::to_string(box + 1) + " is not an id",
+              .value = std::move(value),
+              .accepted = "a whole number from 0",
+              .box = static_cast<long>(box) + 1,
+              .box_number = kMaterialNumber});
+}
+
 /// What is wrong with a layout beyond its geometry.
 std::vector<Error> check_numbers(const Layout& layout, holdfast::LengthUnit unit, const Settings& settings) {
-  if (layout.boxes.size() > kMostBoxes)
-    return {{.file = layout.name,
-             .what = "too many boxes",
-             .value = std::to_string(layout.boxes.size()),
-             .accepted = "at most " + std::to_string(kMostBoxes)}};
-  std::vector<Error> errors;
-  for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
-    if (layout.boxes[i].material < 0)
-      errors.push_back({.file = layout.name,
-                        .what = "the material of box " + std::to_string(i + 1) + " is not an id",
-                        .value = std::to_string(layout.boxes[i].material),
-                        .accepted = "a whole number from 0"});
-  }
+  ErrorList errors(layout.name);
+  for (std::size_t i = 0; i < layout.boxes.size(); ++i)
+    if (layout.boxes[i].material < 0) add_bad_material(errors, i, std::to_string(layout.boxes[i].material));
   if (unit == holdfast::LengthUnit::metre && looks_like_centimetres(layout, settings))
-    errors.push_back({.file = layout.name,
-                      .what = "the numbers seem to be centimetres, and metres are expected",
-                      .accepted = "LengthUnit::centimetre for numbers as in layout files"});
-  return errors;
+    errors.add({.what = "the numbers seem to be centimetres, and metres are expected",
+                .accepted = "set the unit to centimetres for numbers as in layout files"});
+  return errors.take();
+}
+
+/// The layout, or without its boxes and with what is wrong with it.
+/// @param errors found so far
+/// @param all    gets all errors
+ReadLayout checked(ReadLayout read, std::vector<Error> errors, holdfast::LengthUnit unit, const Settings& settings,
+                   std::vector<Error>& all) {
+  if (errors.empty()) errors = check_numbers(read.layout, unit, settings);
+  if (errors.empty()) errors = check_layout(read.layout, settings, read.layout.name, read.warnings);
+  if (errors.empty()) return read;
+  read.layout.boxes.clear();
+  read.error = summary_of(errors);
+  all.insert(all.end(), errors.begin(), errors.end());
+  return read;
 }
 
 Vec3 vector_of(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
@@ -93,27 +128,60 @@ static_assert(holdfast::status::too_large == static_cast<std::uint32_t>(Status::
 
 }  // namespace
 
-holdfast::Error exception_of(const std::vector<Error>& errors) {
-  return holdfast::Error(copied<holdfast::Problem, Error>(errors, [](const Error& error) {
-    return holdfast::Problem{error.file,  error.line,     error.column,   error.what,
-                             error.value, error.accepted, error.message()};
-  }));
+holdfast::Problem problem_of(const Error& error) {
+  return {.file = error.file,
+          .line = error.line,
+          .column = error.column,
+          .what = error.what,
+          .value = error.value,
+          .accepted = error.accepted,
+          .message = error.message(),
+          .box = error.box - 1,
+          .box_column = static_cast<int>(error.box_number) - 1};
 }
 
-ReadLayout read_layout(const holdfast::Layout& layout, holdfast::LengthUnit unit, const Settings& settings,
-                       std::vector<Error>& all) {
+holdfast::Error exception_of(const std::vector<Error>& errors) {
+  return holdfast::Error(copied<holdfast::Problem, Error>(errors, problem_of));
+}
+
+ReadLayout read_layout(const holdfast::Layout& layout, const std::string& name, holdfast::LengthUnit unit,
+                       const Settings& settings, std::vector<Error>& all) {
   ReadLayout read;
-  read.layout.name = layout.name;
-  read.layout.boxes.reserve(layout.boxes.size());
-  for (const holdfast::Box& box : layout.boxes)
-    read.layout.boxes.push_back({corner(box.corner_min, unit), corner(box.corner_max, unit), box.material});
-  std::vector<Error> errors = check_numbers(read.layout, unit, settings);
-  if (errors.empty()) errors = check_layout(read.layout, settings, layout.name, read.warnings);
-  if (errors.empty()) return read;
-  read.layout.boxes.clear();
-  read.error = summary_of(errors);
-  all.insert(all.end(), errors.begin(), errors.end());
-  return read;
+  read.layout.name = name;
+  std::vector<Error> errors = check_count(layout.boxes.size(), name);
+  if (errors.empty()) {
+    read.layout.boxes.reserve(layout.boxes.size());
+    for (const holdfast::Box& box : layout.boxes)
+      read.layout.boxes.push_back({corner(box.corner_min, unit), corner(box.corner_max, unit), box.material});
+  }
+  return checked(std::move(read), std::move(errors), unit, settings, all);
+}
+
+ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& name, holdfast::LengthUnit unit,
+                       const Settings& settings, std::vector<Error>& all) {
+  ReadLayout read;
+  read.layout.name = name;
+  const std::span<const double> numbers = layout.numbers;
+  const std::size_t count = numbers.size() / kNumbersPerBox;
+  std::vector<Error> errors = check_count(count, name);
+  if (errors.empty() && numbers.size() % kNumbersPerBox != 0)
+    errors = {{.file = name,
+               .what = "the layout is no whole number of boxes",
+               .value = std::to_string(numbers.size()) + " numbers",
+               .accepted = "seven numbers per box: two corners and a material"}};
+  if (errors.empty()) {
+    read.layout.boxes.reserve(count);
+    ErrorList not_ids(name);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const row = &numbers[i * kNumbersPerBox];
+      const std::optional<int> material = whole_number(row[6]);
+      if (!material) add_bad_material(not_ids, i, rounded_text(row[6]));
+      read.layout.boxes.push_back(
+          {corner({row[0], row[1], row[2]}, unit), corner({row[3], row[4], row[5]}, unit), material.value_or(0)});
+    }
+    errors = not_ids.take();
+  }
+  return checked(std::move(read), std::move(errors), unit, settings, all);
 }
 
 Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration) {
@@ -188,6 +256,10 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
+}
+
+void mark_cancelled(holdfast::WorldOutcome& world) {
+  if (world.stop_reason == holdfast::StopReason::not_run && world.status == status::ok) world.message = "cancelled";
 }
 
 void move_series(internal::Series&& series, holdfast::Series& to) {

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <optional>
 #include <utility>
 
+#include "api/apply_settings.hpp"
 #include "api/convert.hpp"
+#include "api/guarded.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/engine/interpolation.hpp"
 #include "core/engine/simulate.hpp"
-#include "core/model/setting_table.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -17,21 +17,6 @@ using internal::StateColumns;
 using internal::value_or_throw;
 
 namespace {
-
-internal::Settings settings_of(std::span<const Setting> given) {
-  internal::Settings settings;
-  for (const Setting& setting : given) {
-    const std::string name = '[' + setting.section + "] " + setting.key;
-    const internal::SettingKey* key = internal::find_setting(setting.section, setting.key);
-    if (key == nullptr || key->section == internal::kMaterialSection)
-      throw internal::exception_of({{.what = "unknown key", .value = name}});
-    if (!key->set(settings, 0, setting.value))
-      throw internal::exception_of({{.what = "not a value of " + name,
-                                     .value = setting.value,
-                                     .accepted = "accepted are " + std::string(key->accepted)}});
-  }
-  return settings;
-}
 
 std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) {
   const internal::EngineEntry* entry = internal::find_engine(settings.screening.engine);
@@ -46,13 +31,14 @@ std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) 
 }  // namespace
 
 struct World::State {
-  State(const Layout& given, const Acceleration& given_acceleration, std::span<const Setting> given_settings,
+  template <class AnyLayout>
+  State(const AnyLayout& given, const Acceleration& given_acceleration, std::span<const Setting> given_settings,
         LengthUnit unit)
-      : settings(settings_of(given_settings)),
-        acceleration(value_or_throw(internal::read_acceleration(given_acceleration))),
-        engine(engine_of(settings)) {
+      : acceleration(value_or_throw(internal::read_acceleration(given_acceleration))) {
+    internal::apply_settings(settings, given_settings);
+    engine = engine_of(settings);
     std::vector<internal::Error> errors;
-    layout = internal::read_layout(given, unit, settings, errors).layout;
+    layout = internal::read_layout(given, std::string(given.name), unit, settings, errors).layout;
     if (!errors.empty()) throw internal::exception_of(errors);
     const internal::Layout* const layouts[] = {&layout};
     const internal::Acceleration* const accelerations[] = {&acceleration};
@@ -82,7 +68,8 @@ struct World::State {
   }
 
   void advance(double wanted) {
-    wanted = std::clamp(wanted, time, end);
+    if (!(wanted > time)) return;
+    wanted = std::min(wanted, end);
     while (reached < wanted && phase < phases.size()) {
       begin = reached;
       reached = step(phases[phase], wanted);
@@ -105,17 +92,23 @@ struct World::State {
 };
 
 World::World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings,
-             LengthUnit unit) try
-    : state_(std::make_unique<State>(layout, acceleration, settings, unit)) {
-} catch (const std::bad_alloc&) {
-  throw internal::exception_of({internal::out_of_memory("")});
+             LengthUnit unit) {
+  internal::guarded([&] { state_ = std::make_unique<State>(layout, acceleration, settings, unit); });
+}
+
+World::World(const LayoutView& layout, const Acceleration& acceleration, std::span<const Setting> settings,
+             LengthUnit unit) {
+  internal::guarded([&] { state_ = std::make_unique<State>(layout, acceleration, settings, unit); });
 }
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::advance(double time) { state_->advance(time); }
+void World::advance(double time) {
+  internal::guarded([&] { state_->advance(time); });
+}
+
 double World::time() const noexcept { return state_->time; }
 double World::end_time() const noexcept { return state_->end; }
 

@@ -19,6 +19,8 @@ struct Error {
   std::string what;      ///< what is wrong, a clause without a full stop
   std::string value;     ///< the wrong value as it is in the input; may be empty
   std::string accepted;  ///< what would be accepted; may be empty
+  long box = 0;          ///< of a layout, from 1; 0 when the error is not about one box
+  long box_number = 0;   ///< which of that box's seven numbers (two corners, material), from 1; 0 when not about one
 
   /// The message of one line: `file:line:column: what: value; accepted`.
   std::string message() const;

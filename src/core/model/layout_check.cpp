@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "core/base/error_list.hpp"
@@ -24,6 +25,21 @@ std::string centimetres(const Vec3& v) {
   return rounded_text(cm.x()) + " x " + rounded_text(cm.y()) + " x " + rounded_text(cm.z()) + " cm";
 }
 std::string box_name(std::size_t index) { return "box " + std::to_string(index + 1); }
+
+/// How errors count boxes: from 1.
+long place_of(std::size_t index) { return static_cast<long>(index) + 1; }
+
+/// Which of the seven numbers of a box that is, from 1.
+long number_of(Eigen::Index axis, bool second_corner) { return static_cast<long>(axis) + (second_corner ? 4 : 1); }
+
+/// Which of the seven numbers is the first that is not finite, from 1; 0 when all are.
+long not_finite(const Box& box) {
+  for (const bool second_corner : {false, true})
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      if (!std::isfinite((second_corner ? box.corner_max : box.corner_min)[axis]))
+        return number_of(axis, second_corner);
+  return 0;
+}
 
 /// The check of one layout: first of single boxes, then of pairs of the boxes that have positive extents.
 class LayoutCheck {
@@ -62,8 +78,11 @@ class LayoutCheck {
  private:
   bool is_box(std::size_t i) {
     const Box& box = boxes_[i];
-    if (!box.corner_min.allFinite() || !box.corner_max.allFinite()) {
-      errors_.add({.line = box.line, .what = box_name(i) + " has a corner that is not finite"});
+    if (const long number = not_finite(box)) {
+      errors_.add({.line = box.line,
+                   .what = box_name(i) + " has a corner that is not finite",
+                   .box = place_of(i),
+                   .box_number = number});
       return false;
     }
     const Vec3 extents = box.corner_max - box.corner_min;
@@ -76,7 +95,9 @@ class LayoutCheck {
                    .what = box_name(i) + kind + kExtentNames[static_cast<std::size_t>(axis)],
                    .value = rounded_text(extents[axis] * 100.0) + " cm",
                    .accepted = "the second corner must be beyond the first along every axis, by more than " +
-                               millimetres(kLayoutTolerance)});
+                               millimetres(kLayoutTolerance),
+                   .box = place_of(i),
+                   .box_number = number_of(axis, true)});
     }
     return positive;
   }
@@ -96,7 +117,9 @@ class LayoutCheck {
     errors_.add({.line = boxes_[i].line,
                  .what = box_name(i) + " is outside the container at the " + std::string(side.name),
                  .value = millimetres(depth),
-                 .accepted = "the container is " + centimetres(container_.size)});
+                 .accepted = "the container is " + centimetres(container_.size),
+                 .box = place_of(i),
+                 .box_number = number_of(side.axis, side.far)});
   }
 
   void check_centre_of_mass(std::size_t i) {
@@ -108,7 +131,9 @@ class LayoutCheck {
                  .what = box_name(i) + " has its centre of mass outside, by CentreOfMass of [Material " +
                          std::to_string(box.material) + ']',
                  .value = setting_kinds::CentimetreVector::text(offset) + " cm",
-                 .accepted = "at most half of the box to either side, " + centimetres(most)});
+                 .accepted = "at most half of the box to either side, " + centimetres(most),
+                 .box = place_of(i),
+                 .box_number = kMaterialNumber});
   }
 
   void check_pair(std::size_t a, std::size_t b) {
@@ -121,7 +146,8 @@ class LayoutCheck {
                  .what = box_name(b) + " overlaps " + box_name(a) +
                          (boxes_[a].line > 0 ? " of line " + std::to_string(boxes_[a].line) : ""),
                  .value = millimetres(depth) + " deep",
-                 .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding"});
+                 .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding",
+                 .box = place_of(b)});
   }
 
   bool tolerates(double depth) {

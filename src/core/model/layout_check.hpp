@@ -17,6 +17,9 @@ inline constexpr std::size_t kMostBoxes = 20'000;
 /// Overlaps and protrusions up to this length are taken as rounding of the program that made the layout, m.
 inline constexpr double kLayoutTolerance = 1e-4;
 
+/// Which of the seven numbers of a box its material is, from 1: six coordinates are before it.
+inline constexpr long kMaterialNumber = 7;
+
 /// Geometric errors of a layout: corners that are not finite, extents that are negative or within rounding, boxes
 /// outside the container (it has no boundary at open sides, and always one at the floor), boxes whose material puts the
 /// centre of mass outside them, boxes that overlap. Empty when there are none.

@@ -1,8 +1,10 @@
 #include "core/model/setting_table.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
+#include "core/base/number_text.hpp"
 #include "core/model/setting_kinds.hpp"
 
 namespace holdfast::internal {
@@ -237,6 +239,12 @@ std::vector<SettingKey> make_table() {
 #undef OF_MATERIAL
 
 }  // namespace
+
+std::optional<int> material_id(std::string_view text) {
+  const std::optional<long> id = parse_integer(text);
+  if (!id || *id < 0 || *id > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(*id);
+}
 
 std::span<const SettingKey> setting_table() {
   static const std::vector<SettingKey> kTable = make_table();

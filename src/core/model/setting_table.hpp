@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,10 @@ struct SettingKey {
 
 /// The section of the table that represents every `Material` section of a file.
 inline constexpr std::string_view kMaterialSection = "Material N";
+
+/// The id that a section of a material names: a whole number from 0; nothing for any other text.
+/// @param text what follows `Material` in the section, without white space around it
+std::optional<int> material_id(std::string_view text);
 
 /// All keys, grouped by section in the order of the documentation.
 std::span<const SettingKey> setting_table();

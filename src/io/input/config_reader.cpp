@@ -3,13 +3,11 @@
 #include <ini.h>
 
 #include <cstring>
-#include <limits>
 #include <map>
 #include <optional>
 
 #include "core/base/closest_word.hpp"
 #include "core/base/error_list.hpp"
-#include "core/base/number_text.hpp"
 #include "core/model/setting_table.hpp"
 #include "io/input/text_lines.hpp"
 
@@ -132,13 +130,13 @@ class ConfigReader {
   }
 
   void open_material(std::string_view line, std::string_view id_text) {
-    const std::optional<long> id = parse_integer(id_text);
-    if (!id || *id < 0 || *id > std::numeric_limits<int>::max()) {
+    const std::optional<int> id = material_id(id_text);
+    if (!id) {
       add_error(column_of(line), "a material section without a material id", shown(line),
                 "[Material N] with a whole number N from 0 to 2147483647");
       return;
     }
-    section_ = {"Material " + std::to_string(*id), kMaterialSection, static_cast<int>(*id)};
+    section_ = {"Material " + std::to_string(*id), kMaterialSection, *id};
   }
 
   void set_key(const std::string& name, const std::string& value) {

@@ -50,7 +50,8 @@ void run_in_order(Workers& workers, std::size_t count, Work work, Place place, P
 
   const int threads = workers.threads();
   // One unit: other threads would cost more than they bring.
-  const Scheduler scheduler = count <= 1 || threads <= 1 ? Scheduler::serial : workers.scheduler();
+  const bool alone = count <= 1 || threads <= 1 || workers.scheduler() == Scheduler::serial || !may_use_threads();
+  const Scheduler scheduler = alone ? Scheduler::serial : workers.scheduler();
   if (scheduler == Scheduler::tbb) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     std::atomic<bool> more = true;

@@ -1,0 +1,324 @@
+#ifndef HOLDFAST_HOLDFAST_H
+#define HOLDFAST_HOLDFAST_H
+
+/* holdfast: what becomes of a container loading when the container brakes, corners or changes lane. C11.
+ *
+ * This is the library of holdfast.hpp for C, and for every language that can call C. A screen is made once from
+ * settings and accelerations, and then evaluates layouts, thousands of times: arrays in, outcomes out. It gives the
+ * same bits as `holdfast screen` does on the same layouts, whatever the number of threads, the batch and the order.
+ *
+ *     const double brake[] = {0.5, 1.0, 7.848, 0.0, 0.0};
+ *     const double boxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0};
+ *     const size_t offsets[] = {0, 1};
+ *     const holdfast_layouts layouts = {sizeof layouts, boxes, 1, offsets, 1, NULL};
+ *     holdfast_outcome outcome;
+ *     holdfast_screen* screen;
+ *     if (holdfast_screen_new(NULL, NULL, &screen) != HOLDFAST_OK ||
+ *         holdfast_screen_add_acceleration(screen, "brake", brake, 1) != HOLDFAST_OK ||
+ *         holdfast_screen_evaluate(screen, &layouts, &outcome, 1) != HOLDFAST_OK)
+ *       fprintf(stderr, "%s\n", holdfast_screen_message(screen));
+ *     else if (outcome.verdict != HOLDFAST_STAYED)
+ *       reject();
+ *     holdfast_screen_free(screen);
+ *
+ * Frame: that of the container, right-handed; x along its length from the front wall to the door, y across, z up; the
+ * origin is the lower corner at the front wall with the smallest coordinates. SI units throughout, unless stated.
+ *
+ * Boxes are rows of seven numbers: x, y, z of the corner with the smallest coordinates, x, y, z of that with the
+ * largest, and the material, a whole number from 0. Segments of an acceleration are rows of five: start (s), duration
+ * (s), and the acceleration of the container along x, y, z (m/s²; a vehicle that brakes has +x).
+ *
+ * Objects. `_new` makes one, `_free` ends it, and takes NULL too. A function that is given what is no living object of
+ * its kind, such as one that was freed, does nothing and returns HOLDFAST_BAD_HANDLE. One thread at a time uses an
+ * object; a second one meanwhile gets HOLDFAST_IN_USE, apart from `_cancel` and `_free`, which any thread may call.
+ * Different objects are independent of each other. Objects that are left at exit are freed then. In a process
+ * that was forked, a screen of the parent has nothing in flight, and works on one thread, if the parent has used
+ * several.
+ *
+ * Errors. Functions return a status code and throw nothing. The object keeps a message, and a screen every problem in
+ * its parts. Texts belong to the object, and are valid until the next call on it. Text is UTF-8 and ends with a zero
+ * byte.
+ *
+ * Arrays are those of the caller, and are read or written during the call only. Structures that begin with their size
+ * are set to zero beyond it for defaults: a later version of the library may know more members.
+ *
+ * Compatibility: as for holdfast.hpp. Before 1.0 a minor version may change what is declared here, and the soname of
+ * the library changes with it; a patch version may not. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch. */
+#define HOLDFAST_VERSION 200
+
+#if defined(__GNUC__)
+#define HOLDFAST_API __attribute__((visibility("default")))
+#else
+#define HOLDFAST_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What functions return. */
+enum {
+  HOLDFAST_OK = 0,
+  HOLDFAST_ERROR = 1, /* an input cannot be used, a file cannot be written, memory has run out: see the message */
+  HOLDFAST_BAD_ARGUMENT = 2, /* the calling program is wrong, such as by NULL or a short array: see the message */
+  HOLDFAST_BAD_HANDLE = 3,   /* no living object of that kind: never made, freed already, or NULL */
+  HOLDFAST_IN_USE = 4,       /* another thread uses the object */
+  HOLDFAST_CANCELLED = 5,    /* holdfast_screen_cancel has ended the call before it was done */
+  HOLDFAST_FULL = 6,         /* so many layouts are in flight that one must be polled before */
+  HOLDFAST_NOT_YET = 7,      /* none of the layouts in flight is finished */
+  HOLDFAST_NONE = 8          /* no layout is in flight */
+};
+
+/* Version of the library that is linked, such as "0.2.0". May be called from any thread. */
+HOLDFAST_API const char* holdfast_version(void);
+
+/* ---- Settings: keys of config.ini and their values, see docs/config.md. ---- */
+
+typedef struct holdfast_settings holdfast_settings;
+
+/* Settings that are all at their defaults; NULL when memory has run out. */
+HOLDFAST_API holdfast_settings* holdfast_settings_new(void);
+HOLDFAST_API void holdfast_settings_free(holdfast_settings* settings);
+
+/* Sets the keys that the text of a config.ini gives. With an error nothing is set. */
+HOLDFAST_API int holdfast_settings_read(holdfast_settings* settings, const char* text);
+
+/* Sets one key, such as ("Native", "Accuracy", "screening") or ("Material 3", "Density", "300"). Keys that contradict
+ * each other are an error when a screen or a world is made. */
+HOLDFAST_API int holdfast_settings_set(holdfast_settings* settings, const char* section, const char* key,
+                                       const char* value);
+
+/* Why the last call failed; "" when it did not. Never NULL. */
+HOLDFAST_API const char* holdfast_settings_message(const holdfast_settings* settings);
+
+/* ---- Screens: evaluate layouts under accelerations. ---- */
+
+typedef struct holdfast_screen holdfast_screen;
+
+/* Unit of the corners of boxes. */
+enum { HOLDFAST_METRE = 0, HOLDFAST_CENTIMETRE = 1 };
+
+/* How a screen works. */
+typedef struct holdfast_screen_options {
+  size_t size;              /* sizeof(holdfast_screen_options) */
+  const char* engine;       /* such as "native"; NULL: as the settings say */
+  const char* accuracy;     /* of the native engine: "screening", "standard", "reference"; NULL: as the settings say */
+  const char* scheduler;    /* "tbb", "openmp" or "serial", never changes a result; NULL: as the settings say */
+  int32_t threads;          /* worlds that are simulated at the same time; 0: as the settings say, or one per core */
+  int32_t unit;             /* of the corners of boxes: HOLDFAST_METRE, HOLDFAST_CENTIMETRE */
+  int32_t mark_bad_layouts; /* 0: a bad layout is an error; 1: its worlds have HOLDFAST_BAD_LAYOUT */
+  int32_t keep_boxes;       /* 1: holdfast_screen_boxes gives the boxes */
+  size_t most_in_flight;    /* layouts that holdfast_screen_submit takes before one is polled; 0: 16 per thread */
+} holdfast_screen_options;
+
+/* Makes a screen, which starts no thread before it needs one.
+ * settings: NULL for defaults; may be changed or freed afterwards
+ * options:  NULL for defaults
+ * screen:   set to the new screen. After HOLDFAST_ERROR and HOLDFAST_BAD_ARGUMENT it can only tell its message and
+ *           errors, and be freed; it is NULL after HOLDFAST_BAD_HANDLE, and when memory has run out */
+HOLDFAST_API int holdfast_screen_new(const holdfast_settings* settings, const holdfast_screen_options* options,
+                                     holdfast_screen** screen);
+
+/* Cancels what the screen does, and frees it when that has ended. */
+HOLDFAST_API void holdfast_screen_free(holdfast_screen* screen);
+
+/* Adds an acceleration: segments by rising time, without overlap. Not while layouts are in flight.
+ * name:     labels results and messages; NULL: "acceleration" and its index
+ * segments: rows of five numbers */
+HOLDFAST_API int holdfast_screen_add_acceleration(holdfast_screen* screen, const char* name, const double* segments,
+                                                  size_t segment_count);
+
+/* Layouts: that with index i consists of the boxes offsets[i], ..., offsets[i + 1] - 1. Boxes may touch; they overlap
+ * each other, or protrude from the container, by 0.1 mm at most. */
+typedef struct holdfast_layouts {
+  size_t size;           /* sizeof(holdfast_layouts) */
+  const double* boxes;   /* rows of seven numbers, of all layouts */
+  size_t box_count;      /* number of rows */
+  const size_t* offsets; /* layout_count + 1 numbers that do not fall, box_count at most */
+  size_t layout_count;
+  const char* const* names; /* one per layout, label results and messages; NULL, also of one: "layout" and its index */
+} holdfast_layouts;
+
+/* What became of a world as a whole, by the worst that happened in it. */
+enum {
+  HOLDFAST_STAYED = 0,   /* no box fell, moved or tilted, nor was any unstable */
+  HOLDFAST_MOVED = 1,    /* a box moved or tilted at the end, and none fell */
+  HOLDFAST_FELL = 2,     /* a box had fallen at the end */
+  HOLDFAST_UNSTABLE = 3, /* a box fell or moved while settling, before any acceleration, and all stayed since */
+  HOLDFAST_FAILED = 4    /* the status is not 0, or the world was cancelled: nothing can be said */
+};
+
+/* Bits of a status: what went wrong with a world. */
+enum {
+  HOLDFAST_BAD_LAYOUT = 1,       /* the layout cannot be used; not simulated */
+  HOLDFAST_BAD_ACCELERATION = 2, /* the acceleration cannot be used; not simulated */
+  HOLDFAST_NON_FINITE = 4,       /* a state became infinite or undefined */
+  HOLDFAST_NOT_CONVERGED = 8,    /* the solver's residual stayed above its bound */
+  HOLDFAST_CAPACITY = 16,        /* a device had no room for all contacts, or failed */
+  HOLDFAST_TOO_LARGE = 32        /* its series would take too much memory; not simulated */
+};
+
+/* Why a world ended. */
+enum {
+  HOLDFAST_NOT_RUN = 0,       /* it was not simulated: a bad input, or cancelled */
+  HOLDFAST_TIMEOUT = 1,       /* the simulated time was up */
+  HOLDFAST_SLEEPING = 2,      /* all boxes had come to rest */
+  HOLDFAST_ENDED_BY_ERROR = 3 /* the status says why */
+};
+
+/* What became of a world: one layout under one acceleration. */
+typedef struct holdfast_outcome {
+  uint64_t layout;       /* index into the layouts of the call; the ticket of a layout that was submitted */
+  uint64_t acceleration; /* index into the accelerations of the screen */
+  int32_t verdict;       /* HOLDFAST_STAYED, ... */
+  uint32_t status;       /* bits, HOLDFAST_BAD_LAYOUT, ...; 0 when all is well */
+  int32_t stop_reason;   /* HOLDFAST_TIMEOUT, ... */
+  uint32_t boxes;        /* number of boxes; 0 in a world that was not simulated, as are all that follow */
+  uint32_t fallen;       /* number of boxes, as are the next three */
+  uint32_t moved;
+  uint32_t tilted;
+  uint32_t unstable;
+  float max_displacement;      /* largest of all boxes at the end, m */
+  float peak_displacement;     /* largest of all boxes and steps, m */
+  double total_kinetic_energy; /* at the end, J */
+  double peak_kinetic_energy;  /* of all boxes together, largest over all steps, J */
+  double end_time;             /* s */
+  uint64_t steps;              /* steps that the simulated time was cut into */
+  uint64_t steps_skipped;      /* of these, those in which nothing moves, which are not computed */
+  double max_residual;         /* change of a contact velocity in a last iteration, worst step, m/s */
+  double residual_scale;       /* velocity that the effective gravity adds in that step, m/s */
+  double max_penetration;      /* deepest overlap of any step, m; 0 where the engine does not measure it */
+  double cpu_seconds;          /* processor time of building and simulating, s */
+  uint64_t state_hash;         /* of the final poses and velocities: equal bits, equal hash */
+} holdfast_outcome;
+
+/* Evaluates every layout under every acceleration, and returns when all are done.
+ * outcomes: set to those of all worlds, layout by layout, acceleration fastest
+ * capacity: number of outcomes that the array has room for: at least layouts times accelerations
+ * Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it: the worlds that were lost have HOLDFAST_NOT_RUN. */
+HOLDFAST_API int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* layouts,
+                                          holdfast_outcome* outcomes, size_t capacity);
+
+/* Hands one layout over, and returns while it is evaluated on threads of the screen.
+ * ticket: set to the number by which holdfast_screen_poll names the layout; may be NULL
+ * Returns HOLDFAST_FULL, and takes no layout, when the options' most_in_flight are in flight. */
+HOLDFAST_API int holdfast_screen_submit(holdfast_screen* screen, const double* boxes, size_t box_count,
+                                        uint64_t* ticket);
+
+/* Gives back a layout that was handed over and is finished.
+ * seconds:  how long to wait for one, at most
+ * in_order: 0: the one that was finished first; 1: the one that was handed over first, once it is finished
+ * ticket:   set to that of the layout; may be NULL
+ * outcomes: set to one per acceleration; those of worlds that were cancelled have HOLDFAST_NOT_RUN
+ * capacity: number of outcomes that the array has room for
+ * Returns HOLDFAST_NOT_YET when none was finished in time, HOLDFAST_NONE when none is in flight. */
+HOLDFAST_API int holdfast_screen_poll(holdfast_screen* screen, double seconds, int in_order, uint64_t* ticket,
+                                      holdfast_outcome* outcomes, size_t capacity);
+
+/* Why the status of an outcome is not 0, and what to do; "" when it is 0.
+ * index: into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll */
+HOLDFAST_API const char* holdfast_screen_outcome_message(const holdfast_screen* screen, size_t index);
+
+/* How one box ended. The reference pose is that of the layout, or by ReferencePose the one after settling. */
+typedef struct holdfast_box_outcome {
+  float displacement[3];     /* of the centre of mass, from the reference pose, at the end, m */
+  float tilt;                /* angle of the rotation from the reference pose, at the end, degrees */
+  float kinetic_energy;      /* at the end, J */
+  float peak_displacement;   /* largest over all steps, m */
+  float peak_kinetic_energy; /* largest over all steps, J */
+  uint8_t fallen;            /* 1: its centre of mass sank by more than DropThreshold */
+  uint8_t moved;             /* 1: displaced by more than MoveThreshold */
+  uint8_t tilted;            /* 1: rotated by more than TiltThreshold */
+  uint8_t unstable;          /* 1: fell or moved while settling */
+} holdfast_box_outcome;
+
+/* How the boxes of a world ended, with the option keep_boxes.
+ * index:    as in holdfast_screen_outcome_message
+ * boxes:    set to one per box, in the order of the layout
+ * capacity: number of boxes that the array has room for: at least the outcome's `boxes` */
+HOLDFAST_API int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes,
+                                       size_t capacity);
+
+/* How holdfast_screen_record treats its file. */
+typedef struct holdfast_record_options {
+  size_t size;              /* sizeof(holdfast_record_options) */
+  int32_t no_series;        /* 1: without time series */
+  int32_t resume;           /* 1: continue a run of the same layouts that was stopped or killed */
+  int32_t overwrite;        /* 1: replace the results of an earlier run; not together with resume */
+  const char* command_line; /* noted in the file; may be NULL */
+} holdfast_record_options;
+
+/* Evaluates every layout under every acceleration into a results file, as `holdfast screen` writes it. What is finished
+ * survives whatever ends the process. HOLDFAST_ERROR also when the file exists and options do not say what to do with
+ * it. options: NULL for defaults Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it: the finished worlds
+ * are kept for `resume`. */
+HOLDFAST_API int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layouts, const char* path,
+                                        const holdfast_record_options* options);
+
+/* Ends the running call early, and all layouts in flight. Any thread may call it; it does nothing where nothing runs.
+ */
+HOLDFAST_API int holdfast_screen_cancel(holdfast_screen* screen);
+
+/* Why the last call failed; "" when it did not. Never NULL. */
+HOLDFAST_API const char* holdfast_screen_message(const holdfast_screen* screen);
+
+/* One thing that is wrong with an input. Text that does not apply is "", a place in a text 0, an index -1. */
+typedef struct holdfast_problem {
+  const char* file;     /* path of the file, or name of the layout or acceleration */
+  int64_t line;         /* in the file, from 1 */
+  int64_t column;       /* in the line, from 1 */
+  const char* what;     /* what is wrong */
+  const char* value;    /* the offending value */
+  const char* accepted; /* what would be accepted */
+  const char* message;  /* all of it in one line */
+  int64_t layout;       /* index into the layouts of the call */
+  int64_t box;          /* index into the boxes of that layout */
+  int64_t box_column;   /* index into the seven numbers of that box */
+} holdfast_problem;
+
+/* Number of problems that the last call found: at least one where it returned HOLDFAST_ERROR, and, with the option
+ * mark_bad_layouts, those of the layouts that it marked. */
+HOLDFAST_API size_t holdfast_screen_error_count(const holdfast_screen* screen);
+
+/* One of them. */
+HOLDFAST_API int holdfast_screen_error(const holdfast_screen* screen, size_t index, holdfast_problem* problem);
+
+/* ---- Worlds: one layout under one acceleration, taken forward as far as the caller wants. ---- */
+
+typedef struct holdfast_world holdfast_world;
+
+/* Makes a world at time 0, after settling. At its end its hash is that of the same world of a screen.
+ * settings: NULL for defaults; the engine is native or native-plain
+ * unit:     of the corners of boxes: HOLDFAST_METRE, HOLDFAST_CENTIMETRE
+ * world:    set to the new world, as holdfast_screen_new sets a screen */
+HOLDFAST_API int holdfast_world_new(const holdfast_settings* settings, const double* boxes, size_t box_count, int unit,
+                                    const double* segments, size_t segment_count, holdfast_world** world);
+HOLDFAST_API void holdfast_world_free(holdfast_world* world);
+
+/* Takes the world forward until it has reached a time, s, or its end. A time that has passed changes nothing. */
+HOLDFAST_API int holdfast_world_advance(holdfast_world* world, double time);
+
+/* The time that was asked for last, and the time at which the world ends, s. Either pointer may be NULL. */
+HOLDFAST_API int holdfast_world_times(holdfast_world* world, double* time, double* end_time);
+
+/* Where the boxes are at that time, in the order of the layout, interpolated between the steps around it.
+ * poses:    set to rows of seven numbers: x, y, z of the centre of mass (m), and the orientation as a quaternion w, x,
+ * y, z, container from body capacity: number of rows that the array has room for: at least the number of boxes */
+HOLDFAST_API int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity);
+
+/* Of poses and velocities at the last step end: equal bits, equal hash. */
+HOLDFAST_API int holdfast_world_hash(holdfast_world* world, uint64_t* hash);
+
+/* Why the last call failed; "" when it did not. Never NULL. */
+HOLDFAST_API const char* holdfast_world_message(const holdfast_world* world);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* HOLDFAST_HOLDFAST_H */

@@ -1,0 +1,63 @@
+# What the compiled part of the package declares. The modules of the package wrap all of it.
+from collections.abc import Sequence
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import Problem
+
+_Table = npt.NDArray[Any]
+_Messages = dict[tuple[int, int], str]
+
+def version() -> str: ...
+def engines() -> list[tuple[str, str, str]]: ...
+def read_acceleration(path: str) -> tuple[str, npt.NDArray[np.float64]]: ...
+
+class Screen:
+    def __init__(
+        self,
+        *,
+        config: str,
+        engine: Optional[str],
+        accuracy: Optional[str],
+        scheduler: Optional[str],
+        threads: Optional[int],
+        centimetres: bool,
+        mark: bool,
+        keep_boxes: bool,
+        keep_series: bool,
+        most_in_flight: int,
+    ) -> None: ...
+    def add_acceleration(self, name: str, segments: npt.ArrayLike) -> None: ...
+    def evaluate(
+        self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str], on_main_thread: bool
+    ) -> tuple[_Table, _Messages, tuple[Problem, ...], Optional[list[_Table]]]: ...
+    def replay(
+        self, layout: npt.ArrayLike, on_main_thread: bool
+    ) -> tuple[
+        _Table,
+        _Messages,
+        Optional[list[_Table]],
+        tuple[npt.NDArray[np.float64], npt.NDArray[np.float32], npt.NDArray[np.float32], npt.NDArray[np.float32]],
+    ]: ...
+    def record(
+        self,
+        layouts: Any,
+        offsets: Optional[npt.ArrayLike],
+        names: Sequence[str],
+        path: str,
+        *,
+        series: bool,
+        resume: bool,
+        overwrite: bool,
+        command_line: str,
+        on_main_thread: bool,
+    ) -> bool: ...
+    def submit(self, layout: npt.ArrayLike, name: str) -> Optional[tuple[int, tuple[Problem, ...]]]: ...
+    def poll(
+        self, ordered: bool, on_main_thread: bool
+    ) -> Optional[tuple[int, _Table, _Messages, Optional[list[_Table]]]]: ...
+    def cancel(self) -> None: ...
+    def in_flight(self) -> int: ...
+    def read_layout(self, path: str) -> npt.NDArray[np.float64]: ...

@@ -1,0 +1,67 @@
+"""What the container does."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+
+
+class Acceleration:
+    """An acceleration of the container over time.
+
+    ``segments`` has shape (segments, 5): start (s), duration (s), and the acceleration of the container along x, y, z
+    (m/s²; a vehicle that brakes has +x). Segments go by rising time, without overlap; between and after them the container
+    has no acceleration. The array is a copy that cannot be written to. The name labels results and messages.
+
+    >>> Acceleration("brake", [[0.5, 1.0, 7.848, 0.0, 0.0]])
+    Acceleration('brake', 1 segment of 1.5 s)
+    """
+
+    __slots__ = ("name", "segments")
+
+    def __init__(self, name: str, segments: npt.ArrayLike) -> None:
+        self.name = str(name)
+        self.segments: npt.NDArray[np.float64] = np.array(segments, dtype=np.float64)
+        self.segments.flags.writeable = False
+
+    def __repr__(self) -> str:
+        count = len(self.segments) if self.segments.ndim else 0
+        end = float(self.segments[-1, :2].sum()) if self.segments.ndim == 2 and self.segments.shape[1:] >= (2,) and count else 0
+        return f"Acceleration({self.name!r}, {count} segment{'' if count == 1 else 's'} of {end:g} s)"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Acceleration):
+            return NotImplemented
+        return self.name == other.name and np.array_equal(self.segments, other.segments)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.segments.tobytes()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Acceleration, (self.name, np.array(self.segments))
+
+
+#: What a screen takes for an acceleration: one, the path of a file, or segments.
+AccelerationLike = Union[Acceleration, str, "os.PathLike[str]", npt.ArrayLike]
+
+
+def read_acceleration(path: str | os.PathLike[str]) -> Acceleration:
+    """Reads an acceleration file: a header line, then one segment per line, ``start duration x y z``.
+
+    :raises Error: the file cannot be read or used; every problem names line and character.
+    """
+    return Acceleration(*_core.read_acceleration(os.fspath(path)))
+
+
+def acceleration_of(given: AccelerationLike, index: int) -> Acceleration:
+    """The acceleration that the caller means, which has that index."""
+    if isinstance(given, Acceleration):
+        return given
+    if isinstance(given, (str, os.PathLike)):
+        return read_acceleration(given)
+    return Acceleration(f"acceleration {index}", given)

@@ -1,0 +1,168 @@
+"""What became of layouts, as arrays."""
+
+from __future__ import annotations
+
+import html
+import operator
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from .codes import Verdict
+from .errors import Problem
+
+if TYPE_CHECKING:
+    import pandas
+
+#: Layouts that a notebook shows one by one.
+_MOST_SHOWN = 20
+_COLOURS = ("#dff0d8", "#fcf8e3", "#f2dede", "#fcf8e3", "#e0e0e0")
+
+
+class _Column:
+    """A column of the table, as a view of its memory."""
+
+    def __init__(self, sentence: str) -> None:
+        self.__doc__ = sentence
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, verdicts: Optional[Verdicts], owner: type) -> Any:
+        return self if verdicts is None else verdicts.table[self._name]
+
+
+class Verdicts:
+    """A table of verdicts. Its arrays have shape (layouts, accelerations), and indexing it gives a part:
+    ``verdicts[3]`` is that of layout 3, of shape (accelerations,).
+
+    ``table`` is the structured array that all columns are views of; ``pandas.DataFrame(verdicts.table.ravel())`` is a
+    data frame of it, and :meth:`frame` one with names.
+    """
+
+    __slots__ = ("table", "problems", "acceleration_names", "layout_names", "_messages", "_boxes")
+
+    def __init__(
+        self,
+        table: npt.NDArray[Any],
+        messages: dict[tuple[int, int], str],
+        problems: tuple[Problem, ...],
+        acceleration_names: Sequence[str],
+        layout_names: Sequence[str] = (),
+        boxes: Optional[dict[int, npt.NDArray[Any]]] = None,
+    ) -> None:
+        self.table = table
+        #: With ``errors="mark"``: what is wrong with the layouts, see :class:`Problem`.
+        self.problems = problems
+        #: Names of the accelerations, in their order.
+        self.acceleration_names = tuple(acceleration_names)
+        #: Names of the layouts of the call, in their order; empty when none were given.
+        self.layout_names = tuple(layout_names)
+        self._messages = messages
+        self._boxes = boxes
+
+    layout = _Column("Index of the layout in the call.")
+    acceleration = _Column("Index of the acceleration of the screen.")
+    verdict = _Column("What became of the world, see :class:`Verdict`.")
+    status = _Column("What went wrong, bits of :class:`Status`; 0 when all is well.")
+    stop_reason = _Column("Why the world ended, see :class:`StopReason`.")
+    boxes = _Column("Number of boxes; 0 in a world that was not simulated, as are all that follow.")
+    fallen = _Column("Number of boxes whose centre of mass sank by more than DropThreshold.")
+    moved = _Column("Number of boxes that were displaced by more than MoveThreshold.")
+    tilted = _Column("Number of boxes that were rotated by more than TiltThreshold.")
+    unstable = _Column("Number of boxes that fell or moved while settling.")
+    max_displacement = _Column("Largest displacement of all boxes at the end, m.")
+    peak_displacement = _Column("Largest displacement of all boxes and steps, m.")
+    total_kinetic_energy = _Column("At the end, J.")
+    peak_kinetic_energy = _Column("Of all boxes together, largest over all steps, J.")
+    end_time = _Column("Simulated time, s.")
+    steps = _Column("Steps that the simulated time was cut into.")
+    steps_skipped = _Column("Of these, those in which nothing moves, which are not computed.")
+    max_residual = _Column("Change of a contact velocity in a last iteration, worst step, m/s.")
+    residual_scale = _Column("Velocity that the effective gravity adds in that step, m/s.")
+    max_penetration = _Column("Deepest overlap of any step, m; 0 where the engine does not measure it.")
+    cpu_seconds = _Column("Processor time of building and simulating the world, s.")
+    state_hash = _Column("Of the final poses and velocities: equal bits, equal hash.")
+
+    @property
+    def holds(self) -> npt.NDArray[np.bool_]:
+        """Whether no box fell, moved or tilted, nor was any unstable; False also where nothing can be said."""
+        stays: npt.NDArray[np.bool_] = self.table["verdict"] == int(Verdict.STAYED)
+        return stays
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of every array: (layouts, accelerations), or what indexing has left of it."""
+        return self.table.shape
+
+    @property
+    def messages(self) -> dict[tuple[int, int], str]:
+        """Why the status of a world is not 0, and what to do; by (layout, acceleration), for worlds that have one."""
+        if not self._messages:
+            return {}
+        here = zip(self.table["layout"].ravel().tolist(), self.table["acceleration"].ravel().tolist())
+        return {world: self._messages[world] for world in here if world in self._messages}
+
+    def box_outcomes(self, layout: int) -> npt.NDArray[Any]:
+        """How the boxes of a layout ended: a structured array of shape (accelerations, boxes).
+
+        Its columns are displacement (3, of the centre of mass from the reference pose, m), tilt (degrees), kinetic_energy
+        (J), peak_displacement (m), peak_kinetic_energy (J), fallen, moved, tilted, unstable. Of a layout that was not
+        simulated there are no boxes.
+
+        :param layout: index of the layout in the call
+        :raises ValueError: the screen was made without ``keep_boxes=True``
+        """
+        if self._boxes is None:
+            raise ValueError("the screen keeps no boxes: make it with keep_boxes=True")
+        return self._boxes[operator.index(layout)]
+
+    def frame(self) -> pandas.DataFrame:
+        """A data frame with one row per world; verdicts and accelerations by name, and layouts where they have names."""
+        import pandas
+
+        frame = pandas.DataFrame(self.table.ravel())
+        names = [verdict.name.lower() for verdict in Verdict]
+        frame["verdict"] = pandas.Categorical.from_codes(frame["verdict"], names)
+        frame["acceleration"] = pandas.Categorical([self.acceleration_names[i] for i in frame["acceleration"]])
+        if self.layout_names:
+            frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
+        return frame
+
+    def __len__(self) -> int:
+        return len(self.table)
+
+    def __getitem__(self, index: Any) -> Verdicts:
+        part = self.table[index]
+        if not isinstance(part, np.ndarray):
+            part = np.array(part, dtype=self.table.dtype)
+        if part.dtype != self.table.dtype:
+            raise TypeError("verdicts are indexed by layout and acceleration; a column is an attribute, such as .holds")
+        layouts = set(part["layout"].ravel().tolist())
+        problems = tuple(problem for problem in self.problems if problem.layout in layouts)
+        return Verdicts(part, self._messages, problems, self.acceleration_names, self.layout_names, self._boxes)
+
+    def _counts(self) -> dict[str, int]:
+        return {code.name.lower(): int((self.table["verdict"] == int(code)).sum()) for code in Verdict}
+
+    def __repr__(self) -> str:
+        found = ", ".join(f"{count} {name}" for name, count in self._counts().items() if count)
+        return f"<holdfast.Verdicts of shape {self.shape}: {found or 'none'}>"
+
+    def _repr_html_(self) -> str:
+        table = self.table.reshape(-1, self.table.shape[-1]) if self.table.ndim else self.table.reshape(1, 1)
+        columns = table["acceleration"][0].tolist() if len(table) else range(len(self.acceleration_names))
+        heads = "".join(f"<th>{html.escape(self.acceleration_names[i])}</th>" for i in columns)
+        lines = [f"<table><caption>{html.escape(repr(self)[1:-1])}</caption><tr><th>layout</th>{heads}</tr>"]
+        for row in table[:_MOST_SHOWN]:
+            index = int(row["layout"][0]) if len(row) else 0
+            name = self.layout_names[index] if self.layout_names else str(index)
+            cells = "".join(
+                f"<td style='background: {_COLOURS[world['verdict']]}; color: black'>"
+                f"{Verdict(world['verdict']).name.lower()}, {world['max_displacement']:.3g} m</td>" for world in row)
+            lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
+        if len(table) > _MOST_SHOWN:
+            lines.append(f"<tr><td colspan='{len(columns) + 1}'>and {len(table) - _MOST_SHOWN} layouts more</td></tr>")
+        return "\n".join(lines) + "</table>"

@@ -1,0 +1,74 @@
+#include "bound_screen.hpp"
+
+#include <utility>
+
+#include "interruptible.hpp"
+#include "outcomes.hpp"
+#include "problems.hpp"
+
+namespace py = pybind11;
+
+namespace holdfast::python {
+
+namespace {
+
+Layouts layouts_of(const py::object& layouts, const py::object& offsets, std::vector<std::string> names) {
+  if (offsets.is_none()) return {layouts.cast<py::sequence>(), std::move(names)};
+  return {layouts, offsets, std::move(names)};
+}
+
+}  // namespace
+
+py::object BoundScreen::boxes(std::span<const WorldOutcome> worlds) const {
+  if (!keep_boxes_) return py::none();
+  return boxes_of(worlds, screen_.accelerations().size());
+}
+
+py::tuple BoundScreen::evaluate(const py::object& given, const py::object& offsets, std::vector<std::string> names,
+                                bool on_main_thread) {
+  const Layouts layouts = layouts_of(given, offsets, std::move(names));
+  run_interruptible(screen_, on_main_thread, [&] { screen_.evaluate(layouts.views(), worlds_); });
+  return py::make_tuple(table_of(worlds_, {layouts.views().size(), screen_.accelerations().size()}),
+                        messages_of(worlds_), problems_of(screen_.problems()), boxes(worlds_));
+}
+
+py::tuple BoundScreen::replay(const py::object& layout, bool on_main_thread) {
+  const Layouts layouts(py::make_tuple(layout), {});
+  run_interruptible(screen_, on_main_thread, [&] { screen_.evaluate(layouts.views(), worlds_); });
+  WorldOutcome& world = worlds_.front();
+  const py::array table = table_of(worlds_, {1});
+  return py::make_tuple(table, messages_of(worlds_), boxes(worlds_), series_of(std::move(world.series), world.boxes));
+}
+
+bool BoundScreen::record(const py::object& given, const py::object& offsets, std::vector<std::string> names,
+                         const std::string& path, const RecordOptions& options, bool on_main_thread) {
+  const Layouts layouts = layouts_of(given, offsets, std::move(names));
+  bool complete = false;
+  run_interruptible(screen_, on_main_thread, [&] { complete = screen_.record(layouts.views(), path, options); });
+  return complete;
+}
+
+py::object BoundScreen::submit(const py::object& layout, const std::string& name) {
+  const Layouts layouts(py::make_tuple(layout), name.empty() ? std::vector<std::string>() : std::vector{name});
+  const std::optional<std::uint64_t> ticket = screen_.submit(layouts.views().front());
+  if (!ticket) return py::none();
+  return py::make_tuple(*ticket, problems_of(screen_.problems()));
+}
+
+py::object BoundScreen::poll(bool ordered, bool on_main_thread) {
+  const PollOrder order = ordered ? PollOrder::as_submitted : PollOrder::as_finished;
+  while (screen_.in_flight() > 0) {
+    bool finished = false;
+    {
+      const py::gil_scoped_release released;
+      finished = screen_.poll(finished_, std::chrono::duration<double>(kSignalInterval).count(), order);
+    }
+    if (finished)
+      return py::make_tuple(finished_.ticket, table_of(finished_.worlds, {finished_.worlds.size()}),
+                            messages_of(finished_.worlds), boxes(finished_.worlds));
+    if (on_main_thread && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return py::none();
+}
+
+}  // namespace holdfast::python

@@ -1,0 +1,131 @@
+#include "layouts.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace holdfast::python {
+
+namespace {
+
+constexpr py::ssize_t kBoxColumns = 7;
+constexpr py::ssize_t kSegmentColumns = 5;
+
+Error wrong(std::string what, std::string value, std::string accepted, std::ptrdiff_t layout = -1) {
+  std::string message = what + (value.empty() ? "" : ": " + value) + "; " + accepted;
+  return Error({{.what = std::move(what),
+                 .value = std::move(value),
+                 .accepted = std::move(accepted),
+                 .message = std::move(message),
+                 .layout = layout}});
+}
+
+std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
+
+/// The array of numbers with so many columns that an object is, or can be made into.
+/// @param name what messages call it
+Numbers numbers_of(const py::handle& object, py::ssize_t columns, const std::string& name, const char* accepted,
+                   std::ptrdiff_t layout = -1) {
+  Numbers array = Numbers::ensure(object);
+  if (!array) {
+    PyErr_Clear();
+    throw wrong(name + " is no array of numbers", py::str(py::type::handle_of(object).attr("__name__")), accepted,
+                layout);
+  }
+  const bool is_table = array.ndim() == 2 && array.shape(1) == columns;
+  const bool is_nothing = array.ndim() <= 2 && array.size() == 0 && (array.ndim() < 2 || array.shape(1) == columns);
+  if (!is_table && !is_nothing) throw wrong(name + " has a wrong shape", shape_text(array), accepted, layout);
+  return array;
+}
+
+std::span<const double> span_of(const Numbers& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
+
+}  // namespace
+
+Layouts::Layouts(const py::sequence& arrays, std::vector<std::string> names) : names_(std::move(names)) {
+  arrays_.reserve(arrays.size());
+  views_.reserve(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const py::object object = arrays[i];
+    const std::string label = i < names_.size() && !names_[i].empty() ? names_[i] : "layout " + std::to_string(i);
+    arrays_.push_back(numbers_of(object, kBoxColumns, label,
+                                 "an array of shape (boxes, 7) is needed; a single layout goes into a list",
+                                 static_cast<std::ptrdiff_t>(i)));
+    views_.push_back({"", span_of(arrays_.back())});
+  }
+  name_all();
+}
+
+Layouts::Layouts(const py::object& boxes, const py::object& offsets, std::vector<std::string> names)
+    : names_(std::move(names)) {
+  arrays_.push_back(numbers_of(boxes, kBoxColumns, "the array of boxes",
+                               "with offsets an array of shape (boxes of all layouts, 7) is needed"));
+  const auto ends = py::array_t<std::int64_t, py::array::c_style>::ensure(offsets);
+  if (!ends || ends.ndim() != 1 || ends.size() == 0) {
+    PyErr_Clear();
+    throw wrong("the offsets have a wrong type or shape", ends ? shape_text(ends) : "",
+                "whole numbers of shape (layouts + 1) are needed");
+  }
+  const std::int64_t* const row = ends.data();
+  const auto count = static_cast<std::size_t>(ends.size() - 1);
+  const py::ssize_t rows = arrays_[0].size() / kBoxColumns;
+  views_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (row[i] < 0 || row[i + 1] < row[i] || row[i + 1] > rows)
+      throw wrong("layout " + std::to_string(i) + " has offsets that are none",
+                  std::to_string(row[i]) + " to " + std::to_string(row[i + 1]),
+                  "they do not fall, from 0 to the number of boxes, " + std::to_string(rows),
+                  static_cast<std::ptrdiff_t>(i));
+    const auto columns = static_cast<std::size_t>(kBoxColumns);
+    views_.push_back({"", span_of(arrays_[0])
+                              .subspan(static_cast<std::size_t>(row[i]) * columns,
+                                       static_cast<std::size_t>(row[i + 1] - row[i]) * columns)});
+  }
+  name_all();
+}
+
+void Layouts::name_all() {
+  if (names_.empty()) return;
+  if (names_.size() != views_.size())
+    throw wrong(
+        "there are " + std::to_string(names_.size()) + " names and " + std::to_string(views_.size()) + " layouts", "",
+        "one name per layout is needed, or none");
+  for (std::size_t i = 0; i < views_.size(); ++i) views_[i].name = names_[i];
+}
+
+Acceleration acceleration_of(std::string name, const py::object& segments) {
+  const Numbers array =
+      numbers_of(segments, kSegmentColumns, "acceleration " + name,
+                 "an array of shape (segments, 5) is needed: start, duration, acceleration along x, y, z");
+  Acceleration acceleration{std::move(name), {}};
+  const std::span<const double> numbers = span_of(array);
+  for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(kSegmentColumns))
+    acceleration.segments.push_back({numbers[i], numbers[i + 1], {numbers[i + 2], numbers[i + 3], numbers[i + 4]}});
+  return acceleration;
+}
+
+Numbers array_of(const Layout& layout) {
+  Numbers array({static_cast<py::ssize_t>(layout.boxes.size()), kBoxColumns});
+  double* next = array.mutable_data();
+  for (const Box& box : layout.boxes) {
+    next = std::copy(box.corner_min.begin(), box.corner_min.end(), next);
+    next = std::copy(box.corner_max.begin(), box.corner_max.end(), next);
+    *next++ = box.material;
+  }
+  return array;
+}
+
+Numbers array_of(const Acceleration& acceleration) {
+  Numbers array({static_cast<py::ssize_t>(acceleration.segments.size()), kSegmentColumns});
+  double* next = array.mutable_data();
+  for (const Segment& segment : acceleration.segments) {
+    *next++ = segment.start;
+    *next++ = segment.duration;
+    next = std::copy(segment.acceleration.begin(), segment.acceleration.end(), next);
+  }
+  return array;
+}
+
+}  // namespace holdfast::python

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <holdfast/holdfast.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace holdfast::python {
+
+/// An array of float64, row after row. One of another kind, and what can be made one, is copied.
+using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// Layouts of a call, in the memory of numpy where that is float64 row after row.
+class Layouts {
+ public:
+  /// One array of shape (boxes, 7) per layout. Throws `Error` for any other shape.
+  /// @param names one per layout, or none
+  Layouts(const pybind11::sequence& arrays, std::vector<std::string> names);
+
+  /// One array of shape (boxes of all layouts, 7), of which layout i has the rows offsets[i], ..., offsets[i + 1] - 1.
+  Layouts(const pybind11::object& boxes, const pybind11::object& offsets, std::vector<std::string> names);
+
+  std::span<const LayoutView> views() const { return views_; }
+
+ private:
+  void name_all();
+
+  std::vector<Numbers> arrays_;
+  std::vector<std::string> names_;
+  std::vector<LayoutView> views_;
+};
+
+/// The segments of an acceleration: an array of shape (segments, 5). Throws `Error` for any other shape.
+Acceleration acceleration_of(std::string name, const pybind11::object& segments);
+
+/// Arrays of shape (boxes, 7) and (segments, 5).
+Numbers array_of(const Layout& layout);
+Numbers array_of(const Acceleration& acceleration);
+
+}  // namespace holdfast::python

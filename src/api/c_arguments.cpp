@@ -1,0 +1,76 @@
+#include "api/c_arguments.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "api/c_handles.hpp"
+#include "api/convert.hpp"
+#include "holdfast/holdfast.h"
+
+namespace holdfast::internal {
+
+namespace {
+
+/// Largest size that a structure of options can have, bytes: a larger one was not set.
+constexpr std::size_t kLargestOptions = 4096;
+
+/// Most rows of an array whose numbers a pointer can count.
+constexpr std::size_t kMostRows = std::numeric_limits<std::ptrdiff_t>::max() / (8 * sizeof(double));
+
+const double* rows_of(const double* rows, std::size_t count, const char* name) {
+  if (count == 0) return nullptr;
+  if (count > kMostRows) throw BadArgument{"there cannot be " + std::to_string(count) + " " + name};
+  return required(rows, name);
+}
+
+}  // namespace
+
+std::uintptr_t next_handle_number() {
+  // Multiples of what memory is aligned to, so that nobody takes the handle for a pointer into an object.
+  static std::atomic<std::uintptr_t> last = 0;
+  return last += alignof(std::max_align_t);
+}
+
+void require_room(std::size_t capacity, std::size_t needed, const char* name) {
+  if (capacity >= needed) return;
+  throw BadArgument{std::string(name) + " has room for " + std::to_string(capacity) + " entries, and " +
+                    std::to_string(needed) + " are needed"};
+}
+
+void copy_sized(void* to, std::size_t size, const void* from, std::size_t given, const char* name) {
+  if (given < sizeof(std::size_t) || given > kLargestOptions)
+    throw BadArgument{std::string(name) + ".size is " + std::to_string(given) + ", not the size of the structure"};
+  const auto* const bytes = static_cast<const unsigned char*>(from);
+  const auto is_set = [](unsigned char byte) { return byte != 0; };
+  if (given > size && std::any_of(bytes + size, bytes + given, is_set))
+    throw BadArgument{std::string(name) + " has members that this version of the library does not know"};
+  std::memcpy(to, from, std::min(size, given));
+}
+
+bool flag(int value, const char* name) {
+  if (value != 0 && value != 1) throw BadArgument{std::string(name) + " is " + std::to_string(value) + ", not 0 or 1"};
+  return value == 1;
+}
+
+holdfast::LengthUnit unit_of(int unit) {
+  if (unit == HOLDFAST_METRE) return holdfast::LengthUnit::metre;
+  if (unit == HOLDFAST_CENTIMETRE) return holdfast::LengthUnit::centimetre;
+  throw BadArgument{"unit is " + std::to_string(unit) + ", not HOLDFAST_METRE or HOLDFAST_CENTIMETRE"};
+}
+
+holdfast::Acceleration acceleration_of(std::string_view name, const double* segments, std::size_t count) {
+  const double* row = rows_of(segments, count, "segments");
+  holdfast::Acceleration acceleration{std::string(name), {}};
+  for (std::size_t i = 0; i < count; ++i, row += kNumbersPerSegment)
+    acceleration.segments.push_back({row[0], row[1], {row[2], row[3], row[4]}});
+  return acceleration;
+}
+
+holdfast::LayoutView layout_of(std::string_view name, const double* boxes, std::size_t count) {
+  return {name, {rows_of(boxes, count, "boxes"), count * kNumbersPerBox}};
+}
+
+}  // namespace holdfast::internal

@@ -1,0 +1,188 @@
+#include "api/c_screen.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "api/c_settings.hpp"
+#include "api/convert.hpp"
+
+using namespace holdfast::internal;
+
+namespace holdfast::internal {
+
+namespace {
+
+holdfast::ScreenOptions screen_options(const std::vector<holdfast::Setting>& settings,
+                                       const holdfast_screen_options* given) {
+  const auto options = options_of(given, "options");
+  holdfast::ScreenOptions all{.settings = settings};
+  if (options.engine != nullptr) all.engine = options.engine;
+  if (options.accuracy != nullptr) all.accuracy = options.accuracy;
+  if (options.scheduler != nullptr) all.scheduler = options.scheduler;
+  if (options.threads != 0) all.threads = options.threads;
+  all.unit = unit_of(options.unit);
+  if (flag(options.mark_bad_layouts, "options.mark_bad_layouts")) all.bad_layouts = holdfast::BadLayouts::mark;
+  all.keep_boxes = flag(options.keep_boxes, "options.keep_boxes");
+  all.most_in_flight = options.most_in_flight;
+  return all;
+}
+
+holdfast::RecordOptions record_options(const holdfast_record_options* given) {
+  const auto options = options_of(given, "options");
+  return {.series = !flag(options.no_series, "options.no_series"),
+          .resume = flag(options.resume, "options.resume"),
+          .overwrite = flag(options.overwrite, "options.overwrite"),
+          .command_line = options.command_line == nullptr ? "" : options.command_line};
+}
+
+/// What the screen says of the layouts of a call that it could use.
+void keep_problems(CScreen& object) {
+  object.problems.assign(object.made().problems().begin(), object.made().problems().end());
+}
+
+}  // namespace
+
+std::size_t CScreen::accelerations() {
+  const std::size_t count = made().accelerations().size();
+  if (count == 0) throw BadArgument{"the screen has no acceleration: holdfast_screen_add_acceleration comes before"};
+  return count;
+}
+
+CLayouts::CLayouts(const holdfast_layouts* given) {
+  const auto layouts = options_of(required(given, "layouts"), "layouts");
+  if (layouts.layout_count == 0) return;
+  const std::size_t* const offsets = required(layouts.offsets, "layouts.offsets");
+  const holdfast::LayoutView all = layout_of("", layouts.boxes, layouts.box_count);
+  for (std::size_t i = 0; i < layouts.layout_count; ++i) {
+    if (offsets[i] > offsets[i + 1] || offsets[i + 1] > layouts.box_count)
+      throw BadArgument{"layout " + std::to_string(i) + " has the boxes " + std::to_string(offsets[i]) + " to " +
+                        std::to_string(offsets[i + 1]) + " of " + std::to_string(layouts.box_count)};
+    const char* const name = layouts.names == nullptr ? nullptr : layouts.names[i];
+    views_.push_back(
+        {name == nullptr ? "" : name,
+         all.numbers.subspan(offsets[i] * kNumbersPerBox, (offsets[i + 1] - offsets[i]) * kNumbersPerBox)});
+  }
+}
+
+void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes) {
+  std::transform(worlds.begin(), worlds.end(), outcomes, [](const holdfast::WorldOutcome& world) {
+    return holdfast_outcome{.layout = world.layout,
+                            .acceleration = world.acceleration,
+                            .verdict = static_cast<int32_t>(world.verdict),
+                            .status = world.status,
+                            .stop_reason = static_cast<int32_t>(world.stop_reason),
+                            .boxes = world.boxes,
+                            .fallen = world.fallen,
+                            .moved = world.moved,
+                            .tilted = world.tilted,
+                            .unstable = world.unstable,
+                            .max_displacement = world.max_displacement,
+                            .peak_displacement = world.peak_displacement,
+                            .total_kinetic_energy = world.total_kinetic_energy,
+                            .peak_kinetic_energy = world.peak_kinetic_energy,
+                            .end_time = world.end_time,
+                            .steps = world.steps,
+                            .steps_skipped = world.steps_skipped,
+                            .max_residual = world.max_residual,
+                            .residual_scale = world.residual_scale,
+                            .max_penetration = world.max_penetration,
+                            .cpu_seconds = world.cpu_seconds,
+                            .state_hash = world.state_hash};
+  });
+}
+
+}  // namespace holdfast::internal
+
+int holdfast_screen_new(const holdfast_settings* settings, const holdfast_screen_options* options,
+                        holdfast_screen** screen) {
+  if (screen != nullptr) *screen = nullptr;
+  return with_settings(settings, [&](const std::vector<holdfast::Setting>& given) {
+    return make_object<CScreen>(screen, [&](CScreen& object) {
+      object.screen.emplace(screen_options(given, options));
+      return HOLDFAST_OK;
+    });
+  });
+}
+
+void holdfast_screen_free(holdfast_screen* screen) {
+  const auto object = Handles<holdfast_screen, CScreen>::all().remove(screen);
+  if (object != nullptr && object->screen) object->screen->cancel();
+}
+
+int holdfast_screen_add_acceleration(holdfast_screen* screen, const char* name, const double* segments,
+                                     size_t segment_count) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const std::string own_name = "acceleration " + std::to_string(object.made().accelerations().size());
+    object.made().add_acceleration(acceleration_of(name == nullptr ? own_name : name, segments, segment_count));
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* layouts, holdfast_outcome* outcomes,
+                             size_t capacity) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const CLayouts given(layouts);
+    const std::size_t count = given.views().size();
+    const std::size_t accelerations = object.accelerations();
+    if (count > std::numeric_limits<std::size_t>::max() / accelerations)
+      throw BadArgument{"there are too many layouts"};
+    require_room(capacity, count * accelerations, "outcomes");
+    if (count > 0) required(outcomes, "outcomes");
+    object.last = &object.evaluated;
+    object.evaluated.clear();
+    object.made().evaluate(given.views(), object.evaluated);
+    keep_problems(object);
+    copy_outcomes(object.evaluated, outcomes);
+    const bool cancelled = std::any_of(object.evaluated.begin(), object.evaluated.end(), [](const auto& world) {
+      return world.stop_reason == holdfast::StopReason::not_run && world.status == holdfast::status::ok;
+    });
+    if (cancelled) object.message = "cancelled";
+    return cancelled ? HOLDFAST_CANCELLED : HOLDFAST_OK;
+  });
+}
+
+int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layouts, const char* path,
+                           const holdfast_record_options* options) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const CLayouts given(layouts);
+    object.accelerations();
+    const bool complete = object.made().record(given.views(), required(path, "path"), record_options(options));
+    keep_problems(object);
+    if (!complete) object.message = "cancelled";
+    return complete ? HOLDFAST_OK : HOLDFAST_CANCELLED;
+  });
+}
+
+int holdfast_screen_submit(holdfast_screen* screen, const double* boxes, size_t box_count, uint64_t* ticket) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    object.accelerations();
+    const std::optional<std::uint64_t> given = object.made().submit(layout_of("", boxes, box_count));
+    if (!given) return HOLDFAST_FULL;
+    keep_problems(object);
+    if (ticket != nullptr) *ticket = *given;
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_screen_poll(holdfast_screen* screen, double seconds, int in_order, uint64_t* ticket,
+                         holdfast_outcome* outcomes, size_t capacity) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const auto order =
+        flag(in_order, "in_order") ? holdfast::PollOrder::as_submitted : holdfast::PollOrder::as_finished;
+    require_room(capacity, object.accelerations(), "outcomes");
+    required(outcomes, "outcomes");
+    if (object.made().in_flight() == 0) return HOLDFAST_NONE;
+    if (!object.made().poll(object.polled, seconds, order)) return HOLDFAST_NOT_YET;
+    object.last = &object.polled.worlds;
+    if (ticket != nullptr) *ticket = object.polled.ticket;
+    copy_outcomes(object.polled.worlds, outcomes);
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_screen_cancel(holdfast_screen* screen) {
+  const auto object = Handles<holdfast_screen, CScreen>::all().find(screen);
+  if (object == nullptr) return HOLDFAST_BAD_HANDLE;
+  if (object->screen) object->screen->cancel();
+  return HOLDFAST_OK;
+}

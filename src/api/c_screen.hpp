@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "api/c_call.hpp"
+#include "holdfast/holdfast.h"
+#include "holdfast/holdfast.hpp"
+
+namespace holdfast::internal {
+
+/// A screen of the C interface.
+struct CScreen : CObject {
+  std::optional<holdfast::Screen> screen;  ///< nothing when it could not be made
+  std::vector<holdfast::WorldOutcome> evaluated;
+  holdfast::FinishedLayout polled;
+  const std::vector<holdfast::WorldOutcome>* last = &evaluated;  ///< what the last call gave
+
+  holdfast::Screen& made() {
+    if (!screen) throw BadArgument{"the screen could not be made"};
+    return *screen;
+  }
+
+  /// Number of accelerations; an error when there are none.
+  std::size_t accelerations();
+};
+
+/// Layouts of the caller.
+class CLayouts {
+ public:
+  explicit CLayouts(const holdfast_layouts* layouts);
+
+  std::span<const holdfast::LayoutView> views() const { return views_; }
+
+ private:
+  std::vector<holdfast::LayoutView> views_;
+};
+
+/// Writes what became of worlds to an array of the caller, which has room.
+void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes);
+
+}  // namespace holdfast::internal

@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "api/c_screen.hpp"
+
+using namespace holdfast::internal;
+
+// What the last call of a screen found: messages, problems, boxes. None of this changes what it is about, so that the
+// message of that call stays.
+
+namespace {
+
+/// Reads of the screen what the last call left; nothing when there is no such screen, or another thread uses it.
+template <class Result, class Read>
+Result read_of(const holdfast_screen* screen, Result otherwise, Read&& read) noexcept {
+  const auto object = Handles<holdfast_screen, CScreen>::all().find(screen);
+  if (object == nullptr) return otherwise;
+  const std::unique_lock lock(object->in_use, std::try_to_lock);
+  return lock ? read(*object) : otherwise;
+}
+
+}  // namespace
+
+const char* holdfast_screen_message(const holdfast_screen* screen) { return message_of<CScreen>(screen); }
+
+const char* holdfast_screen_outcome_message(const holdfast_screen* screen, size_t index) {
+  return read_of(screen, "", [&](const CScreen& object) {
+    return index < object.last->size() ? (*object.last)[index].message.c_str() : "";
+  });
+}
+
+size_t holdfast_screen_error_count(const holdfast_screen* screen) {
+  return read_of(screen, std::size_t{0}, [](const CScreen& object) { return object.problems.size(); });
+}
+
+int holdfast_screen_error(const holdfast_screen* screen, size_t index, holdfast_problem* problem) {
+  const auto object = Handles<holdfast_screen, CScreen>::all().find(screen);
+  if (object == nullptr) return HOLDFAST_BAD_HANDLE;
+  const std::unique_lock lock(object->in_use, std::try_to_lock);
+  if (!lock) return HOLDFAST_IN_USE;
+  if (problem == nullptr || index >= object->problems.size()) return HOLDFAST_BAD_ARGUMENT;
+  const holdfast::Problem& found = object->problems[index];
+  *problem = {.file = found.file.c_str(),
+              .line = found.line,
+              .column = found.column,
+              .what = found.what.c_str(),
+              .value = found.value.c_str(),
+              .accepted = found.accepted.c_str(),
+              .message = found.message.c_str(),
+              .layout = found.layout,
+              .box = found.box,
+              .box_column = found.box_column};
+  return HOLDFAST_OK;
+}
+
+int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes, size_t capacity) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    if (index >= object.last->size())
+      throw BadArgument{"index is " + std::to_string(index) + ", and the last call gave " +
+                        std::to_string(object.last->size()) + " outcomes"};
+    const holdfast::WorldOutcome& world = (*object.last)[index];
+    if (world.box_outcomes.size() < world.boxes) throw BadArgument{"the screen was made without keep_boxes"};
+    require_room(capacity, world.box_outcomes.size(), "boxes");
+    if (world.boxes > 0) required(boxes, "boxes");
+    std::transform(world.box_outcomes.begin(), world.box_outcomes.end(), boxes, [](const holdfast::BoxOutcome& box) {
+      return holdfast_box_outcome{.displacement = {box.displacement[0], box.displacement[1], box.displacement[2]},
+                                  .tilt = box.tilt,
+                                  .kinetic_energy = box.kinetic_energy,
+                                  .peak_displacement = box.peak_displacement,
+                                  .peak_kinetic_energy = box.peak_kinetic_energy,
+                                  .fallen = box.fallen,
+                                  .moved = box.moved,
+                                  .tilted = box.tilted,
+                                  .unstable = box.unstable};
+    });
+    return HOLDFAST_OK;
+  });
+}

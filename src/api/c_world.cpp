@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <optional>
+
+#include "api/c_call.hpp"
+#include "api/c_settings.hpp"
+
+using namespace holdfast::internal;
+
+namespace {
+
+/// A world of the C interface.
+struct CWorld : CObject {
+  std::optional<holdfast::World> world;  ///< nothing when it could not be made
+
+  holdfast::World& made() {
+    if (!world) throw BadArgument{"the world could not be made"};
+    return *world;
+  }
+};
+
+}  // namespace
+
+int holdfast_world_new(const holdfast_settings* settings, const double* boxes, size_t box_count, int unit,
+                       const double* segments, size_t segment_count, holdfast_world** world) {
+  if (world != nullptr) *world = nullptr;
+  return with_settings(settings, [&](const std::vector<holdfast::Setting>& given) {
+    return make_object<CWorld>(world, [&](CWorld& object) {
+      object.world.emplace(layout_of("the layout", boxes, box_count),
+                           acceleration_of("the acceleration", segments, segment_count), given, unit_of(unit));
+      return HOLDFAST_OK;
+    });
+  });
+}
+
+void holdfast_world_free(holdfast_world* world) { Handles<holdfast_world, CWorld>::all().remove(world); }
+
+int holdfast_world_advance(holdfast_world* world, double time) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    object.made().advance(time);
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_times(holdfast_world* world, double* time, double* end_time) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    if (time != nullptr) *time = object.made().time();
+    if (end_time != nullptr) *end_time = object.made().end_time();
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    const std::vector<holdfast::Pose> all = object.made().poses();
+    require_room(capacity, all.size(), "poses");
+    double* next = all.empty() ? poses : required(poses, "poses");
+    for (const holdfast::Pose& pose : all) {
+      next = std::copy(pose.position.begin(), pose.position.end(), next);
+      next = std::copy(pose.orientation.begin(), pose.orientation.end(), next);
+    }
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_hash(holdfast_world* world, uint64_t* hash) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    *required(hash, "hash") = object.made().state_hash();
+    return HOLDFAST_OK;
+  });
+}
+
+const char* holdfast_world_message(const holdfast_world* world) { return message_of<CWorld>(world); }

@@ -1,0 +1,67 @@
+#include <string>
+#include <vector>
+
+#include "api/engine_loader.hpp"
+#include "api/guarded.hpp"
+#include "api/version.hpp"
+#include "core/engine/engine_registry.hpp"
+#include "core/model/setting_table.hpp"
+#include "holdfast/holdfast.h"
+#include "holdfast/holdfast.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/config_reader.hpp"
+#include "io/input/text_file.hpp"
+
+// What the library offers beside its classes.
+namespace holdfast {
+
+using internal::guarded;
+using internal::value_or_throw;
+
+const char* version() noexcept { return internal::kVersion; }
+
+}  // namespace holdfast
+
+const char* holdfast_version() { return holdfast::version(); }
+
+namespace holdfast {
+
+Acceleration read_acceleration(const std::string& path) {
+  return guarded([&] {
+    const internal::TextFile file = value_or_throw(internal::read_text_file(path));
+    std::vector<internal::Error> warnings;
+    return internal::public_acceleration(value_or_throw(internal::parse_acceleration(file, warnings)));
+  });
+}
+
+std::vector<Setting> read_settings(const std::string& text) {
+  return guarded([&] {
+    std::vector<internal::Error> ignored;
+    const internal::TextFile file{.path = "config", .name = "config", .text = text};
+    const internal::Config config = value_or_throw(internal::parse_config(file, ignored));
+    std::vector<Setting> settings;
+    const auto add = [&](const std::string& section, const internal::SettingKey& key, int material) {
+      if (!config.given.contains({section, std::string(key.name)})) return;
+      settings.push_back({section, std::string(key.name), key.get(config.settings, material)});
+    };
+    for (const internal::SettingKey& key : internal::setting_table())
+      if (key.section != internal::kMaterialSection) add(std::string(key.section), key, 0);
+    for (const auto& [id, material] : config.settings.materials)
+      for (const internal::SettingKey& key : internal::setting_table())
+        if (key.section == internal::kMaterialSection) add("Material " + std::to_string(id), key, id);
+    return settings;
+  });
+}
+
+std::vector<EngineInfo> engines() {
+  return guarded([] {
+    std::vector<EngineInfo> infos;
+    for (const internal::EngineEntry& entry : internal::engine_registry()) {
+      const auto missing = internal::why_not_loadable(entry);
+      infos.push_back({std::string(entry.name), std::string(entry.sentence), missing ? missing->message() : ""});
+    }
+    return infos;
+  });
+}
+
+}  // namespace holdfast

@@ -1,0 +1,284 @@
+/* The C interface as a C program sees it: compiled as C11, with pedantic warnings as errors. Prints what fails. */
+#include <holdfast/holdfast.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+static void check(int good, const char* text, int line) {
+  if (good) return;
+  ++failures;
+  fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, line, text);
+}
+
+#define CHECK(condition) check((condition) != 0, #condition, __LINE__)
+
+enum { layout_count = 3, acceleration_count = 2, world_count = layout_count * acceleration_count };
+
+/* Three layouts: one box in the middle of the floor, none, and a stack of two. */
+static const double kBoxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0,  /**/
+                                1.0, 1.0, 0.0, 1.5, 1.5, 0.5, 1.0,  /**/
+                                1.0, 1.0, 0.5, 1.5, 1.5, 1.0, 1.0}; /**/
+static const size_t kOffsets[] = {0, 1, 1, 3};
+static const double kWeak[] = {0.0, 1.0, 4.8, 0.0, 0.0};
+static const double kStrong[] = {0.0, 1.0, 7.0, 0.0, 0.0};
+
+static holdfast_layouts layouts(void) {
+  const holdfast_layouts all = {
+      .size = sizeof all, .boxes = kBoxes, .box_count = 3, .offsets = kOffsets, .layout_count = layout_count};
+  return all;
+}
+
+static holdfast_screen* screen_with(const holdfast_screen_options* options) {
+  holdfast_screen* screen = NULL;
+  CHECK(holdfast_screen_new(NULL, options, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, "weak", kWeak, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kStrong, 1) == HOLDFAST_OK);
+  return screen;
+}
+
+static void evaluates(void) {
+  const holdfast_screen_options options = {.size = sizeof options, .keep_boxes = 1};
+  holdfast_screen* screen = screen_with(&options);
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  holdfast_box_outcome boxes[2];
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  CHECK(strcmp(holdfast_screen_message(screen), "") == 0);
+  CHECK(outcomes[0].verdict == HOLDFAST_STAYED);
+  CHECK(outcomes[0].stop_reason == HOLDFAST_TIMEOUT);
+  CHECK(outcomes[1].verdict == HOLDFAST_MOVED);
+  CHECK(outcomes[1].acceleration == 1);
+  CHECK(outcomes[2].boxes == 0);
+  CHECK(outcomes[4].layout == 2);
+  CHECK(outcomes[5].boxes == 2);
+  /* Friction of 0.5 on the floor: (7 - 0.5 * 9.81) / 2 * 1 s^2. */
+  CHECK(fabs((double)outcomes[1].max_displacement - 1.0475) < 2e-3);
+  CHECK(holdfast_screen_boxes(screen, 1, boxes, 2) == HOLDFAST_OK);
+  CHECK(boxes[0].moved == 1 && boxes[0].fallen == 0);
+  CHECK(boxes[0].displacement[0] < 0.0F);
+  CHECK(holdfast_screen_boxes(screen, world_count, boxes, 2) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_boxes(screen, 5, boxes, 1) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_screen_free(screen);
+}
+
+static void submits_and_polls(void) {
+  const holdfast_screen_options options = {.size = sizeof options, .threads = 2, .most_in_flight = 2};
+  holdfast_screen* screen = screen_with(&options);
+  const holdfast_layouts all = layouts();
+  holdfast_outcome expected[world_count];
+  holdfast_outcome outcomes[acceleration_count];
+  uint64_t ticket = 99;
+  CHECK(holdfast_screen_evaluate(screen, &all, expected, world_count) == HOLDFAST_OK);
+  CHECK(holdfast_screen_poll(screen, 0.0, 0, &ticket, outcomes, acceleration_count) == HOLDFAST_NONE);
+  CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_OK);
+  CHECK(holdfast_screen_submit(screen, kBoxes + 7, 2, &ticket) == HOLDFAST_OK);
+  CHECK(ticket == 1);
+  CHECK(holdfast_screen_submit(screen, kBoxes, 1, &ticket) == HOLDFAST_FULL);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kWeak, 1) == HOLDFAST_ERROR);
+  CHECK(holdfast_screen_poll(screen, 100.0, 1, &ticket, outcomes, 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_poll(screen, 100.0, 7, &ticket, outcomes, acceleration_count) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_poll(screen, 100.0, 1, &ticket, outcomes, acceleration_count) == HOLDFAST_OK);
+  CHECK(ticket == 0);
+  CHECK(outcomes[1].state_hash == expected[1].state_hash);
+  CHECK(holdfast_screen_poll(screen, 100.0, 0, &ticket, outcomes, acceleration_count) == HOLDFAST_OK);
+  CHECK(ticket == 1);
+  CHECK(outcomes[1].state_hash == expected[5].state_hash);
+  CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_OK);
+  CHECK(holdfast_screen_cancel(screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_poll(screen, HUGE_VAL, 0, NULL, outcomes, acceleration_count) == HOLDFAST_OK);
+  CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_OK);
+  holdfast_screen_free(screen); /* with a layout in flight */
+}
+
+static void settles_settings(void) {
+  holdfast_settings* settings = holdfast_settings_new();
+  holdfast_screen* screen = NULL;
+  holdfast_world* world = NULL;
+  CHECK(settings != NULL);
+  CHECK(holdfast_settings_read(settings, "[Container]\nLength = 600\n[Material 1]\nDensity = 300\n") == HOLDFAST_OK);
+  CHECK(holdfast_settings_read(settings, "[Container]\nLenght = 600\n") == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_settings_message(settings), "config:2") != NULL);
+  CHECK(holdfast_settings_set(settings, "Native", "Accuracy", "screening") == HOLDFAST_OK);
+  CHECK(strcmp(holdfast_settings_message(settings), "") == 0);
+  CHECK(holdfast_settings_set(settings, "Native", "Accuracy", "perfect") == HOLDFAST_ERROR);
+  CHECK(holdfast_settings_set(settings, "Native", NULL, "1") == HOLDFAST_BAD_ARGUMENT);
+  CHECK(strstr(holdfast_settings_message(settings), "key is NULL") != NULL);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_OK);
+  holdfast_screen_free(screen);
+  CHECK(holdfast_settings_set(settings, "Material 1", "Mass", "30") == HOLDFAST_OK);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "both a mass and a density") != NULL);
+  CHECK(holdfast_screen_error_count(screen) == 1);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kWeak, 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_cancel(screen) == HOLDFAST_OK);
+  holdfast_screen_free(screen);
+  CHECK(holdfast_world_new(settings, kBoxes, 1, HOLDFAST_METRE, kWeak, 1, &world) == HOLDFAST_ERROR);
+  CHECK(holdfast_world_advance(world, 1.0) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_world_free(world);
+  holdfast_settings_free(settings);
+}
+
+static void takes_a_world_forward(void) {
+  holdfast_world* world = NULL;
+  holdfast_screen* screen = screen_with(NULL);
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  double time = -1.0;
+  double end = -1.0;
+  double poses[14];
+  uint64_t hash = 0;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  holdfast_screen_free(screen);
+  CHECK(holdfast_world_new(NULL, kBoxes + 7, 2, HOLDFAST_METRE, kStrong, 1, &world) == HOLDFAST_OK);
+  CHECK(holdfast_world_poses(world, poses, 2) == HOLDFAST_OK);
+  CHECK(poses[0] == 1.25 && poses[3] == 1.0 && poses[9] == 0.75);
+  CHECK(holdfast_world_poses(world, poses, 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_poses(world, NULL, 2) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_advance(world, nan("")) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, -1.0) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 0.5) == HOLDFAST_OK);
+  CHECK(holdfast_world_times(world, &time, &end) == HOLDFAST_OK);
+  CHECK(time == 0.5 && end == 1.0);
+  CHECK(holdfast_world_advance(world, HUGE_VAL) == HOLDFAST_OK);
+  CHECK(holdfast_world_hash(world, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_hash(world, &hash) == HOLDFAST_OK);
+  CHECK(hash == outcomes[5].state_hash);
+  CHECK(holdfast_world_times(world, NULL, NULL) == HOLDFAST_OK);
+  CHECK(holdfast_world_new(NULL, kBoxes, 1, 2, kStrong, 1, NULL) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_world_free(world);
+  CHECK(holdfast_world_new(NULL, kBoxes, 1, 2, kStrong, 1, &world) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(strstr(holdfast_world_message(world), "unit is 2") != NULL);
+  holdfast_world_free(world);
+}
+
+/* What is wrong with a box is told by layout, box and number, or marked. */
+static void names_what_is_wrong(void) {
+  const double bad[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0, /**/
+                        2.0, 1.0, 0.5, 2.5, 1.5, 0.1, 1.0};
+  const size_t offsets[] = {0, 1, 2};
+  const char* const names[] = {NULL, "second"};
+  const holdfast_layouts all = {sizeof all, bad, 2, offsets, 2, names};
+  holdfast_screen_options options = {.size = sizeof options};
+  holdfast_outcome outcomes[4];
+  holdfast_problem problem;
+  holdfast_screen* screen = screen_with(&options);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, 4) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "second: box 1 has a negative height") != NULL);
+  CHECK(holdfast_screen_error_count(screen) == 1);
+  CHECK(holdfast_screen_error(screen, 0, &problem) == HOLDFAST_OK);
+  CHECK(problem.layout == 1 && problem.box == 0 && problem.box_column == 5);
+  CHECK(strcmp(problem.file, "second") == 0 && strcmp(problem.value, "-40 cm") == 0);
+  CHECK(holdfast_screen_error(screen, 1, &problem) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_error(screen, 0, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_submit(screen, bad + 7, 1, NULL) == HOLDFAST_ERROR);
+  holdfast_screen_free(screen);
+  options.mark_bad_layouts = 1;
+  screen = screen_with(&options);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, 4) == HOLDFAST_OK);
+  CHECK(outcomes[0].status == 0 && outcomes[2].status == HOLDFAST_BAD_LAYOUT);
+  CHECK(holdfast_screen_error_count(screen) == 1);
+  CHECK(strstr(holdfast_screen_outcome_message(screen, 2), "negative height") != NULL);
+  CHECK(strcmp(holdfast_screen_outcome_message(screen, 0), "") == 0);
+  CHECK(strcmp(holdfast_screen_outcome_message(screen, 4), "") == 0);
+  holdfast_screen_free(screen);
+}
+
+/* Mistakes of the calling program have a status and a message. */
+static void survives_abuse(void) {
+  const size_t falling[] = {1, 0};
+  const size_t beyond[] = {0, 4};
+  holdfast_screen_options options = {.size = 3};
+  holdfast_screen* screen = NULL;
+  holdfast_settings* settings = holdfast_settings_new();
+  holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  struct {
+    holdfast_screen_options known;
+    size_t unknown;
+  } later = {.known = {.size = sizeof later}, .unknown = 1};
+  CHECK(holdfast_screen_new(NULL, NULL, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_new(NULL, &options, &screen) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(strstr(holdfast_screen_message(screen), "options.size is 3") != NULL);
+  holdfast_screen_free(screen);
+  CHECK(holdfast_screen_new(NULL, &later.known, &screen) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_screen_free(screen);
+  later.unknown = 0;
+  CHECK(holdfast_screen_new(NULL, &later.known, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(strstr(holdfast_screen_message(screen), "has no acceleration") != NULL);
+  CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_screen_free(screen);
+  options.size = offsetof(holdfast_screen_options, accuracy); /* an earlier version */
+  options.accuracy = "not read";
+  options.engine = "warp";
+  CHECK(holdfast_screen_new(NULL, &options, &screen) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "warp") != NULL);
+  holdfast_screen_free(screen);
+
+  screen = screen_with(NULL);
+  CHECK(holdfast_screen_evaluate(screen, NULL, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_evaluate(screen, &all, NULL, world_count) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count - 1) == HOLDFAST_BAD_ARGUMENT);
+  all.boxes = NULL;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all = layouts();
+  all.box_count = (size_t)-1;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all = layouts();
+  all.offsets = NULL;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all.layout_count = 1;
+  all.offsets = falling;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all.offsets = beyond;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all.size = 0;
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
+  all = (holdfast_layouts){.size = sizeof all};
+  CHECK(holdfast_screen_evaluate(screen, &all, NULL, 0) == HOLDFAST_OK);
+  CHECK(holdfast_screen_record(screen, &all, NULL, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_record(screen, &all, "nowhere.h5", NULL) == HOLDFAST_ERROR);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, NULL, 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, NULL, 0) == HOLDFAST_ERROR);
+  CHECK(holdfast_screen_poll(screen, nan(""), 0, NULL, outcomes, acceleration_count) == HOLDFAST_NONE);
+
+  /* Objects that are of another kind, not there, or freed. */
+  CHECK(holdfast_screen_cancel((holdfast_screen*)(void*)settings) == HOLDFAST_BAD_HANDLE);
+  holdfast_screen_free((holdfast_screen*)(void*)settings);
+  CHECK(holdfast_settings_set(settings, "Native", "Jump", "no") == HOLDFAST_OK);
+  holdfast_settings_free(settings);
+  holdfast_settings_free(settings);
+  CHECK(holdfast_settings_read(settings, "") == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_BAD_HANDLE);
+  CHECK(screen == NULL);
+  screen = screen_with(NULL);
+  holdfast_screen_free(screen);
+  holdfast_screen_free(screen);
+  holdfast_screen_free(NULL);
+  all = layouts();
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_screen_cancel(screen) == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_screen_error_count(screen) == 0);
+  CHECK(strstr(holdfast_screen_message(screen), "no such object") != NULL);
+  CHECK(strstr(holdfast_world_message(NULL), "no such object") != NULL);
+  holdfast_world_free(NULL);
+}
+
+int main(void) {
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  CHECK(sscanf(holdfast_version(), "%d.%d.%d", &major, &minor, &patch) == 3);
+  CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
+  evaluates();
+  submits_and_polls();
+  settles_settings();
+  takes_a_world_forward();
+  names_what_is_wrong();
+  survives_abuse();
+  if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,119 @@
+"""Arrays in, a table of verdicts out."""
+import copy
+import pickle
+import unittest
+
+import numpy as np
+
+import holdfast
+from samples import BOX, BRAKE, CORNER, LAYOUTS, REST, SLIDE, STACK, main, screened
+
+
+class EvaluateTest(unittest.TestCase):
+    def test_verdicts_have_the_bits_of_the_program(self):
+        worlds = screened(LAYOUTS, [BRAKE, CORNER], "--accuracy", "screening", "--no-series")
+        with holdfast.Screen([BRAKE, CORNER], accuracy="screening", unit="cm") as screen:
+            verdicts = screen.evaluate([screen.read_layout(path) for path in LAYOUTS])
+        self.assertEqual(verdicts.shape, (3, 2))
+        self.assertEqual([f"{number:016x}" for number in verdicts.state_hash.ravel().tolist()],
+                         [world["state_hash"] for world in worlds])
+        self.assertEqual([holdfast.Verdict(code).name.lower() for code in verdicts.verdict.ravel()],
+                         [world["verdict"] for world in worlds])
+
+    def test_layouts_may_be_one_array_with_offsets_or_of_three_dimensions(self):
+        with holdfast.Screen([SLIDE, REST]) as screen:
+            expected = screen.evaluate([BOX, STACK, BOX[:0]])
+            flat = screen.evaluate(np.concatenate([BOX, STACK]), offsets=np.array([0, 1, 3, 3]))
+            cube = screen.evaluate(np.array([BOX, BOX]))
+            generated = screen.evaluate(layout for layout in [BOX, STACK, []])
+        np.testing.assert_array_equal(flat.state_hash, expected.state_hash)
+        np.testing.assert_array_equal(generated.state_hash, expected.state_hash)
+        np.testing.assert_array_equal(cube.state_hash, expected.state_hash[[0, 0]])
+
+    def test_numbers_of_other_kinds_and_orders_are_the_same_layout(self):
+        with holdfast.Screen([SLIDE]) as screen:
+            expected = screen.evaluate([BOX]).state_hash
+            wide = np.zeros((2, 14))
+            wide[::2, ::2] = BOX
+            for other in (BOX.tolist(), BOX.astype(np.float32), np.asfortranarray(BOX), wide[::2, ::2], BOX[::-1]):
+                np.testing.assert_array_equal(screen.evaluate([other]).state_hash, expected)
+
+    def test_columns_are_views_of_one_table(self):
+        with holdfast.Screen([SLIDE, REST]) as screen:
+            verdicts = screen.evaluate([BOX, STACK])
+        self.assertTrue(np.shares_memory(verdicts.max_displacement, verdicts.table))
+        np.testing.assert_array_equal(verdicts.holds, [[False, True], [False, True]])
+        np.testing.assert_array_equal(verdicts.boxes, [[1, 1], [2, 2]])
+        np.testing.assert_array_equal(verdicts.layout, [[0, 0], [1, 1]])
+        np.testing.assert_array_equal(verdicts.acceleration, [[0, 1], [0, 1]])
+        self.assertAlmostEqual(float(verdicts.max_displacement[0, 0]), 0.5 * (7.0 - 0.5 * 9.81), 2)
+        for name in verdicts.table.dtype.names:
+            self.assertEqual(getattr(verdicts, name).shape, (2, 2), name)
+            self.assertTrue(getattr(holdfast.Verdicts, name).__doc__, name)
+
+    def test_a_part_of_the_verdicts_is_verdicts(self):
+        with holdfast.Screen([SLIDE, REST], errors="mark") as screen:
+            verdicts = screen.evaluate([BOX, STACK + np.nan, BOX])
+        self.assertEqual(verdicts[1].shape, (2,))
+        self.assertEqual(verdicts[1, 0].shape, ())
+        self.assertEqual(verdicts[::2].shape, (2, 2))
+        self.assertEqual(verdicts[verdicts.holds].shape, (2,))
+        self.assertEqual(list(verdicts[1].messages), [(1, 0), (1, 1)])
+        self.assertEqual(verdicts[2].messages, {})
+        self.assertEqual(len(verdicts[1].problems), 2)
+        self.assertEqual(verdicts[0].problems, ())
+        with self.assertRaisesRegex(TypeError, "column is an attribute"):
+            verdicts["moved"]
+
+    def test_boxes_are_there_on_request(self):
+        with holdfast.Screen([SLIDE, REST], keep_boxes=True, errors="mark") as screen:
+            verdicts = screen.evaluate([STACK, -BOX])
+        boxes = verdicts.box_outcomes(0)
+        self.assertEqual(boxes.shape, (2, 2))
+        self.assertEqual(boxes["displacement"].shape, (2, 2, 3))
+        self.assertEqual(int(boxes["moved"][0].sum()), int(verdicts.moved[0, 0]))
+        self.assertLess(boxes["displacement"][0, 0, 0], -0.5)
+        self.assertEqual(verdicts.box_outcomes(1).shape, (2, 0))
+        with holdfast.Screen([SLIDE]) as screen, self.assertRaisesRegex(ValueError, "keep_boxes=True"):
+            screen.evaluate([BOX]).box_outcomes(0)
+
+    def test_a_notebook_shows_a_table(self):
+        with holdfast.Screen([holdfast.Acceleration("<brake>", SLIDE)]) as screen:
+            verdicts = screen.evaluate([BOX] * 30, names=[f"<layout {i}>" for i in range(30)])
+        for shown in (verdicts, verdicts[3], verdicts[3, 0], verdicts[:0]):
+            page = shown._repr_html_()
+            self.assertNotIn("<layout", page)
+            self.assertNotIn("<brake", page)
+            self.assertEqual(page.count("<tr>"), page.count("</tr>"))
+        self.assertIn("moved, 1.05 m", verdicts._repr_html_())
+        self.assertIn("and 10 layouts more", verdicts._repr_html_())
+        self.assertEqual(repr(verdicts), "<holdfast.Verdicts of shape (30, 1): 30 moved>")
+
+    def test_settings_are_those_of_a_config_file(self):
+        with holdfast.Screen([SLIDE], config="[Screening]\nMoveThreshold = 2\n") as screen:
+            self.assertTrue(screen.evaluate([BOX]).holds.all())
+
+    def test_everything_can_be_pickled(self):
+        screen = holdfast.Screen([SLIDE, BRAKE], accuracy="screening", unit="cm", errors="mark", keep_boxes=True)
+        verdicts = screen.evaluate([BOX * 100, BOX])
+        for again in (pickle.loads(pickle.dumps(screen)), copy.copy(screen)):
+            self.assertEqual(again.accelerations, screen.accelerations)
+            self.assertEqual(repr(again), repr(screen))
+            np.testing.assert_array_equal(again.evaluate([BOX * 100, BOX]).state_hash, verdicts.state_hash)
+        same = pickle.loads(pickle.dumps(verdicts))
+        np.testing.assert_array_equal(same.state_hash, verdicts.state_hash)
+        self.assertEqual((same.messages, same.problems), (verdicts.messages, verdicts.problems))
+        np.testing.assert_array_equal(same.box_outcomes(0), verdicts.box_outcomes(0))
+
+    def test_an_acceleration_is_a_value(self):
+        one = holdfast.Acceleration("one", SLIDE)
+        self.assertEqual(one, pickle.loads(pickle.dumps(one)))
+        self.assertEqual(hash(one), hash(holdfast.Acceleration("one", SLIDE)))
+        self.assertNotEqual(one, holdfast.Acceleration("two", SLIDE))
+        with self.assertRaises(ValueError):
+            one.segments[0, 0] = 1.0
+        self.assertEqual(holdfast.read_acceleration(BRAKE).segments.shape[1], 5)
+
+
+if __name__ == "__main__":
+    main()
