@@ -21,6 +21,7 @@ NativeOptions native_options(const Settings& settings) {
                               .overlap = 5e-4,
                               .penetration_slop = 1e-4,
                               .sticking_penalty = kLargeIslandStickingPenalty,
+                              .sliding_penalty = kLargeIslandSlidingPenalty,
                               .refit_share = kLargeIslandRefitShare};
       options.small_island.overlap = 2e-4;
       options.rest_tolerance = 1e-6;

@@ -38,6 +38,7 @@ struct NativeOptions {
                       .overlap = 2e-4,
                       .penetration_slop = 1e-4,
                       .sticking_penalty = kLargeIslandStickingPenalty,
+                      .sliding_penalty = kLargeIslandSlidingPenalty,
                       .refit_share = kLargeIslandRefitShare};
   double rest_tolerance = 1e-8;          ///< equilibrium residual of a body at rest, over its weight |g − a| m
   int rest_iterations = 3000;            ///< of a proof of rest, at most
