@@ -198,7 +198,11 @@ class RequestReader {
     }
     const auto found = token == Token::text ? std::find(names_.begin(), names_.end(), text_) : names_.end();
     if (found == names_.end()) return wrong("unknown acceleration", shown(), accepted);
-    request_.options.accelerations.push_back(static_cast<std::size_t>(found - names_.begin()));
+    std::vector<std::size_t>& chosen = request_.options.accelerations;
+    const auto index = static_cast<std::size_t>(found - names_.begin());
+    if (std::find(chosen.begin(), chosen.end(), index) != chosen.end())
+      return wrong("an acceleration that is named twice", shown(), "each once");
+    chosen.push_back(index);
   }
 
   void take_flag(Token token, bool& flag) {

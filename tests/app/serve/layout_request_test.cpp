@@ -76,6 +76,8 @@ TEST_CASE("layout_request: a mistake is named by its column, box and number", "[
       {"{\"boxes\": [], \"per_box\": []}", 26, 0, 0, "per_box is neither true nor false", "["},
       {"{\"boxes\": [], \"accelerations\": [\"brake.txt\", \"b\"]}", 46, 0, 0, "unknown acceleration", "\"b\""},
       {"{\"boxes\": [], \"accelerations\": [[\"brake.txt\"]]}", 33, 0, 0, "unknown acceleration", "["},
+      {"{\"boxes\": [], \"accelerations\": [\"brake.txt\", \"brake.txt\"]}", 46, 0, 0,
+       "an acceleration that is named twice", "\"brake.txt\""},
       {"{\"boxes\": [], \"accelerations\": []}", 33, 0, 0, "no acceleration", ""},
       {"{\"boxes\": [], \"accelerations\": 1}", 32, 0, 0, "accelerations are not a list", "1"},
   };
