@@ -3,6 +3,7 @@ import contextlib
 import json
 import os
 import pathlib
+import random
 import select
 import signal
 import subprocess
@@ -172,6 +173,22 @@ class Mistakes(Service):
                 self.assertEqual({key: answer[key] for key in expected}, expected)
                 self.assertEqual(answers[2 * i + 1]["id"], "good")
                 self.assertEqual(answers[2 * i + 1]["verdicts"][0]["verdict"], "moved")
+
+    def test_whatever_the_bytes_are_a_line_has_one_answer(self):
+        chance = random.Random(1)
+        good = line(id=["a", 1.5, {"b": None}], boxes=ONE_BOX, unit="m", accelerations=["rest.txt"], per_box=True).strip()
+        lines = []
+        for _ in range(1500):
+            text = list(good)
+            for _ in range(chance.randint(1, 4)):
+                at = chance.randrange(len(text))
+                text[at:at + chance.randint(0, 3)] = chance.choices('[]{},:"\\ 019-+.eEtfnu\0\t\r\x7f\udcff', k=chance.randint(0, 3))
+            lines.append("".join(text))
+        answers = self.serve("\n".join(lines) + "\n", "--ordered")
+        self.assertEqual([answer["line"] for answer in answers], list(range(1, len(lines) + 1)))
+        for answer, text in zip(answers, lines):
+            self.assertTrue(answer.get("error") or answer.get("verdicts"), text)
+            self.assertLessEqual(answer.get("column") or 1, len(text) + 1)
 
     def test_a_series_that_is_too_long(self):
         self.write("config.ini", "[Export Settings]\nResultsIntervallInSeconds = 0.000001\n")

@@ -156,7 +156,11 @@ class RequestReader {
     if (token != Token::object_begins && token != Token::list_begins) end_of_id();
   }
 
-  void end_of_id() { request_.id = line_.substr(id_begin_, end_ - id_begin_); }
+  void end_of_id() {
+    request_.id = line_.substr(id_begin_, end_ - id_begin_);
+    // Between values JSON may have a carriage return, which some readers of the answer take for the end of a line.
+    std::replace(request_.id.begin(), request_.id.end(), '\r', ' ');
+  }
 
   void take_boxes(Token token) {
     if (depth_ == 1) {

@@ -48,6 +48,10 @@ TEST_CASE("layout_request: an id is any JSON, and kept as it is written", "[app]
   }
 }
 
+TEST_CASE("layout_request: an id stays on one line for any reader", "[app][layout_request]") {
+  CHECK(good("{\"boxes\":[],\"id\":[1,\r\t2]}").id == "[1, \t2]");
+}
+
 TEST_CASE("layout_request: a mistake is named by its column, box and number", "[app][layout_request]") {
   const std::vector<Mistake> mistakes = {
       {"", 1, 0, 0, "the line ends within its JSON", ""},
