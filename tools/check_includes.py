@@ -70,7 +70,7 @@ def judge(folder, header, quoted, src):
     ours, libraries = RULES[folder]
     first = header.split("/")[0]
     if quoted and first == "holdfast":
-        return None if folder == "api" else f"src/{folder} must not include a public header of the library"
+        return None if folder in ("api", "app") else f"src/{folder} must not include a public header of the library"
     if quoted and first in RULES:
         if not (src / header).is_file():
             return f'"{header}" is not there'

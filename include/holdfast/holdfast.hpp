@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -229,6 +230,10 @@ struct ScreenOptions {
   bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
   bool keep_series = false;        ///< fill `WorldOutcome::series`
   std::size_t most_in_flight = 0;  ///< layouts that `submit` takes before `poll` gives one back; 0: 16 per thread
+  /// Called whenever a submitted layout is finished, on a thread of the screen, so that the program need not wait in
+  /// `poll`: it may write into a pipe or wake a loop of events. It returns soon, throws nothing and calls no function
+  /// of the screen. May be empty.
+  std::function<void()> on_finished;
 };
 
 /// How `Screen::record` treats its file.

@@ -20,7 +20,7 @@ constexpr std::size_t kInFlightPerThread = 16;
 
 std::unique_ptr<internal::WorldStream> Screen::State::make_stream() const {
   return std::make_unique<internal::WorldStream>(*engine, settings, read_accelerations, options.keep_series,
-                                                 workers->threads());
+                                                 workers->threads(), options.on_finished);
 }
 
 internal::WorldStream& Screen::State::stream() {

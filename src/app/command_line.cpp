@@ -43,8 +43,8 @@ CLI::Validator as_in_config(const char* section, const char* name) {
           ""};
 }
 
-/// Adds the options that `screen` and `run` share.
-void add_run_options(CLI::App& command, RunOptions& options) {
+/// Adds what chooses an engine and its threads, of any options that have these members.
+void add_engine_options(CLI::App& command, auto& options) {
   command.add_option("--engine", options.engine, "Engine that moves the boxes; see `holdfast engines`")
       ->type_name("NAME");
   command
@@ -54,6 +54,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--threads", options.threads, "Threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+}
+
+/// Adds the options that `screen` and `run` share.
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_engine_options(command, options);
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
   command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
@@ -102,6 +107,27 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([options, &chosen] {
     chosen.run = [options, &chosen] { return run_run_command(*options, chosen.command_line); };
   });
+}
+
+void add_serve_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("serve", "Answer layouts on standard input, line by line, with verdicts");
+  command->footer(
+      "A line of the input is one object of JSON, and so is its answer. Keys: \"boxes\", a list of boxes of seven\n"
+      "numbers, which are two corners and a material; optional are \"id\", which the answer repeats, \"unit\", \"m\" "
+      "or\n"
+      "\"cm\", \"accelerations\", a list of names of files, and \"per_box\" and \"series\", true or false. A line "
+      "that\n"
+      "cannot be used is answered by an object with \"error\". The program ends with its input.\n\n"
+      "Example:\n"
+      "  echo '{\"id\": 1, \"boxes\": [[0, 0, 0, 0.8, 0.6, 1.0, 1]]}' | holdfast serve --accelerations "
+      "configs/accelerations");
+  auto options = std::make_shared<ServeOptions>();
+  command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
+      ->type_name("FILE");
+  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  add_engine_options(*command, *options);
+  command->add_flag("--ordered", options->ordered, "Answer in the order of the lines, not as layouts finish");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_serve_command(*options); }; });
 }
 
 void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
@@ -297,6 +323,7 @@ int run_command_line(int argc, char** argv) {
   chosen.command_line = words_of(argc, argv);
   add_screen_command(program, chosen);
   add_run_command(program, chosen);
+  add_serve_command(program, chosen);
   add_summary_command(program, chosen);
   add_check_command(program, chosen);
   add_bench_command(program, chosen);

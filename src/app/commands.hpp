@@ -27,6 +27,16 @@ struct ConfigRunOptions {
 };
 ExitCode run_run_command(const ConfigRunOptions& options, const std::string& command_line);
 
+struct ServeOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> accelerations;
+  std::optional<std::string> engine;
+  std::optional<std::string> accuracy;
+  std::optional<int> threads;
+  bool ordered = false;  ///< answers in the order of the lines
+};
+ExitCode run_serve_command(const ServeOptions& options);
+
 struct SummaryOptions {
   std::string results_path;
   std::optional<double> drop, move, tilt;  ///< thresholds, m, m and degrees; absent: those of the file

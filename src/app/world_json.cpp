@@ -3,50 +3,56 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "api/convert.hpp"
+#include "core/model/status.hpp"
+
 namespace holdfast::internal {
 
-namespace {
-
-/// Numbers that are not finite become null by themselves.
-nlohmann::ordered_json count(std::uint32_t boxes) {
-  if (boxes == kNotCounted) return nullptr;
-  return boxes;
+void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world,
+                    const std::string& acceleration) {
+  const bool was_run = world.stop_reason != holdfast::StopReason::not_run;
+  // Numbers that are not finite become null by themselves.
+  const auto known = [&](auto number) -> nlohmann::ordered_json {
+    if (!was_run) return nullptr;
+    return number;
+  };
+  json["acceleration"] = acceleration;
+  json["verdict"] = to_string(static_cast<Verdict>(world.verdict));
+  json["status"] = to_string(static_cast<Status>(world.status));
+  json["status_text"] = world.message;
+  json["stop_reason"] = to_string(static_cast<StopReason>(world.stop_reason));
+  json["boxes"] = world.boxes;
+  json["fallen_boxes"] = known(world.fallen);
+  json["moved_boxes"] = known(world.moved);
+  json["tilted_boxes"] = known(world.tilted);
+  json["unstable_boxes"] = known(world.unstable);
+  json["max_displacement_m"] = known(world.max_displacement);
+  json["peak_displacement_m"] = known(world.peak_displacement);
+  json["total_kinetic_energy_J"] = known(world.total_kinetic_energy);
+  json["peak_kinetic_energy_J"] = known(world.peak_kinetic_energy);
+  json["end_time_s"] = world.end_time;
+  json["steps"] = world.steps;
+  json["steps_skipped"] = world.steps_skipped;
+  json["max_residual"] = world.max_residual;
+  json["residual_scale"] = world.residual_scale;
+  json["max_penetration_m"] = world.max_penetration;
+  json["cpu_seconds"] = world.cpu_seconds;
+  json["state_hash"] = fmt::format("{:016x}", world.state_hash);
 }
 
-}  // namespace
+std::string one_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds) {
-  const Outcome& outcome = world.outcome;
-  const WorldVerdict verdict =
-      judge_world(outcome.status, outcome.stop_reason, world.peak_total_kinetic_energy, world.end, thresholds);
+  holdfast::WorldOutcome outcome;
+  fill_world(world, thresholds, false, outcome);
   nlohmann::ordered_json json;
   json["world"] = index;
   json["layout"] = layout;
-  json["acceleration"] = acceleration;
-  json["verdict"] = to_string(verdict.verdict);
-  json["status"] = to_string(outcome.status);
-  json["status_text"] = world.status_text;
-  json["stop_reason"] = to_string(outcome.stop_reason);
-  json["boxes"] = world.end.displacement.size();
-  json["fallen_boxes"] = count(verdict.fallen_boxes);
-  json["moved_boxes"] = count(verdict.moved_boxes);
-  json["tilted_boxes"] = count(verdict.tilted_boxes);
-  json["unstable_boxes"] = count(verdict.unstable_boxes);
-  json["max_displacement_m"] = verdict.max_displacement;
-  json["peak_displacement_m"] = verdict.peak_displacement;
-  json["total_kinetic_energy_J"] = verdict.total_kinetic_energy;
-  json["peak_kinetic_energy_J"] = verdict.peak_kinetic_energy;
-  json["end_time_s"] = outcome.end_time;
-  json["steps"] = outcome.counters.steps;
-  json["steps_skipped"] = outcome.counters.steps_skipped;
-  json["max_residual"] = outcome.counters.max_residual;
-  json["residual_scale"] = outcome.counters.residual_scale;
-  json["max_penetration_m"] = outcome.counters.max_penetration;
-  json["cpu_seconds"] = world.cpu_seconds;
-  json["state_hash"] = fmt::format("{:016x}", world.state_hash);
-  // Names of files need not be UTF-8; what is not becomes a replacement character, not an exception.
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  append_outcome(json, outcome, acceleration);
+  return one_line(json);
 }
 
 }  // namespace holdfast::internal

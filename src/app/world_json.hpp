@@ -1,14 +1,22 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/engine/world_record.hpp"
 #include "core/model/verdict.hpp"
+#include "holdfast/holdfast.hpp"
 
 namespace holdfast::internal {
 
-/// One finished world as one line of JSON; units are in the names, in SI. Values that a world has only when it was
-/// simulated are null otherwise.
+/// Appends what became of a world to an object of JSON, from its acceleration and verdict to its hash. Units are in the
+/// names, in SI. Values that a world has only when it was simulated are null otherwise.
+void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world, const std::string& acceleration);
+
+/// Text of JSON on one line. Names of files need not be UTF-8; what is not becomes a replacement character.
+std::string one_line(const nlohmann::ordered_json& json);
+
+/// One finished world as one line of JSON.
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds);
 

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <thread>
@@ -148,4 +149,13 @@ TEST_CASE("screen: a forked process has nothing in flight and evaluates the same
   CHECK(WEXITSTATUS(status) == 0);
   FinishedLayout finished;
   for (std::size_t i = 0; i < layouts.size(); ++i) REQUIRE(screen.poll(finished, kPatience));
+}
+
+TEST_CASE("screen: every layout that finishes is announced", "[api][stream]") {
+  std::atomic<int> announced = 0;
+  Screen screen(two_accelerations(), {.accuracy = "screening", .threads = 2, .on_finished = [&] { ++announced; }});
+  for (const Layout& layout : boxes(5)) REQUIRE(screen.submit(layout));
+  FinishedLayout finished;
+  for (int i = 0; i < 5; ++i) REQUIRE(screen.poll(finished, kPatience));
+  CHECK(announced == 5);
 }

@@ -93,12 +93,14 @@ class WorldStream::Job {
 };
 
 WorldStream::WorldStream(const Engine& engine, const Settings& settings,
-                         const std::vector<ReadAcceleration>& accelerations, bool record_series, int threads)
+                         const std::vector<ReadAcceleration>& accelerations, bool record_series, int threads,
+                         std::function<void()> on_finished)
     : engine_(engine),
       settings_(settings),
       accelerations_(accelerations),
       record_series_(record_series),
-      thread_count_(threads) {}
+      thread_count_(threads),
+      on_finished_(std::move(on_finished)) {}
 
 WorldStream::~WorldStream() {
   cancel();
@@ -151,6 +153,7 @@ void WorldStream::work() {
     job->conclude();
     finished_.splice(finished_.end(), job->place);
     layout_is_finished_.notify_one();
+    if (on_finished_) on_finished_();
   }
 }
 

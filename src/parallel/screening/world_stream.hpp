@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -39,8 +40,10 @@ class WorldStream {
 
   /// All that is named must outlive the stream. Starts no thread.
   /// @param accelerations may change while nothing is in flight
+  /// @param on_finished   called on a thread of the stream whenever a layout is finished; may be empty. It must return
+  ///                      soon, throw nothing and not call the stream
   WorldStream(const Engine& engine, const Settings& settings, const std::vector<ReadAcceleration>& accelerations,
-              bool record_series, int threads);
+              bool record_series, int threads, std::function<void()> on_finished = {});
   WorldStream(const WorldStream&) = delete;
   WorldStream& operator=(const WorldStream&) = delete;
   /// Drops what is in flight and waits for its threads.
@@ -75,6 +78,7 @@ class WorldStream {
   const std::vector<ReadAcceleration>& accelerations_;
   bool record_series_;
   int thread_count_;
+  std::function<void()> on_finished_;
 
   mutable std::mutex mutex_;  // of all that follows, down to the threads
   std::condition_variable work_is_there_;

@@ -1,0 +1,323 @@
+#include "app/serve/layout_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/base/closest_word.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+constexpr std::array<const char*, 7> kNumbers = {"x1", "y1", "z1", "x2", "y2", "z2", "material"};
+constexpr std::array<std::string_view, 6> kKeys = {"id", "boxes", "unit", "accelerations", "per_box", "series"};
+enum class Key : std::size_t { id, boxes, unit, accelerations, per_box, series, unknown };
+
+constexpr const char* kBoxesShape = "a list of boxes, each a list of seven numbers: two corners and a material";
+
+/// What the parser reports, one after the other. A key and the ends of lists and objects are among them.
+enum class Token { null, boolean, number, text, object_begins, object_ends, list_begins, list_ends, key };
+
+/// An iterator over the line that tells how far the parser has come.
+class Cursor {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Cursor(const char* at, const char** furthest) : at_(at), furthest_(furthest) {}
+  const char& operator*() const { return *at_; }
+  Cursor& operator++() {
+    *furthest_ = ++at_;
+    return *this;
+  }
+  bool operator==(const Cursor& other) const { return at_ == other.at_; }
+  bool operator!=(const Cursor& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  const char** furthest_;
+};
+
+bool is_in_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E'; }
+
+/// Takes the line apart as it is parsed, without a tree in memory. After a mistake it goes on for the id alone.
+class RequestReader {
+ public:
+  RequestReader(std::string_view line, std::span<const std::string> accelerations)
+      : line_(line), names_(accelerations), furthest_(line.data()) {}
+
+  ReadRequest read() {
+    const char* unused = nullptr;
+    const char* const end = line_.data() + line_.size();
+    const bool complete = nlohmann::json::sax_parse(Cursor(line_.data(), &furthest_), Cursor(end, &unused), this);
+    if (complete && !given(Key::boxes)) wrong("boxes are missing", "", kBoxesShape);
+    return {std::move(request_), std::move(error_)};
+  }
+
+  // What nlohmann's parser calls; `false` would end it.
+  bool null() { return take(Token::null); }
+  bool boolean(bool value) {
+    truth_ = value;
+    return take(Token::boolean);
+  }
+  bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
+  bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
+  bool number_float(double value, const std::string& /*text*/) { return number(value); }
+  bool string(std::string& value) {
+    text_ = value;
+    return take(Token::text);
+  }
+  bool binary(nlohmann::json::binary_t& /*value*/) { return take(Token::null); }  // not in text
+  bool start_object(std::size_t /*count*/) { return take(Token::object_begins); }
+  bool key(std::string& value) {
+    text_ = value;
+    return take(Token::key);
+  }
+  bool end_object() { return take(Token::object_ends); }
+  bool start_array(std::size_t /*count*/) { return take(Token::list_begins); }
+  bool end_array() { return take(Token::list_ends); }
+  bool parse_error(std::size_t position, const std::string& /*token*/, const nlohmann::json::exception& exception) {
+    note_syntax(position, exception.what());
+    return false;
+  }
+
+ private:
+  bool number(double value) {
+    number_ = value;
+    return take(Token::number);
+  }
+
+  bool take(Token token) {
+    begin_ = begin_of_next();
+    end_ = static_cast<std::size_t>(furthest_ - line_.data());
+    if (token == Token::number) {  // of which the parser has seen one more character, if there is one
+      for (end_ = begin_; end_ < line_.size() && is_in_number(line_[end_]);) ++end_;
+    }
+    if (token == Token::object_ends || token == Token::list_ends) {
+      --depth_;
+      end_of_container();
+    } else if (token == Token::key) {
+      if (depth_ == 1 && is_object_) take_key();
+    } else {
+      take_value(token);
+      if (token == Token::object_begins || token == Token::list_begins) ++depth_;
+    }
+    return true;
+  }
+
+  void take_key() {
+    const auto* const found = std::find(kKeys.begin(), kKeys.end(), text_);
+    key_ = static_cast<Key>(found - kKeys.begin());
+    if (key_ == Key::unknown) {
+      const auto meant = closest_word(text_, kKeys);
+      wrong("unknown key", text_,
+            meant ? fmt::format("did you mean '{}'?", *meant) : fmt::format("accepted are {}", fmt::join(kKeys, ", ")));
+    } else if (std::exchange(given_[static_cast<std::size_t>(key_)], true)) {
+      wrong("a key that is given twice", text_, "each key once");
+    }
+  }
+
+  void take_value(Token token) {
+    if (depth_ == 0) {
+      is_object_ = token == Token::object_begins;
+      if (!is_object_) wrong("the line is not an object", shown(), R"({"id": ..., "boxes": [[...], ...]})");
+      return;
+    }
+    if (!is_object_) return;
+    switch (key_) {
+      case Key::id:
+        return take_id(token);
+      case Key::boxes:
+        return take_boxes(token);
+      case Key::unit:
+        return take_unit(token);
+      case Key::accelerations:
+        return take_acceleration(token);
+      case Key::per_box:
+        return take_flag(token, request_.options.per_box);
+      case Key::series:
+        return take_flag(token, request_.options.series);
+      case Key::unknown:
+        return;
+    }
+  }
+
+  void take_id(Token token) {
+    if (depth_ > 1) return;
+    id_begin_ = begin_;
+    if (token != Token::object_begins && token != Token::list_begins) end_of_id();
+  }
+
+  void end_of_id() {
+    request_.id = line_.substr(id_begin_, end_ - id_begin_);
+    // Between values JSON may have a carriage return, which some readers of the answer take for the end of a line.
+    std::replace(request_.id.begin(), request_.id.end(), '\r', ' ');
+  }
+
+  void take_boxes(Token token) {
+    if (depth_ == 1) {
+      if (token != Token::list_begins) wrong("boxes are not a list", shown(), kBoxesShape);
+    } else if (depth_ == 2) {
+      request_.places.push_back(begin_);
+      if (token != Token::list_begins) wrong_in_box(0, box_name() + " is not a list", shown());
+      numbers_before_ = request_.numbers.size();
+    } else if (depth_ == 3) {
+      const std::size_t index = request_.numbers.size() - numbers_before_;
+      if (token != Token::number) {
+        const std::string name = index < kNumbers.size() ? kNumbers.at(index) : "a number";
+        wrong_in_box(static_cast<long>(index) + 1, name + " of " + box_name() + " is not a number", shown());
+      }
+      request_.numbers.push_back(number_);
+    }
+  }
+
+  void end_of_box() {
+    const std::size_t count = request_.numbers.size() - numbers_before_;
+    if (count == kNumbers.size()) return;
+    begin_ = request_.places.back();
+    wrong_in_box(0, box_name() + " does not have seven numbers", fmt::format("{} numbers", count));
+  }
+
+  void take_unit(Token token) {
+    if (token == Token::text && text_ == "cm") {
+      request_.options.unit = holdfast::LengthUnit::centimetre;
+    } else if (token != Token::text || text_ != "m") {
+      wrong("unknown unit", shown(), R"("m" or "cm")");
+    }
+  }
+
+  void take_acceleration(Token token) {
+    const std::string accepted = "a list of some of " + fmt::format("{}", fmt::join(names_, ", "));
+    if (depth_ == 1) {
+      if (token != Token::list_begins) wrong("accelerations are not a list", shown(), accepted);
+      return;
+    }
+    const auto found = token == Token::text ? std::find(names_.begin(), names_.end(), text_) : names_.end();
+    if (found == names_.end()) return wrong("unknown acceleration", shown(), accepted);
+    std::vector<std::size_t>& chosen = request_.options.accelerations;
+    const auto index = static_cast<std::size_t>(found - names_.begin());
+    if (std::find(chosen.begin(), chosen.end(), index) != chosen.end())
+      return wrong("an acceleration that is named twice", shown(), "each once");
+    chosen.push_back(index);
+  }
+
+  void take_flag(Token token, bool& flag) {
+    if (token != Token::boolean)
+      return wrong(fmt::format("{} is neither true nor false", kKeys.at(static_cast<std::size_t>(key_))), shown(),
+                   "true or false");
+    flag = truth_;
+  }
+
+  /// The list or object that has just ended was that deep.
+  void end_of_container() {
+    if (!is_object_) return;
+    if (depth_ == 1 && key_ == Key::id) end_of_id();
+    if (depth_ == 2 && key_ == Key::boxes) end_of_box();
+    if (depth_ == 1 && key_ == Key::accelerations && request_.options.accelerations.empty())
+      wrong("no acceleration", "", "at least one, or leave the key out");
+  }
+
+  /// @param position of the character at which the parser gives up, from 1
+  void note_syntax(std::size_t position, std::string_view reason) {
+    begin_ = std::min({begin_of_next(), position - 1, line_.size()});
+    end_ = std::min(line_.find_first_of(" \t\r,:[]{}", begin_ + 1), line_.size());
+    const bool in_box = is_object_ && key_ == Key::boxes && depth_ == 3;
+    Error error = {.box = in_box ? static_cast<long>(request_.places.size()) : 0,
+                   .box_number = in_box ? static_cast<long>(request_.numbers.size() - numbers_before_) + 1 : 0};
+    constexpr std::array<std::string_view, 5> kNotFinite = {"NaN", "nan", "Infinity", "-Infinity", "inf"};
+    if (position > line_.size()) {
+      error.what = "the line ends within its JSON";
+      error.accepted = expected_in(reason);
+    } else if (reason.find("out_of_range") != std::string_view::npos) {
+      error.what = "a number that is too large";
+      error.value = shown();
+      error.accepted = "numbers up to 1.8e308";
+    } else {
+      error.what = "the line is not JSON";
+      error.value = shown();
+      const bool is_not_finite = std::find(kNotFinite.begin(), kNotFinite.end(), error.value) != kNotFinite.end();
+      error.accepted = is_not_finite ? "finite numbers" : expected_in(reason);
+    }
+    note(std::move(error));
+  }
+
+  /// What the parser says that it expected, if it does.
+  static std::string expected_in(std::string_view reason) {
+    constexpr std::string_view kExpected = "; expected ";
+    const std::size_t place = reason.find(kExpected);
+    return place == std::string_view::npos ? "" : std::string(reason.substr(place + kExpected.size()));
+  }
+
+  std::size_t begin_of_next() const { return std::min(line_.find_first_not_of(" \t\r,:", end_), line_.size()); }
+
+  std::string box_name() const { return "box " + std::to_string(request_.places.size()); }
+
+  /// The beginning of what is at hand, for a message.
+  std::string shown() const {
+    constexpr std::size_t kMost = 60;
+    return std::string(line_.substr(begin_, std::min(kMost, end_ - begin_)));
+  }
+
+  void wrong_in_box(long number, std::string what, std::string value) {
+    const long box = static_cast<long>(request_.places.size());
+    note({.what = std::move(what),
+          .value = std::move(value),
+          .accepted = kBoxesShape,
+          .box = box,
+          .box_number = number});
+  }
+
+  void wrong(std::string what, std::string value, std::string accepted) {
+    note({.what = std::move(what), .value = std::move(value), .accepted = std::move(accepted)});
+  }
+
+  void note(Error error) {
+    if (error_) return;
+    error_ = std::move(error);
+    error_->column = static_cast<long>(begin_) + 1;
+  }
+
+  bool given(Key key) const { return given_.at(static_cast<std::size_t>(key)); }
+
+  std::string_view line_;
+  std::span<const std::string> names_;
+  LayoutRequest request_;
+  std::optional<Error> error_;
+
+  const char* furthest_;    // the parser has seen the line up to there
+  std::size_t begin_ = 0;   // of the token at hand
+  std::size_t end_ = 0;     // and its end
+  std::size_t depth_ = 0;   // of lists and objects around the token
+  bool is_object_ = false;  // the line
+  Key key_ = Key::unknown;
+  std::array<bool, kKeys.size()> given_ = {};
+  std::size_t id_begin_ = 0;
+  std::size_t numbers_before_ = 0;  // those of the boxes before the one at hand
+  bool truth_ = false;
+  double number_ = 0.0;
+  std::string text_;
+};
+
+}  // namespace
+
+ReadRequest read_request(std::string_view line, std::span<const std::string> accelerations) {
+  return RequestReader(line, accelerations).read();
+}
+
+long column_of(std::string_view line, const LayoutRequest& request, std::ptrdiff_t box, int number) {
+  if (box < 0 || static_cast<std::size_t>(box) >= request.places.size()) return 0;
+  std::size_t place = request.places[static_cast<std::size_t>(box)];
+  for (int i = 0; i < number && place < line.size(); ++i) place = line.find(',', place + 1);
+  if (number >= 0) place = line.find_first_not_of(" \t\r[,", place);
+  return static_cast<long>(std::min(place, line.size())) + 1;
+}
+
+}  // namespace holdfast::internal
