@@ -150,7 +150,8 @@ enum {
   HOLDFAST_MOVED = 1,    /* a box moved or tilted at the end, and none fell */
   HOLDFAST_FELL = 2,     /* a box had fallen at the end */
   HOLDFAST_UNSTABLE = 3, /* a box fell or moved while settling, before any acceleration, and all stayed since */
-  HOLDFAST_FAILED = 4    /* the status is not 0, or the world was cancelled: nothing can be said */
+  HOLDFAST_FAILED = 4,   /* the status is not 0, or the world was cancelled: nothing can be said */
+  HOLDFAST_GAVE_WAY = 5  /* with [Screening] StopWhen: a box left its place, and the world ended there */
 };
 
 /* Bits of a status: what went wrong with a world. */
@@ -165,10 +166,11 @@ enum {
 
 /* Why a world ended. */
 enum {
-  HOLDFAST_NOT_RUN = 0,       /* it was not simulated: a bad input, or cancelled */
-  HOLDFAST_TIMEOUT = 1,       /* the simulated time was up */
-  HOLDFAST_SLEEPING = 2,      /* all boxes had come to rest */
-  HOLDFAST_ENDED_BY_ERROR = 3 /* the status says why */
+  HOLDFAST_NOT_RUN = 0,        /* it was not simulated: a bad input, or cancelled */
+  HOLDFAST_TIMEOUT = 1,        /* the simulated time was up */
+  HOLDFAST_SLEEPING = 2,       /* all boxes had come to rest */
+  HOLDFAST_ENDED_BY_ERROR = 3, /* the status says why */
+  HOLDFAST_DECIDED = 4         /* with [Screening] StopWhen: the verdict is HOLDFAST_GAVE_WAY */
 };
 
 /* What became of a world: one layout under one acceleration. */

@@ -11,6 +11,7 @@ class Verdict(enum.IntEnum):
     FELL = 2  #: a box had fallen at the end
     UNSTABLE = 3  #: a box fell or moved while settling, before any acceleration, and all stayed since
     FAILED = 4  #: the status is not 0, or the world was cancelled: nothing can be said
+    GAVE_WAY = 5  #: with ``StopWhen``: a box left its place, and the world ended there
 
 
 class StopReason(enum.IntEnum):
@@ -20,6 +21,7 @@ class StopReason(enum.IntEnum):
     TIMEOUT = 1  #: the simulated time was up
     SLEEPING = 2  #: all boxes had come to rest
     FAILED = 3  #: the status says why
+    DECIDED = 4  #: with ``StopWhen``: the verdict is ``GAVE_WAY``
 
 
 class Status(enum.IntFlag):

@@ -56,6 +56,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->type_name("N");
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
+  command
+      .add_option(
+          "--stop-when", options.stop_when,
+          "End a world early: moved, as soon as a box is beyond a threshold, fallen, as soon as one has fallen, "
+          "or end, never; stands in for [Screening] StopWhen")
+      ->check(as_in_config("Screening", "StopWhen"))
+      ->type_name("NAME");
   command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
   command

@@ -14,6 +14,7 @@ struct RunOptions {
   std::optional<std::string> accuracy;
   std::optional<int> threads;
   std::optional<std::string> scheduler;
+  std::optional<std::string> stop_when;
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
   bool no_series = false;

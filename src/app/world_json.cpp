@@ -16,7 +16,7 @@ nlohmann::ordered_json count(std::uint32_t boxes) {
 }  // namespace
 
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
-                       std::size_t index, const Thresholds& thresholds) {
+                       std::size_t index, const Thresholds& thresholds, double time_saved) {
   const Outcome& outcome = world.outcome;
   const WorldVerdict verdict =
       judge_world(outcome.status, outcome.stop_reason, world.peak_total_kinetic_energy, world.end, thresholds);
@@ -38,6 +38,7 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   json["total_kinetic_energy_J"] = verdict.total_kinetic_energy;
   json["peak_kinetic_energy_J"] = verdict.peak_kinetic_energy;
   json["end_time_s"] = outcome.end_time;
+  json["time_saved_s"] = time_saved;
   json["steps"] = outcome.counters.steps;
   json["steps_skipped"] = outcome.counters.steps_skipped;
   json["max_residual"] = outcome.counters.max_residual;

@@ -22,7 +22,7 @@ std::string to_string(Status status) {
 }
 
 std::string to_string(StopReason reason) {
-  constexpr std::array<const char*, 4> kNames = {"not_run", "timeout", "sleeping", "failed"};
+  constexpr std::array<const char*, 5> kNames = {"not_run", "timeout", "sleeping", "failed", "decided"};
   const auto number = static_cast<std::size_t>(reason);
   return number < kNames.size() ? kNames[number] : "unknown";
 }

@@ -30,6 +30,7 @@ enum class StopReason : std::uint8_t {
   timeout = 1,   ///< the end of the simulated time
   sleeping = 2,  ///< all boxes had come to rest
   failed = 3,    ///< the status says why
+  decided = 4,   ///< a box was beyond a threshold that StopWhen watches
 };
 
 /// Names of the set bits, joined by '+': "ok", "bad_layout", "non_finite+not_converged".

@@ -60,7 +60,7 @@ with h5py.File("results.h5") as f:
     table = pd.DataFrame({k: f["summary/worlds"][k][:] for k in f["summary/worlds"]})
     table["layout"] = f["inputs/layouts/name"].asstr()[:][f["worlds/layout"][:]]
     table["acceleration"] = f["inputs/accelerations/name"].asstr()[:][f["worlds/acceleration"][:]]
-table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed"])
+table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed", "gave_way"])
 ```
 
 The run is described by `dict(f.attrs)`, `f["inputs/config"].asstr()[()]`, and `dict(f["inputs/settings"].attrs)`, which

@@ -26,5 +26,6 @@ TEST_CASE("status: names of the reasons to stop", "[core][status]") {
   CHECK(to_string(StopReason::timeout) == "timeout");
   CHECK(to_string(StopReason::sleeping) == "sleeping");
   CHECK(to_string(StopReason::failed) == "failed");
+  CHECK(to_string(StopReason::decided) == "decided");
   CHECK(to_string(static_cast<StopReason>(255)) == "unknown");
 }

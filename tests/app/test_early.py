@@ -1,0 +1,101 @@
+"""Worlds that end early: what is said of them, and that nothing else changes."""
+import json
+import unittest
+
+import numpy as np
+
+from cli import CliTest, datasets, layout_text, schedulers
+
+SLIDE = "0 0.5 0 0 0\n0.5 1.5 7 0 0\n"
+BOX = [(200, 50, 0, 280, 110, 40)]
+HIGH = [(0, 0, 0, 80, 60, 40), (40, 0, 40, 90, 60, 80)]
+
+
+class StopWhen(CliTest):
+    """A box that slides, a box that slides off another, and the same at rest."""
+
+    def setUp(self):
+        super().setUp()
+        self.write_inputs()
+        self.config.write_text("[Native]\nAccuracy = screening\n[Container]\nOpenSides = front\n")
+        self.layouts = [self.write("box.txt", layout_text(BOX)), self.write("high.txt", layout_text(HIGH))]
+        self.accelerations = [self.write("slide.txt", SLIDE), self.write("still.txt", "0 1 0 0 0\n")]
+
+    def worlds(self, *arguments, **options):
+        return [json.loads(line) for line in self.screen("--json", "--overwrite", *arguments, **options)[1].stdout.splitlines()]
+
+    def test_ends_the_worlds_that_give_way_and_no_other(self):
+        whole = self.worlds()
+        self.assertEqual([world["verdict"] for world in whole[1::2]], ["stayed", "stayed"])
+        for world in whole:
+            self.assertEqual(world["time_saved_s"], 0)
+        for question, gave_way in (("moved", [True, False, True, False]), ("end", [False] * 4)):
+            early = self.worlds("--stop-when", question)
+            self.assertEqual([world["verdict"] == "gave_way" for world in early], gave_way)
+            for all_of_it, part in zip(whole, early):
+                if part["verdict"] == "gave_way":
+                    self.assertEqual((part["status"], part["stop_reason"]), ("ok", "decided"))
+                    self.assertGreater(part["max_displacement_m"], 0.1)
+                    self.assertLess(part["max_displacement_m"], 0.15)
+                    self.assertAlmostEqual(part["end_time_s"] + part["time_saved_s"], all_of_it["end_time_s"])
+                    self.assertGreater(part["time_saved_s"], 0.5)
+                else:
+                    for world in (all_of_it, part):
+                        world.pop("cpu_seconds", None)
+                    self.assertEqual(part, all_of_it)
+
+    def test_is_a_key_that_the_option_overrides(self):
+        by_option, _ = self.screen("--stop-when", "moved", output="option.h5")
+        with self.config.open("a") as config:
+            config.write("[Screening]\nStopWhen = moved\n")
+        by_key, _ = self.screen(output="key.h5")
+        overridden, _ = self.screen("--stop-when", "end", output="overridden.h5")
+        hashes = [datasets(path)["/worlds/state_hash"].tolist() for path in (by_option, by_key, overridden)]
+        self.assertEqual(hashes[0], hashes[1])
+        self.assertNotEqual(hashes[0], hashes[2])
+        refused = self.run_here("screen", "--stop-when", "never", "--layouts", *self.layouts, "--accelerations",
+                                *self.accelerations)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("never; accepted is end, moved or fallen", refused.stderr)
+
+    def test_the_table_counts_them_and_the_share_of_time_saved(self):
+        path, done = self.screen("--stop-when", "moved")
+        data = datasets(path)
+        self.assertRegex(done.stdout, r"layouts that +stayed +moved +fell +gave way +unstable +failed +the worst one\n")
+        self.assertRegex(done.stdout, r"\nslide\.txt +0 +0 +0 +2 +0 +0 +-\n")
+        self.assertRegex(done.stdout, r"\nstill\.txt +2 +0 +0 +0 +0 +0 +-\n")
+        share = 100 * (4 - data["/worlds/end_time"][::2].sum()) / 6
+        self.assertIn(f"\nsimulated time saved, since worlds ended early: {share:.1f} % of 6 s\n", done.stdout)
+        self.assertEqual(data["/worlds/stop_reason"].tolist(), [4, 1, 4, 1])
+        self.assertEqual(data["/summary/worlds/verdict"].tolist(), [5, 0, 5, 0])
+        self.assertNotIn("gave way", self.screen(output="whole.h5")[1].stdout)
+
+    def test_series_end_where_the_world_ends(self):
+        data = datasets(self.screen("--stop-when", "moved")[0])
+        whole = datasets(self.screen(output="whole.h5")[0])
+        last = data["/worlds/sample_begin"] + data["/worlds/sample_count"].astype(np.uint64) - 1
+        np.testing.assert_array_equal(data["/series/time"][last], data["/worlds/end_time"])
+        before_the_end = data["/worlds/sample_count"][0] - 1
+        np.testing.assert_array_equal(data["/series/displacement"][:before_the_end], whole["/series/displacement"][:before_the_end])
+
+    def test_other_thresholds_later_say_nothing_else(self):
+        path, _ = self.screen("--stop-when", "moved")
+        self.run_here("summary", path, "--move-threshold", 0.5, "-o", "loose.h5")
+        self.assertEqual(datasets(self.folder / "loose.h5")["/summary/worlds/verdict"].tolist(), [5, 0, 5, 0])
+
+    def test_schedulers_threads_and_series_do_not_matter(self):
+        first, _ = self.screen("--stop-when", "moved", "--scheduler", "serial", output="first.h5")
+        for scheduler in schedulers():
+            other, _ = self.screen("--stop-when", "moved", "--scheduler", scheduler, "--threads", 3, "--overwrite")
+            self.assert_same_results(first, other)
+        without, _ = self.screen("--stop-when", "moved", "--no-series", output="without.h5")
+        self.assertEqual(datasets(first)["/worlds/state_hash"].tolist(), datasets(without)["/worlds/state_hash"].tolist())
+
+    def test_another_question_is_another_run(self):
+        self.screen("--stop-when", "moved")
+        self.assert_refused(self.screen("--stop-when", "fallen", "--resume", expect=2)[1], "is of a run with other settings")
+        self.screen("--stop-when", "moved", "--resume")
+
+
+if __name__ == "__main__":
+    unittest.main()
