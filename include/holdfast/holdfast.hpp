@@ -119,12 +119,13 @@ HOLDFAST_API Acceleration read_acceleration(const std::string& path);
 
 /// What became of a world as a whole, by the worst that happened in it.
 enum class Verdict : std::uint8_t {
-  stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,     ///< a box moved or tilted at the end, and none fell
-  fell = 2,      ///< a box had fallen at the end
-  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and all stayed since
-  failed = 4,    ///< `WorldOutcome::status` is not 0: nothing can be said
-  gave_way = 5,  ///< with `ScreenOptions::stop_when`: a box left its place, and the world ended there
+  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
+  moved = 1,       ///< a box moved or tilted at the end, and none fell
+  fell = 2,        ///< a box had fallen at the end
+  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and all stayed since
+  failed = 4,      ///< `WorldOutcome::status` is not 0: nothing can be said
+  gave_way = 5,    ///< with `ScreenOptions::stop_when`: a box left its place, and the world ended there
+  not_needed = 6,  ///< with `ScreenOptions::first_failure`: the layout failed another acceleration; not simulated
 };
 
 /// Bits of `WorldOutcome::status`: what went wrong with a world.
@@ -137,6 +138,7 @@ enum Bit : std::uint32_t {
   not_converged = 8,     ///< the solver's residual stayed above its bound
   capacity = 16,         ///< a device had no room for all contacts, or failed
   too_large = 32,        ///< its series would take too much memory; not simulated
+  not_needed = 64,       ///< with `ScreenOptions::first_failure`: no problem, see `Verdict::not_needed`
 };
 }  // namespace status
 
@@ -229,7 +231,11 @@ struct ScreenOptions {
   std::optional<std::string> stop_when;
   std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
   std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
-  LengthUnit unit = LengthUnit::metre;   ///< of the corners of boxes; layout files have centimetres
+  /// Leaves the worlds of a layout out once one of them neither stayed nor failed to be simulated: they are
+  /// `Verdict::not_needed`. In a call the accelerations that failed most layouts come first; a layout that is submitted
+  /// takes them in their order.
+  std::optional<bool> first_failure;
+  LengthUnit unit = LengthUnit::metre;  ///< of the corners of boxes; layout files have centimetres
   BadLayouts bad_layouts = BadLayouts::raise;
   bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
   bool keep_series = false;        ///< fill `WorldOutcome::series`

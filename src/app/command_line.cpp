@@ -63,6 +63,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           "or end, never; stands in for [Screening] StopWhen")
       ->check(as_in_config("Screening", "StopWhen"))
       ->type_name("NAME");
+  command.add_flag(
+      "--first-failure", options.first_failure,
+      "Leave out the accelerations of a layout that has failed one; stands in for [Screening] FirstFailure");
   command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
   command

@@ -59,20 +59,19 @@ class Tally {
   }
 
   OutcomeTable table() const {
-    constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}{}  {:>8}  {:>6}  {}\n";
-    constexpr const char* kGaveWay = "  {:>8}";
-    const bool any_gave_way = std::any_of(accelerations_.begin(), accelerations_.end(),
-                                          [](const auto& line) { return line.of(Verdict::gave_way) > 0; });
-    std::string text = "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell",
-                                          any_gave_way ? fmt::format(kGaveWay, "gave way") : "", "unstable", "failed",
-                                          "the worst one");
+    constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}{}{}  {:>8}  {:>6}  {}\n";
+    std::string text =
+        "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell",
+                           where_any(Verdict::gave_way, "gave way"), where_any(Verdict::not_needed, "not needed"),
+                           "unstable", "failed", "the worst one");
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
-      text += fmt::format(
-          kLine, printable(info_.accelerations[i]), name_width(), line.of(Verdict::stayed), line.of(Verdict::moved),
-          line.of(Verdict::fell), any_gave_way ? fmt::format(kGaveWay, line.of(Verdict::gave_way)) : "",
-          line.of(Verdict::unstable), line.of(Verdict::failed), line.worst ? name_of_layout(line.worst->layout) : "-");
+      text += fmt::format(kLine, printable(info_.accelerations[i]), name_width(), line.of(Verdict::stayed),
+                          line.of(Verdict::moved), line.of(Verdict::fell),
+                          where_any(Verdict::gave_way, line.of(Verdict::gave_way)),
+                          where_any(Verdict::not_needed, line.of(Verdict::not_needed)), line.of(Verdict::unstable),
+                          line.of(Verdict::failed), line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.of(Verdict::failed);
     }
     return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line() + saved_line(), failed};
@@ -83,10 +82,10 @@ class Tally {
     AccelerationLine& line = accelerations_[row.acceleration];
     steps_ += row.steps;
     steps_skipped_ += row.steps_skipped;
-    if (!latest_ends_.empty() && row.stop_reason != StopReason::not_run) {
+    if (!latest_ends_.empty() && (row.stop_reason != StopReason::not_run || row.status == Status::not_needed)) {
       const double latest_end = latest_ends_[row.acceleration];
       time_ += latest_end;
-      time_saved_ += time_saved(row.stop_reason, row.end_time, latest_end);
+      time_saved_ += time_saved(row.status, row.stop_reason, row.end_time, latest_end);
     }
     const Verdict verdict = summary.verdict[i];
     ++line.of(verdict);
@@ -94,6 +93,7 @@ class Tally {
       failures_.emplace(row.status_text, 0).first->second += 1;
       return;
     }
+    if (verdict == Verdict::not_needed) return;
     const WorldLine world{row.layout,
                           row.acceleration,
                           row.box_count,
@@ -103,6 +103,14 @@ class Tally {
                           summary.peak_displacement[i]};
     if (verdict == Verdict::fell || verdict == Verdict::moved) add_to_worst(world, line);
     if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+  }
+
+  /// An entry of a column that the table has only where there are such verdicts.
+  template <class Entry>
+  std::string where_any(Verdict verdict, const Entry& entry) const {
+    const bool any = std::any_of(accelerations_.begin(), accelerations_.end(),
+                                 [&](const AccelerationLine& line) { return line.of(verdict) > 0; });
+    return any ? fmt::format("  {:>10}", entry) : "";
   }
 
   void add_to_worst(const WorldLine& world, AccelerationLine& line) {
@@ -167,10 +175,10 @@ class Tally {
                        100.0 * static_cast<double>(steps_skipped_) / static_cast<double>(steps_), steps_);
   }
 
-  /// Nothing where no world ended early.
+  /// Nothing where no world ended early and all were needed.
   std::string saved_line() const {
     if (time_saved_ == 0.0) return "";
-    return fmt::format("\nsimulated time saved, since worlds ended early: {:.1f} % of {:.0f} s\n",
+    return fmt::format("\nsimulated time saved, since worlds ended early or were not needed: {:.1f} % of {:.0f} s\n",
                        100.0 * time_saved_ / time_, time_);
   }
 

@@ -74,7 +74,8 @@ void TerminalObserver::world_finished(const WorldRecord& world, std::size_t inde
   }
   if (!job_.json) return;
   const Outcome& outcome = world.outcome;
-  const double saved = time_saved(outcome.stop_reason, outcome.end_time, latest_end(acceleration, job_.settings));
+  const double saved =
+      time_saved(outcome.status, outcome.stop_reason, outcome.end_time, latest_end(acceleration, job_.settings));
   const std::string line = world_json(world, layout, acceleration.name, index, description_.thresholds, saved) + "\n";
   write_unless(stop_.drop, stdout, line);
 }

@@ -11,7 +11,7 @@ from cli import CliTest, datasets, same_bits
 
 
 NOT_COUNTED = 2**32 - 1  # in place of a count of boxes, of a world that was not simulated
-VERDICTS = ["stayed", "moved", "fell", "unstable", "failed", "gave_way"]  # as they are numbered in the file
+VERDICTS = ["stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"]  # as they are numbered in the file
 
 
 class Summary(CliTest):

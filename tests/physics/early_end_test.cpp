@@ -89,12 +89,12 @@ TEST_CASE("early_end: of the bundled worlds no verdict changes, and those that e
         continue;
       }
       ++gave_way;
-      saved += time_saved(part.outcome.stop_reason, part.outcome.end_time, all.outcome.end_time);
+      saved += time_saved(part.outcome.status, part.outcome.stop_reason, part.outcome.end_time, all.outcome.end_time);
       CHECK(part.outcome.end_time < all.outcome.end_time);
       CHECK(is_beyond(part, settings));
       CHECK(begins_like(part.series, all.series));
       const bool stays_so = expected == Verdict::fell || (stop_when == StopWhen::moved && expected == Verdict::moved);
-      came_back += stays_so ? 0 : 1;
+      came_back += stays_so ? 0U : 1U;
     }
     // Boxes do come back, which is why a world that ends early has a verdict of its own.
     WARN((stop_when == StopWhen::moved ? "moved: " : "fallen: ")

@@ -195,7 +195,8 @@ double latest_end(const Acceleration& acceleration, const Settings& settings) {
   return acceleration.end_time() + (sleeping ? kSleepingPatience : 0.0);
 }
 
-double time_saved(StopReason stop_reason, double end_time, double latest_end) {
+double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end) {
+  if (status == Status::not_needed) return latest_end;
   return stop_reason == StopReason::decided ? latest_end - end_time : 0.0;
 }
 

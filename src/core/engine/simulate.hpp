@@ -19,9 +19,10 @@ inline constexpr double kSleepingPatience = 60.0;
 /// The latest time at which a world ends, s: the timeout, or the end of the acceleration.
 double latest_end(const Acceleration& acceleration, const Settings& settings);
 
-/// How much of its simulated time a world was spared, since it ended early by StopWhen, s; 0 for every other.
+/// How much of its simulated time a world was spared, since it ended early by StopWhen or was left out by FirstFailure,
+/// s; 0 for every other.
 /// @param latest_end as above
-double time_saved(StopReason stop_reason, double end_time, double latest_end);
+double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end);
 
 /// Simulates every world of the batch from settling to its end, and passes the steps to its recorder.
 ///

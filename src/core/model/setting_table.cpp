@@ -168,6 +168,8 @@ std::vector<SettingKey> make_table() {
   add(OneOf<StopConditions>{}, "StopWhen", "", "end", MEMBER(screening.stop_when),
       "Whether a world ends early: as soon as a box is beyond any of the three thresholds (`moved`) or has fallen "
       "(`fallen`); its verdict is then `gave_way`, because boxes may come back.");
+  add(Truth{}, "FirstFailure", "", "false", MEMBER(screening.first_failure),
+      "Whether a layout that does not hold one acceleration is spared the others, whose status is `not_needed`.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";

@@ -52,6 +52,14 @@ beyond a threshold, which is more than `end` asks; with `fallen` nothing that st
 from t = 0 on, and a world that is decided by its last step has run to its end. A world in which the solver would have failed
 only later is not found out.
 
+FirstFailure spares a layout the accelerations that come after the first one that it does not hold: one under which its verdict is neither
+`stayed` nor `failed`. The worlds that are left out have the status and the verdict `not_needed`; they are counted by themselves, never
+as failed. Every world that is simulated is to the last bit what it is without FirstFailure. The accelerations are tried in the order of
+how many layouts they have rejected so far, equals in the order of the run. "So far" is at fixed places, so that what is simulated does
+not depend on threads and time: the order is drawn up before layout 1, 9, 17, 33, 65, 129, 257, 513, 769, ... of the run, or of the call
+of the library, from all layouts before, and holds until the next one. A layout that is submitted by itself takes the accelerations in
+their given order.
+
 )";
 
 std::string section_note(std::string_view section) {

@@ -15,6 +15,7 @@ enum class Status : std::uint32_t {
   not_converged = 1U << 3U,     ///< the solver's residual stayed above its limit. Cure: more iterations or accuracy
   capacity = 1U << 4U,          ///< a device had too little memory for all contacts, or failed. Cure: another engine
   too_large = 1U << 5U,         ///< the series would take too much memory; not simulated. Cure: see status_text
+  not_needed = 1U << 6U,        ///< by FirstFailure: the layout failed another acceleration; not simulated, no problem
 };
 
 constexpr Status operator|(Status a, Status b) {

@@ -8,10 +8,11 @@ namespace holdfast::internal {
 
 namespace {
 
-WorldVerdict not_simulated() {
+WorldVerdict not_simulated(Status status) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
-  return {Verdict::failed, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
+  const Verdict verdict = status == Status::not_needed ? Verdict::not_needed : Verdict::failed;
+  return {verdict, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
 }
 
 /// A layout that was not stable before any acceleration is unstable, even if the acceleration then moved nothing.
@@ -52,14 +53,14 @@ BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thres
 }
 
 std::string to_string(Verdict verdict) {
-  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed",   "moved",  "fell",
-                                                             "unstable", "failed", "gave_way"};
+  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved",    "fell",      "unstable",
+                                                             "failed", "gave_way", "not_needed"};
   return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
                          const Thresholds& thresholds) {
-  if (stop_reason == StopReason::not_run) return not_simulated();
+  if (stop_reason == StopReason::not_run) return not_simulated(status);
   WorldVerdict world;
   world.peak_kinetic_energy = peak_kinetic_energy;
   for (std::size_t i = 0; i < end.displacement.size(); ++i) {

@@ -30,14 +30,15 @@ struct BoxVerdict {
 
 /// Verdict on a whole world: the worst that happened in it.
 enum class Verdict : std::uint8_t {
-  stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,     ///< a box moved or tilted at the end, and none fell
-  fell = 2,      ///< a box had fallen at the end
-  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and no box did later
-  failed = 4,    ///< the status is not ok: there is no verdict
-  gave_way = 5,  ///< a box was beyond a threshold that StopWhen watches, and the world ended there
+  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
+  moved = 1,       ///< a box moved or tilted at the end, and none fell
+  fell = 2,        ///< a box had fallen at the end
+  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and no box did later
+  failed = 4,      ///< the status is not ok: there is no verdict
+  gave_way = 5,    ///< a box was beyond a threshold that StopWhen watches, and the world ended there
+  not_needed = 6,  ///< the status is not_needed: nothing was asked
 };
-inline constexpr std::size_t kVerdictCount = 6;
+inline constexpr std::size_t kVerdictCount = 7;
 
 /// Name of the verdict as above.
 std::string to_string(Verdict verdict);

@@ -109,9 +109,8 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
     // summary: derived from the tables above with the thresholds in the attributes of /summary
     {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
-     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 gave way "
-     "(ended early by "
-     "StopWhen)",
+     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 gave_way "
+     "(ended early by StopWhen), 6 not_needed (left out by FirstFailure)",
      Origin::derived},
     {"/summary/worlds/fallen_boxes", ElementType::u32, 1, Axis::worlds, "1", "boxes that had fallen at the end",
      Origin::derived},

@@ -350,8 +350,8 @@ TEST_CASE("simulate: a world ends with the step that decides it", "[core][simula
   CHECK(early.record.outcome.end_time == 76.0 / 240);
   CHECK(early.record.outcome.counters.steps == 76);
   CHECK(early.record.series.time.back() == early.record.outcome.end_time);
-  CHECK(time_saved(StopReason::decided, early.record.outcome.end_time, latest_end(acceleration, settings)) ==
-        1.0 - 76.0 / 240);
+  CHECK(time_saved(Status::ok, StopReason::decided, early.record.outcome.end_time,
+                   latest_end(acceleration, settings)) == 1.0 - 76.0 / 240);
   settings.screening.tilt_threshold = 10.0;
   CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.outcome.end_time == 42.0 / 240);
 
@@ -359,7 +359,9 @@ TEST_CASE("simulate: a world ends with the step that decides it", "[core][simula
   const Run whole = run(ScriptedEngine({}), kOneBox, acceleration, settings);
   CHECK(whole.record.outcome.stop_reason == StopReason::timeout);
   CHECK(whole.record.outcome.end_time == 1.0);
-  CHECK(time_saved(StopReason::timeout, 0.5, 1.0) == 0.0);
+  CHECK(time_saved(Status::ok, StopReason::timeout, 0.5, 1.0) == 0.0);
+  CHECK(time_saved(Status::not_needed, StopReason::not_run, 0.0, 1.0) == 1.0);
+  CHECK(time_saved(Status::bad_layout, StopReason::not_run, 0.0, 1.0) == 0.0);
 }
 
 TEST_CASE("simulate: a world that is decided by its last step has run to its end", "[core][simulate]") {
