@@ -9,7 +9,7 @@
 namespace {
 
 const char* name_of(holdfast::Verdict verdict) {
-  static constexpr const char* kNames[] = {"stayed", "moved", "fell", "unstable", "failed"};
+  static constexpr const char* kNames[] = {"stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"};
   return kNames[static_cast<int>(verdict)];
 }
 

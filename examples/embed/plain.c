@@ -10,7 +10,7 @@ static const double kBrake[] = {0.0, 1.0, 7.0, 0.0, 0.0};
 static const double kBox[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0};
 
 static int evaluate(void) {
-  const char* const verdicts[] = {"stayed", "moved", "fell", "unstable", "failed"};
+  const char* const verdicts[] = {"stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"};
   const size_t offsets[] = {0, 1};
   const holdfast_layouts layouts = {sizeof layouts, kBox, 1, offsets, 1, NULL};
   holdfast_outcome outcomes[2];

@@ -150,7 +150,9 @@ enum {
   HOLDFAST_MOVED = 1,    /* a box moved or tilted at the end, and none fell */
   HOLDFAST_FELL = 2,     /* a box had fallen at the end */
   HOLDFAST_UNSTABLE = 3, /* a box fell or moved while settling, before any acceleration, and all stayed since */
-  HOLDFAST_FAILED = 4    /* the status is not 0, or the world was cancelled: nothing can be said */
+  HOLDFAST_FAILED = 4,   /* the status is not 0, or the world was cancelled: nothing can be said */
+  HOLDFAST_GAVE_WAY = 5, /* with [Screening] StopWhen: a box left its place, and the world ended there */
+  HOLDFAST_NOT_ASKED = 6 /* with [Screening] FirstFailure: the status is HOLDFAST_NOT_NEEDED */
 };
 
 /* Bits of a status: what went wrong with a world. */
@@ -160,15 +162,17 @@ enum {
   HOLDFAST_NON_FINITE = 4,       /* a state became infinite or undefined */
   HOLDFAST_NOT_CONVERGED = 8,    /* the solver's residual stayed above its bound */
   HOLDFAST_CAPACITY = 16,        /* a device had no room for all contacts, or failed */
-  HOLDFAST_TOO_LARGE = 32        /* its series would take too much memory; not simulated */
+  HOLDFAST_TOO_LARGE = 32,       /* its series would take too much memory; not simulated */
+  HOLDFAST_NOT_NEEDED = 64       /* with [Screening] FirstFailure: the layout failed another one; not simulated */
 };
 
 /* Why a world ended. */
 enum {
-  HOLDFAST_NOT_RUN = 0,       /* it was not simulated: a bad input, or cancelled */
-  HOLDFAST_TIMEOUT = 1,       /* the simulated time was up */
-  HOLDFAST_SLEEPING = 2,      /* all boxes had come to rest */
-  HOLDFAST_ENDED_BY_ERROR = 3 /* the status says why */
+  HOLDFAST_NOT_RUN = 0,        /* it was not simulated: a bad input, or cancelled */
+  HOLDFAST_TIMEOUT = 1,        /* the simulated time was up */
+  HOLDFAST_SLEEPING = 2,       /* all boxes had come to rest */
+  HOLDFAST_ENDED_BY_ERROR = 3, /* the status says why */
+  HOLDFAST_DECIDED = 4         /* with [Screening] StopWhen: the verdict is HOLDFAST_GAVE_WAY */
 };
 
 /* What became of a world: one layout under one acceleration. */

@@ -120,11 +120,13 @@ HOLDFAST_API Acceleration read_acceleration(const std::string& path);
 
 /// What became of a world as a whole, by the worst that happened in it.
 enum class Verdict : std::uint8_t {
-  stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,     ///< a box moved or tilted at the end, and none fell
-  fell = 2,      ///< a box had fallen at the end
-  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and all stayed since
-  failed = 4,    ///< `WorldOutcome::status` is not 0: nothing can be said
+  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
+  moved = 1,       ///< a box moved or tilted at the end, and none fell
+  fell = 2,        ///< a box had fallen at the end
+  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and all stayed since
+  failed = 4,      ///< `WorldOutcome::status` is not 0: nothing can be said
+  gave_way = 5,    ///< with `ScreenOptions::stop_when`: a box left its place, and the world ended there
+  not_needed = 6,  ///< with `ScreenOptions::first_failure`: the layout failed another acceleration; not simulated
 };
 
 /// Bits of `WorldOutcome::status`: what went wrong with a world.
@@ -137,6 +139,7 @@ enum Bit : std::uint32_t {
   not_converged = 8,     ///< the solver's residual stayed above its bound
   capacity = 16,         ///< a device had no room for all contacts, or failed
   too_large = 32,        ///< its series would take too much memory; not simulated
+  not_needed = 64,       ///< with `ScreenOptions::first_failure`: no problem, see `Verdict::not_needed`
 };
 }  // namespace status
 
@@ -146,6 +149,7 @@ enum class StopReason : std::uint8_t {
   timeout = 1,   ///< the simulated time was up
   sleeping = 2,  ///< all boxes had come to rest
   failed = 3,    ///< the status says why
+  decided = 4,   ///< with `ScreenOptions::stop_when`: the verdict is `Verdict::gave_way`
 };
 
 /// How one box ended. The reference pose is that of the layout, or by `ReferencePose` the one after settling.
@@ -219,13 +223,20 @@ HOLDFAST_API std::vector<Setting> read_settings(const std::string& text);
 
 /// How a `Screen` works. What is absent is as `config` says.
 struct ScreenOptions {
-  std::string config;                    ///< text of a config.ini, see docs/config.md; empty: all defaults
-  std::vector<Setting> settings;         ///< keys that are set after `config`, in this order
-  std::optional<std::string> engine;     ///< such as "native"; see `engines`
-  std::optional<std::string> accuracy;   ///< of the native engine: "screening", "standard", "reference"
+  std::string config;                   ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::vector<Setting> settings;        ///< keys that are set after `config`, in this order
+  std::optional<std::string> engine;    ///< such as "native"; see `engines`
+  std::optional<std::string> accuracy;  ///< of the native engine: "screening", "standard", "reference"
+  /// Ends a world early: "moved", as soon as a box is beyond any threshold; "fallen", as soon as one has fallen; "end",
+  /// never. Such a world is `Verdict::gave_way`, since its boxes may come back: no other verdict depends on this.
+  std::optional<std::string> stop_when;
   std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
   std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
-  LengthUnit unit = LengthUnit::metre;   ///< of the corners of boxes; layout files have centimetres
+  /// Leaves the worlds of a layout out once one of them neither stayed nor failed to be simulated: they are
+  /// `Verdict::not_needed`. In a call the accelerations that failed most layouts come first; a layout that is submitted
+  /// takes them in their order.
+  std::optional<bool> first_failure;
+  LengthUnit unit = LengthUnit::metre;  ///< of the corners of boxes; layout files have centimetres
   BadLayouts bad_layouts = BadLayouts::raise;
   bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
   bool keep_series = false;        ///< fill `WorldOutcome::series`
@@ -337,9 +348,9 @@ struct Pose {
 };
 
 /// One layout under one acceleration, taken forward as far as the caller wants: for pictures, and for analyses of one's
-/// own. It needs neither files nor threads and is part of `holdfast::core` too, which has the engines that are no
-/// plug-ins. Objects are independent of each other; one is used by one thread at a time. At the end its hash is that of
-/// the same world of a `Screen`.
+/// own. It needs neither files nor threads, never ends early and is part of `holdfast::core` too, which has the engines
+/// that are no plug-ins. Objects are independent of each other; one is used by one thread at a time. At the end its
+/// hash is that of the same world of a `Screen`.
 class HOLDFAST_API World {
  public:
   /// Throws `Error` when a setting, the layout or the acceleration cannot be used.

@@ -11,6 +11,8 @@ class Verdict(enum.IntEnum):
     FELL = 2  #: a box had fallen at the end
     UNSTABLE = 3  #: a box fell or moved while settling, before any acceleration, and all stayed since
     FAILED = 4  #: the status is not 0, or the world was cancelled: nothing can be said
+    GAVE_WAY = 5  #: with ``StopWhen``: a box left its place, and the world ended there
+    NOT_NEEDED = 6  #: with ``FirstFailure``: the layout failed another acceleration; not simulated
 
 
 class StopReason(enum.IntEnum):
@@ -20,6 +22,7 @@ class StopReason(enum.IntEnum):
     TIMEOUT = 1  #: the simulated time was up
     SLEEPING = 2  #: all boxes had come to rest
     FAILED = 3  #: the status says why
+    DECIDED = 4  #: with ``StopWhen``: the verdict is ``GAVE_WAY``
 
 
 class Status(enum.IntFlag):
@@ -32,3 +35,4 @@ class Status(enum.IntFlag):
     NOT_CONVERGED = 8  #: the solver's residual stayed above its bound
     CAPACITY = 16  #: a device had no room for all contacts, or failed
     TOO_LARGE = 32  #: its series would take too much memory; not simulated
+    NOT_NEEDED = 64  #: with ``FirstFailure``: no problem, see :class:`Verdict`

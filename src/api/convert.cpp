@@ -114,16 +114,20 @@ holdfast::BoxOutcome outcome_of(const EndTable& end, std::size_t i, const Thresh
 }
 
 static_assert(static_cast<int>(holdfast::Verdict::failed) == static_cast<int>(Verdict::failed));
+static_assert(static_cast<int>(holdfast::Verdict::not_needed) == static_cast<int>(Verdict::not_needed));
+static_assert(static_cast<int>(holdfast::Verdict::gave_way) == static_cast<int>(Verdict::gave_way));
 static_assert(static_cast<int>(holdfast::Verdict::unstable) == static_cast<int>(Verdict::unstable));
 static_assert(static_cast<int>(holdfast::Verdict::fell) == static_cast<int>(Verdict::fell));
 static_assert(static_cast<int>(holdfast::Verdict::moved) == static_cast<int>(Verdict::moved));
 static_assert(static_cast<int>(holdfast::StopReason::failed) == static_cast<int>(StopReason::failed));
+static_assert(static_cast<int>(holdfast::StopReason::decided) == static_cast<int>(StopReason::decided));
 static_assert(static_cast<int>(holdfast::StopReason::sleeping) == static_cast<int>(StopReason::sleeping));
 static_assert(holdfast::status::bad_layout == static_cast<std::uint32_t>(Status::bad_layout));
 static_assert(holdfast::status::bad_acceleration == static_cast<std::uint32_t>(Status::bad_acceleration));
 static_assert(holdfast::status::non_finite == static_cast<std::uint32_t>(Status::non_finite));
 static_assert(holdfast::status::not_converged == static_cast<std::uint32_t>(Status::not_converged));
 static_assert(holdfast::status::capacity == static_cast<std::uint32_t>(Status::capacity));
+static_assert(holdfast::status::not_needed == static_cast<std::uint32_t>(Status::not_needed));
 static_assert(holdfast::status::too_large == static_cast<std::uint32_t>(Status::too_large));
 
 }  // namespace

@@ -46,8 +46,7 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningPl
   const std::size_t accelerations = plan.accelerations.size();
   const std::size_t world = finished.world_count;
   if (world > plan.world_count() || finished.layout_count != (world + accelerations - 1) / accelerations ||
-      finished.layout_hashes.size() != hashes.size() ||
-      !unit_begins_with(plan.engine.traits(), plan.layouts.count(), accelerations, world)) {
+      finished.layout_hashes.size() != hashes.size() || !unit_begins_with(plan, world)) {
     return Error{.file = recording.path,
                  .what = "cannot resume: the finished worlds do not end where a unit of work of this engine ends",
                  .value = fmt::format("{} of {} worlds", world, plan.world_count()),
@@ -68,6 +67,16 @@ std::optional<Error> report_finished(const Recording& recording, const Progress&
     // Names come from this run's inputs; a world that has none there belongs to a damaged file.
     if (world.layout >= run.layout_names.size() || world.acceleration >= run.accelerations.size()) return;
     observer.world_finished(world, index++);
+  });
+}
+
+/// Counts the failures of the finished worlds as the run that finished them did.
+std::optional<Error> count_failures(const Recording& recording, const Progress& finished, ScreeningPlan& plan) {
+  FailureOrder& failures = plan.failures.emplace(plan.accelerations.size(), plan.engine.traits());
+  return visit_finished(recording.path, finished, [&](const WorldRecord& world) {
+    if (world.acceleration >= plan.accelerations.size()) return;  // of a damaged file
+    failures.enter(world.layout);
+    failures.count(world, recording.description.thresholds);
   });
 }
 
@@ -118,6 +127,9 @@ RecordedEnd record_run(ScreeningPlan plan, const Recording& recording, const Out
     end.was_complete = finished.complete;
     end.done = finished.world_count;
     if (finished.complete) return end;
+    if (plan.settings.screening.first_failure) {
+      if (const auto error = count_failures(recording, finished, plan)) return refused({*error});
+    }
   }
   {
     const Result<std::unique_ptr<ResultsWriter>> writer =

@@ -29,6 +29,8 @@ internal::Settings settings_of(const ScreenOptions& options) {
   internal::apply_settings(settings, options.settings);
   if (options.engine) internal::apply_setting(settings, {"Screening", "Engine", *options.engine});
   if (options.scheduler) internal::apply_setting(settings, {"Screening", "Scheduler", *options.scheduler});
+  if (options.stop_when) internal::apply_setting(settings, {"Screening", "StopWhen", *options.stop_when});
+  settings.screening.first_failure = options.first_failure.value_or(settings.screening.first_failure);
   if (options.threads) internal::apply_setting(settings, {"Screening", "Threads", std::to_string(*options.threads)});
   if (const auto error = internal::why_not_built(settings.screening.scheduler)) throw internal::exception_of({*error});
   if (options.accuracy) {

@@ -61,6 +61,16 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_engine_options(command, options);
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
+  command
+      .add_option(
+          "--stop-when", options.stop_when,
+          "End a world early: moved, as soon as a box is beyond a threshold, fallen, as soon as one has fallen, "
+          "or end, never; stands in for [Screening] StopWhen")
+      ->check(as_in_config("Screening", "StopWhen"))
+      ->type_name("NAME");
+  command.add_flag(
+      "--first-failure", options.first_failure,
+      "Leave out the accelerations of a layout that has failed one; stands in for [Screening] FirstFailure");
   command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
   command

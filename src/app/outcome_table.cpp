@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/engine/simulate.hpp"
 #include "io/results/summary.hpp"
 
 namespace holdfast::internal {
@@ -45,7 +46,8 @@ struct UnstableLine {
 
 class Tally {
  public:
-  explicit Tally(const ResultsInfo& info) : info_(info), accelerations_(info.accelerations.size()) {}
+  Tally(const ResultsInfo& info, std::span<const double> latest_ends)
+      : info_(info), latest_ends_(latest_ends), accelerations_(info.accelerations.size()) {}
 
   /// False when a world names an acceleration that the file does not have.
   bool add(const SummarySlice& slice) {
@@ -57,18 +59,22 @@ class Tally {
   }
 
   OutcomeTable table() const {
-    constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}  {:>8}  {:>6}  {}\n";
-    std::string text = "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell", "unstable",
-                                          "failed", "the worst one");
+    constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}{}{}  {:>8}  {:>6}  {}\n";
+    std::string text =
+        "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell",
+                           where_any(Verdict::gave_way, "gave way"), where_any(Verdict::not_needed, "not needed"),
+                           "unstable", "failed", "the worst one");
     std::uint64_t failed = 0;
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
       const AccelerationLine& line = accelerations_[i];
       text += fmt::format(kLine, printable(info_.accelerations[i]), name_width(), line.of(Verdict::stayed),
-                          line.of(Verdict::moved), line.of(Verdict::fell), line.of(Verdict::unstable),
+                          line.of(Verdict::moved), line.of(Verdict::fell),
+                          where_any(Verdict::gave_way, line.of(Verdict::gave_way)),
+                          where_any(Verdict::not_needed, line.of(Verdict::not_needed)), line.of(Verdict::unstable),
                           line.of(Verdict::failed), line.worst ? name_of_layout(line.worst->layout) : "-");
       failed += line.of(Verdict::failed);
     }
-    return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line(), failed};
+    return {text + worst_lines() + unstable_lines() + failed_lines() + skipped_line() + saved_line(), failed};
   }
 
  private:
@@ -76,12 +82,18 @@ class Tally {
     AccelerationLine& line = accelerations_[row.acceleration];
     steps_ += row.steps;
     steps_skipped_ += row.steps_skipped;
+    if (!latest_ends_.empty() && (row.stop_reason != StopReason::not_run || row.status == Status::not_needed)) {
+      const double latest_end = latest_ends_[row.acceleration];
+      time_ += latest_end;
+      time_saved_ += time_saved(row.status, row.stop_reason, row.end_time, latest_end);
+    }
     const Verdict verdict = summary.verdict[i];
     ++line.of(verdict);
     if (verdict == Verdict::failed) {
       failures_.emplace(row.status_text, 0).first->second += 1;
       return;
     }
+    if (verdict == Verdict::not_needed) return;
     const WorldLine world{row.layout,
                           row.acceleration,
                           row.box_count,
@@ -91,6 +103,14 @@ class Tally {
                           summary.peak_displacement[i]};
     if (verdict == Verdict::fell || verdict == Verdict::moved) add_to_worst(world, line);
     if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+  }
+
+  /// An entry of a column that the table has only where there are such verdicts.
+  template <class Entry>
+  std::string where_any(Verdict verdict, const Entry& entry) const {
+    const bool any = std::any_of(accelerations_.begin(), accelerations_.end(),
+                                 [&](const AccelerationLine& line) { return line.of(verdict) > 0; });
+    return any ? fmt::format("  {:>10}", entry) : "";
   }
 
   void add_to_worst(const WorldLine& world, AccelerationLine& line) {
@@ -155,21 +175,32 @@ class Tally {
                        100.0 * static_cast<double>(steps_skipped_) / static_cast<double>(steps_), steps_);
   }
 
+  /// Nothing where no world ended early and all were needed.
+  std::string saved_line() const {
+    if (time_saved_ == 0.0) return "";
+    return fmt::format("\nsimulated time saved, since worlds ended early or were not needed: {:.1f} % of {:.0f} s\n",
+                       100.0 * time_saved_ / time_, time_);
+  }
+
   const ResultsInfo& info_;
+  std::span<const double> latest_ends_;
   std::vector<AccelerationLine> accelerations_;
   std::vector<WorldLine> worst_;
   std::map<std::uint64_t, UnstableLine> unstable_;  ///< by layout
   std::map<std::string, std::uint64_t> failures_;   ///< worlds by reason
   std::uint64_t steps_ = 0;
   std::uint64_t steps_skipped_ = 0;
+  double time_ = 0.0;  ///< that all worlds would have taken, s
+  double time_saved_ = 0.0;
 };
 
 }  // namespace
 
-Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds) {
+Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds,
+                                   std::span<const double> latest_ends) {
   Result<ResultsReader> results = ResultsReader::open(results_path);
   if (!results) return results.errors();
-  Tally tally(results->info());
+  Tally tally(results->info(), latest_ends);
   const auto add = [&](const SummarySlice& slice) -> std::optional<Error> {
     if (tally.add(slice)) return std::nullopt;
     return Error{.file = results_path, .what = "is damaged: a world has an acceleration that is not in the file"};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "core/base/result.hpp"
@@ -15,8 +16,12 @@ struct OutcomeTable {
 };
 
 /// Per acceleration how many layouts stayed, moved, fell and were unstable; the worst worlds by name; the layouts that
-/// were unstable before any acceleration; what failed; the share of steps skipped. From a complete results file, under
-/// the given thresholds.
-Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds);
+/// were unstable before any acceleration; what failed; the shares of steps skipped and of simulated time saved. From a
+/// complete results file, under the given thresholds.
+/// @param latest_ends when a world ends that does not end early, one per acceleration, s; empty where that is not
+/// known:
+///                    the share of time saved is then left out
+Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds,
+                                   std::span<const double> latest_ends = {});
 
 }  // namespace holdfast::internal

@@ -19,6 +19,9 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
                    .value = *scheduler,
                    .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))};
   }
+  // The command line has checked it.
+  if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, 0, *stop_when));
+  if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
   job.costs_path = costs_path;
   job.record_series = !no_series;

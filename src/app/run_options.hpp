@@ -14,8 +14,10 @@ struct RunOptions {
   std::optional<std::string> accuracy;
   std::optional<int> threads;
   std::optional<std::string> scheduler;
+  std::optional<std::string> stop_when;
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
+  bool first_failure = false;
   bool no_series = false;
   bool resume = false;
   bool overwrite = false;

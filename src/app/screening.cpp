@@ -13,6 +13,7 @@
 #include "app/stage_costs_file.hpp"
 #include "app/stop_signal.hpp"
 #include "app/terminal_observer.hpp"
+#include "core/engine/simulate.hpp"
 #include "io/export/text_export.hpp"
 #include "io/input/layout_files.hpp"
 #include "io/input/text_file.hpp"
@@ -72,7 +73,10 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
       return fail(ExitCode::some_failed, *error);
   }
-  const auto table = outcome_table(job.results_path, description.thresholds);
+  std::vector<double> latest_ends;
+  for (const Acceleration& acceleration : description.accelerations)
+    latest_ends.push_back(latest_end(acceleration, job.settings));
+  const auto table = outcome_table(job.results_path, description.thresholds, latest_ends);
   if (!table) return fail(ExitCode::some_failed, table.error());
   if (!job.json && !job.quiet) print_to(stdout, "{}\nresults: {}\n", table->text, job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;

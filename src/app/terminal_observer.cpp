@@ -10,6 +10,7 @@
 #include "app/run_inputs.hpp"
 #include "app/world_json.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/engine/simulate.hpp"
 #include "core/model/setting_table.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
@@ -63,16 +64,19 @@ void TerminalObserver::warned(const Error& warning) {
 
 void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {
   const std::string& layout = description_.layout_names[world.layout];
-  const std::string& acceleration = description_.accelerations[world.acceleration].name;
+  const Acceleration& acceleration = description_.accelerations[world.acceleration];
   const Status status = world.outcome.status;
   if (display_) {
     if (has(status, Status::bad_layout) && world.acceleration == 0) note(world.status_text);
     if (has(status, Status::too_large)) note(world.status_text);
     if (has(status, Status::non_finite))
-      note(printable(fmt::format("{} under {}: {}", layout, acceleration, world.status_text)));
+      note(printable(fmt::format("{} under {}: {}", layout, acceleration.name, world.status_text)));
   }
   if (!job_.json) return;
-  const std::string line = world_json(world, layout, acceleration, index, description_.thresholds) + "\n";
+  const Outcome& outcome = world.outcome;
+  const double saved =
+      time_saved(outcome.status, outcome.stop_reason, outcome.end_time, latest_end(acceleration, job_.settings));
+  const std::string line = world_json(world, layout, acceleration.name, index, description_.thresholds, saved) + "\n";
   write_unless(stop_.drop, stdout, line);
 }
 

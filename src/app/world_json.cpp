@@ -45,13 +45,14 @@ std::string one_line(const nlohmann::ordered_json& json) {
 }
 
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
-                       std::size_t index, const Thresholds& thresholds) {
+                       std::size_t index, const Thresholds& thresholds, double time_saved) {
   holdfast::WorldOutcome outcome;
   fill_world(world, thresholds, false, outcome);
   nlohmann::ordered_json json;
   json["world"] = index;
   json["layout"] = layout;
   append_outcome(json, outcome, acceleration);
+  json["time_saved_s"] = time_saved;
   return one_line(json);
 }
 

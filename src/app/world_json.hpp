@@ -17,7 +17,8 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
 std::string one_line(const nlohmann::ordered_json& json);
 
 /// One finished world as one line of JSON.
+/// @param time_saved as in `simulate.hpp`, s
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
-                       std::size_t index, const Thresholds& thresholds);
+                       std::size_t index, const Thresholds& thresholds, double time_saved);
 
 }  // namespace holdfast::internal

@@ -64,6 +64,24 @@ static void evaluates(void) {
   holdfast_screen_free(screen);
 }
 
+static void ends_early(void) {
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  holdfast_settings* settings = holdfast_settings_new();
+  holdfast_screen* screen = NULL;
+  CHECK(holdfast_settings_set(settings, "Screening", "StopWhen", "moved") == HOLDFAST_OK);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, "weak", kWeak, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kStrong, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  CHECK(outcomes[0].verdict == HOLDFAST_STAYED);
+  CHECK(outcomes[1].verdict == HOLDFAST_GAVE_WAY);
+  CHECK(outcomes[1].stop_reason == HOLDFAST_DECIDED);
+  CHECK(outcomes[1].end_time < outcomes[0].end_time);
+  holdfast_screen_free(screen);
+  holdfast_settings_free(settings);
+}
+
 static void submits_and_polls(void) {
   const holdfast_screen_options options = {.size = sizeof options, .threads = 2, .most_in_flight = 2};
   holdfast_screen* screen = screen_with(&options);
@@ -274,6 +292,7 @@ int main(void) {
   CHECK(sscanf(holdfast_version(), "%d.%d.%d", &major, &minor, &patch) == 3);
   CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
   evaluates();
+  ends_early();
   submits_and_polls();
   settles_settings();
   takes_a_world_forward();

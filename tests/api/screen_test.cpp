@@ -177,3 +177,23 @@ TEST_CASE("screen: engines are listed, the default first, and the version is tha
   REQUIRE(std::sscanf(holdfast::version(), "%d.%d.%d", &major, &minor, &patch) == 3);
   CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
 }
+
+TEST_CASE("screen: a world that gives way ends early, and the others stay what they are", "[api][screen]") {
+  const std::vector<holdfast::Acceleration> accelerations = {constant(4.8, "below"), constant(7.0, "above")};
+  const std::vector<Layout> layouts = {one_box()};
+  const std::vector<WorldOutcome> whole = Screen(accelerations).evaluate(layouts);
+  const std::vector<WorldOutcome> early = Screen(accelerations, {.stop_when = "moved"}).evaluate(layouts);
+  CHECK(early[0].verdict == Verdict::stayed);
+  CHECK(early[0].state_hash == whole[0].state_hash);
+  CHECK(early[1].verdict == Verdict::gave_way);
+  CHECK(early[1].status == holdfast::status::ok);
+  CHECK(early[1].stop_reason == holdfast::StopReason::decided);
+  CHECK(early[1].moved == 1);
+  // 0.1 m at 7 − 0.5 · 9.81 m/s².
+  CHECK(early[1].end_time == Approx(std::sqrt(2 * 0.1 / (7.0 - 0.5 * 9.81))).margin(1.0 / 240));
+  const std::vector<WorldOutcome> by_key =
+      Screen(accelerations, {.settings = {{"Screening", "StopWhen", "moved"}}}).evaluate(layouts);
+  CHECK(by_key[1].state_hash == early[1].state_hash);
+  CHECK(Screen(accelerations, {.stop_when = "fallen"}).evaluate(layouts)[1].verdict == Verdict::moved);
+  CHECK_THROWS_WITH(Screen(accelerations, {.stop_when = "never"}), Catch::Contains("end, moved or fallen"));
+}

@@ -270,7 +270,7 @@ class Output(CliTest):
         self.assertEqual([world["world"] for world in worlds], list(range(6)))
         for w, world in enumerate(worlds):
             self.assertEqual(world["verdict"],
-                             ("stayed", "moved", "fell", "unstable", "failed")[data["/summary/worlds/verdict"][w]])
+                             ("stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed")[data["/summary/worlds/verdict"][w]])
             for name in ("fallen_boxes", "moved_boxes", "tilted_boxes", "unstable_boxes"):
                 self.assertEqual(world[name], data[f"/summary/worlds/{name}"][w], name)
             for name, column in (("max_displacement_m", "max_displacement"), ("peak_displacement_m", "peak_displacement"),

@@ -27,16 +27,16 @@ WorldRecord record_of_two_boxes() {
 
 TEST_CASE("world_json: all of a world on one line, in this order", "[app][world_json]") {
   CHECK(
-      world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}) ==
+      world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}, 0.75) ==
       R"({"world":7,"layout":"a.txt","acceleration":"b.txt","verdict":"fell","status":"ok","status_text":"","stop_reason":"timeout",)"
       R"("boxes":2,"fallen_boxes":1,"moved_boxes":1,"tilted_boxes":1,"unstable_boxes":0,)"
       R"("max_displacement_m":0.5,"peak_displacement_m":0.75,"total_kinetic_energy_J":1.5,)"
-      R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
+      R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"time_saved_s":0.75,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
       R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab"})");
 }
 
 TEST_CASE("world_json: counts follow the thresholds", "[app][world_json]") {
-  const std::string json = world_json(record_of_two_boxes(), "a", "b", 0, {.drop = 1, .move = 1, .tilt = 50});
+  const std::string json = world_json(record_of_two_boxes(), "a", "b", 0, {.drop = 1, .move = 1, .tilt = 50}, 0.0);
   CHECK(json.find(R"("fallen_boxes":0,"moved_boxes":0,"tilted_boxes":0)") != std::string::npos);
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("world_json: a bad layout is a row without boxes, and nothing is said 
   WorldRecord world;
   world.outcome.status = Status::bad_layout;
   world.status_text = "a.txt:3: box 1 has no \"height\"";
-  const std::string json = world_json(world, "a.txt", "b.txt", 0, {});
+  const std::string json = world_json(world, "a.txt", "b.txt", 0, {}, 0.0);
   CHECK(
       json.find(R"("status":"bad_layout","status_text":"a.txt:3: box 1 has no \"height\"","stop_reason":"not_run")") !=
       std::string::npos);
@@ -57,7 +57,7 @@ TEST_CASE("world_json: a bad layout is a row without boxes, and nothing is said 
 }
 
 TEST_CASE("world_json: names that are not UTF-8, and line breaks, stay one line of valid JSON", "[app][world_json]") {
-  const std::string json = world_json(record_of_two_boxes(), "a\xff.txt", "b\n.txt", 0, {});
+  const std::string json = world_json(record_of_two_boxes(), "a\xff.txt", "b\n.txt", 0, {}, 0.0);
   CHECK(json.find("a\xEF\xBF\xBD.txt") != std::string::npos);
   CHECK(json.find("b\\n.txt") != std::string::npos);
   CHECK(json.find('\n') == std::string::npos);
@@ -66,5 +66,5 @@ TEST_CASE("world_json: names that are not UTF-8, and line breaks, stay one line 
 TEST_CASE("world_json: numbers that are not finite are null", "[app][world_json]") {
   WorldRecord world = record_of_two_boxes();
   world.outcome.counters.max_residual = std::numeric_limits<double>::infinity();
-  CHECK(world_json(world, "a", "b", 0, {}).find(R"("max_residual":null)") != std::string::npos);
+  CHECK(world_json(world, "a", "b", 0, {}, 0.0).find(R"("max_residual":null)") != std::string::npos);
 }

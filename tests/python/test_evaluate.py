@@ -20,6 +20,16 @@ class EvaluateTest(unittest.TestCase):
         self.assertEqual([holdfast.Verdict(code).name.lower() for code in verdicts.verdict.ravel()],
                          [world["verdict"] for world in worlds])
 
+    def test_a_world_that_gives_way_ends_early(self):
+        with holdfast.Screen([SLIDE, REST], config="[Screening]\nStopWhen = moved\n") as screen:
+            verdicts = screen.evaluate([BOX])
+        self.assertEqual(verdicts.verdict.tolist(), [[holdfast.Verdict.GAVE_WAY, holdfast.Verdict.STAYED]])
+        self.assertEqual(verdicts.stop_reason.tolist(), [[holdfast.StopReason.DECIDED, holdfast.StopReason.TIMEOUT]])
+        self.assertEqual(verdicts.holds.tolist(), [[False, True]])
+        self.assertLess(verdicts.end_time[0, 0], verdicts.end_time[0, 1])
+        self.assertIn("gave_way", repr(verdicts))
+        self.assertEqual(list(verdicts.frame()["verdict"]), ["gave_way", "stayed"])
+
     def test_layouts_may_be_one_array_with_offsets_or_of_three_dimensions(self):
         with holdfast.Screen([SLIDE, REST]) as screen:
             expected = screen.evaluate([BOX, STACK, BOX[:0]])

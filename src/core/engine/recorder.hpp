@@ -44,6 +44,9 @@ class Recorder {
   /// Called for every step from t = 0 on, in order.
   virtual void step(const Step& step) = 0;
 
+  /// True when the step that was passed last answers the question of the recorder, so that the world may end with it.
+  virtual bool decided() const { return false; }
+
   /// Called once, last.
   virtual void finish(const Outcome& outcome, const StateView& end) = 0;
 };

@@ -24,7 +24,8 @@ RecordingPlan recording_plan(const Settings& settings, bool series) {
           .series = series,
           .reference_pose = screening.reference_pose,
           .external_force = settings.container.motion == ContainerMotion::prescribed,
-          .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold}};
+          .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold},
+          .stop_when = screening.stop_when};
 }
 
 void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const StateView& settled) {
@@ -49,7 +50,7 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
   end.peak_displacement.assign(count, 0.0F);
   end.peak_kinetic_energy.assign(count, 0.0F);
   update_peaks(settled);
-  if (plan_.series) add_sample({0.0, 1.0, {0.0, 0.0, Vec3::Zero(), settled, settled}});
+  add_sample({0.0, 1.0, {0.0, 0.0, Vec3::Zero(), settled, settled}});
 }
 
 void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
@@ -68,7 +69,7 @@ void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
 }
 
 double SeriesRecorder::output_time() const {
-  if (!plan_.series) return std::numeric_limits<double>::infinity();
+  if (!plan_.series && plan_.stop_when == StopWhen::end) return std::numeric_limits<double>::infinity();
   return static_cast<double>(sample_count_) * plan_.interval;
 }
 
@@ -78,6 +79,7 @@ void SeriesRecorder::step(const Step& step) {
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
   update_peaks(step.after);
+  decided_ = decides(step.after);
   while (output_time() <= step.end + kSameInstant) {
     const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
     add_sample({output_time(), at_end ? 1.0 : (output_time() - step.begin) / duration, step});
@@ -100,6 +102,8 @@ void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
 }
 
 void SeriesRecorder::add_sample(const Instant& instant) {
+  ++sample_count_;
+  if (!plan_.series) return;
   const Step& step = instant.step;
   Series& series = record_.series;
   double total_energy = 0.0;
@@ -127,7 +131,6 @@ void SeriesRecorder::add_sample(const Instant& instant) {
   series.container_acceleration.push_back(to_float(step.acceleration));
   series.total_kinetic_energy.push_back(static_cast<float>(total_energy));
   series.fallen_count.push_back(fallen);
-  ++sample_count_;
 }
 
 void SeriesRecorder::update_peaks(const StateView& state) {
@@ -140,6 +143,18 @@ void SeriesRecorder::update_peaks(const StateView& state) {
     end.peak_displacement[box] = std::max(end.peak_displacement[box], length(displacement(state.position[box], box)));
   }
   record_.peak_total_kinetic_energy = std::max(record_.peak_total_kinetic_energy, total_energy);
+}
+
+bool SeriesRecorder::decides(const StateView& state) const {
+  if (plan_.stop_when == StopWhen::end) return false;
+  for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
+    const Float3 moved_by = displacement(state.position[box], box);
+    if (is_fallen(moved_by, plan_.thresholds)) return true;
+    if (plan_.stop_when == StopWhen::fallen) continue;
+    if (is_moved(moved_by, plan_.thresholds) || is_tilted(tilt(state.orientation[box], box), plan_.thresholds))
+      return true;
+  }
+  return false;
 }
 
 Float3 SeriesRecorder::displacement(const Vec3& position, std::size_t box) const {

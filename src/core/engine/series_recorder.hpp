@@ -18,6 +18,7 @@ struct RecordingPlan {
   std::size_t samples = 0;     ///< number of samples to reserve memory for; more may follow
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
+  StopWhen stop_when = StopWhen::end;  ///< what decides the world
 };
 RecordingPlan recording_plan(const Settings& settings, bool series);
 
@@ -28,8 +29,11 @@ class SeriesRecorder final : public Recorder {
   explicit SeriesRecorder(const RecordingPlan& plan) : plan_(plan) {}
 
   void start(const BoxView& boxes, const StateView& layout, const StateView& settled) override;
+  /// The next sample. Where something may decide the world also without series, so that an engine that takes many steps
+  /// at once shows the same states with and without them.
   double output_time() const override;
   void step(const Step& step) override;
+  bool decided() const override { return decided_; }
   void finish(const Outcome& outcome, const StateView& end) override;
 
   /// Returns the record, after `finish`, and empties the recorder. The caller adds indices and times to the record.
@@ -47,6 +51,8 @@ class SeriesRecorder final : public Recorder {
   void reserve_series(std::size_t samples, std::size_t boxes);
   void add_sample(const Instant& instant);
   void update_peaks(const StateView& state);
+  /// True when a box is beyond a threshold that `stop_when` watches.
+  bool decides(const StateView& state) const;
   Float3 displacement(const Vec3& position, std::size_t box) const;
   double kinetic_energy(std::size_t box, const Vec3& velocity, const Vec3& angular_velocity,
                         const Rotation& container_from_body) const;
@@ -56,7 +62,8 @@ class SeriesRecorder final : public Recorder {
   BoxView boxes_;
   std::vector<Vec3> reference_position_;         ///< from which displacement is measured, m
   std::vector<Rotation> reference_orientation_;  ///< from which tilt is measured
-  std::size_t sample_count_ = 0;
+  std::size_t sample_count_ = 0;                 ///< that were due, recorded or not
+  bool decided_ = false;
   Vec3 last_acceleration_ = Vec3::Zero();       ///< of the container in the last step, m/s²
   std::vector<Vec3> last_linear_acceleration_;  ///< of the boxes in the last step, m/s²
   WorldRecord record_;

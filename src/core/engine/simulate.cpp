@@ -142,6 +142,10 @@ class Group {
       finish(world, {.stop_reason = StopReason::timeout, .end_time = clock.time});
       return true;
     }
+    if (recorders_[world]->decided()) {
+      finish(world, {.stop_reason = StopReason::decided, .end_time = clock.time});
+      return true;
+    }
     return false;
   }
 
@@ -189,6 +193,11 @@ double latest_end(const Acceleration& acceleration, const Settings& settings) {
   if (settings.timeout) return *settings.timeout;
   const bool sleeping = settings.stopping_condition == StoppingCondition::sleeping;
   return acceleration.end_time() + (sleeping ? kSleepingPatience : 0.0);
+}
+
+double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end) {
+  if (status == Status::not_needed) return latest_end;
+  return stop_reason == StopReason::decided ? latest_end - end_time : 0.0;
 }
 
 bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,

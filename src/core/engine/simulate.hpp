@@ -19,11 +19,16 @@ inline constexpr double kSleepingPatience = 60.0;
 /// The latest time at which a world ends, s: the timeout, or the end of the acceleration.
 double latest_end(const Acceleration& acceleration, const Settings& settings);
 
+/// How much of its simulated time a world was spared, since it ended early by StopWhen or was left out by FirstFailure,
+/// s; 0 for every other.
+/// @param latest_end as above
+double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end);
+
 /// Simulates every world of the batch from settling to its end, and passes the steps to its recorder.
 ///
 /// For each world: gravity alone for the settling time; the start of the recorder at t = 0; every step, none of which
-/// crosses a breakpoint of the acceleration; the end. A world whose state is no longer finite ends at the last finite
-/// state, with `Status::non_finite`.
+/// crosses a breakpoint of the acceleration; the end, early when the recorder has decided. A world whose state is no
+/// longer finite ends at the last finite state, with `Status::non_finite`.
 /// @param batch     columns of the worlds, in the layout's pose; holds the final states afterwards
 /// @param recorders one per world, in the order of the batch
 /// @param abort     checked after every step; when it is set, the simulation stops

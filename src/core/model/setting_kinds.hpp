@@ -210,6 +210,11 @@ struct ReferencePoses {
   static constexpr std::string_view kAccepted = "layout or settled";
   static constexpr std::array kWords{Word{"layout", ReferencePose::layout}, Word{"settled", ReferencePose::settled}};
 };
+struct StopConditions {
+  static constexpr std::string_view kAccepted = "end, moved or fallen";
+  static constexpr std::array kWords{Word{"end", StopWhen::end}, Word{"moved", StopWhen::moved},
+                                     Word{"fallen", StopWhen::fallen}};
+};
 struct Accuracies {
   static constexpr std::string_view kAccepted = "screening, standard or reference";
   static constexpr std::array kWords{Word{"screening", Accuracy::screening}, Word{"standard", Accuracy::standard},

@@ -165,6 +165,11 @@ std::vector<SettingKey> make_table() {
       "A box has moved when its displacement is larger than this.");
   add(Angle{}, "TiltThreshold", "°", "10", MEMBER(screening.tilt_threshold),
       "A box is tilted when it has rotated by more than this.");
+  add(OneOf<StopConditions>{}, "StopWhen", "", "end", MEMBER(screening.stop_when),
+      "Whether a world ends early: as soon as a box is beyond any of the three thresholds (`moved`) or has fallen "
+      "(`fallen`); its verdict is then `gave_way`, because boxes may come back.");
+  add(Truth{}, "FirstFailure", "", "false", MEMBER(screening.first_failure),
+      "Whether a layout that does not hold one acceleration is spared the others, whose status is `not_needed`.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";

@@ -21,6 +21,9 @@ enum class FrictionModel { product, pairs };
 /// When a world ends: at a time, or when all boxes have come to rest.
 enum class StoppingCondition { timeout, sleeping };
 
+/// What a world is asked, and may end early on: how its boxes end, whether one ever leaves its place, or ever falls.
+enum class StopWhen { end, moved, fallen };
+
 /// The pose that displacement is measured from: the layout's, or the one after settling under gravity alone.
 enum class ReferencePose { layout, settled };
 
@@ -74,6 +77,8 @@ struct ScreeningSettings {
   double drop_threshold = 0.05;  ///< m
   double move_threshold = 0.10;  ///< m
   double tilt_threshold = 10.0;  ///< degrees
+  StopWhen stop_when = StopWhen::end;
+  bool first_failure = false;  ///< leave out the accelerations of a layout that has failed one
 };
 
 /// Bullet's solver; `[Bullet]`. Absent values come from the engine's preset (`bullet`, `bullet-stock`).

@@ -35,10 +35,38 @@ that a layout inside the container in one convention is inside in the other. Fil
 left-handed frame) would be mirrored; convert these to `UpAxis = z`. Acceleration files always use the container's axes.
 )";
 
+constexpr std::string_view kStopWhenNote = R"(StopWhen is the question that a world is asked:
+
+| StopWhen | question | a world ends early |
+| --- | --- | --- |
+| `end` | How are the boxes at the end: did one fall, move or tilt, or did all stay? | never |
+| `moved` | Is a box ever beyond DropThreshold, MoveThreshold or TiltThreshold? | with the first step at whose end one is |
+| `fallen` | Is a box ever beyond DropThreshold? | with the first step at whose end one is |
+
+A world that ends early has the verdict `gave_way` and the stop reason `decided`; its end time, its counts of boxes and its last sample
+are those of that moment. It is not `moved` or `fell`, which are verdicts on the end: boxes that rock, or are pushed back, may come
+back, so that under `end` the same world may have stayed. It remains `gave_way` when it is judged by other thresholds later.
+
+Every other world has the verdict, and to the last bit the state, that it has under `end`. With `moved` what stayed has never been
+beyond a threshold, which is more than `end` asks; with `fallen` nothing that stayed or moved has ever fallen. Steps are looked at
+from t = 0 on, and a world that is decided by its last step has run to its end. A world in which the solver would have failed
+only later is not found out.
+
+FirstFailure spares a layout the accelerations that come after the first one that it does not hold: one under which its verdict is neither
+`stayed` nor `failed`. The worlds that are left out have the status and the verdict `not_needed`; they are counted by themselves, never
+as failed. Every world that is simulated is to the last bit what it is without FirstFailure. The accelerations are tried in the order of
+how many layouts they have rejected so far, equals in the order of the run. "So far" is at fixed places, so that what is simulated does
+not depend on threads and time: the order is drawn up before layout 1, 9, 17, 33, 65, 129, 257, 513, 769, ... of the run, or of the call
+of the library, from all layouts before, and holds until the next one. A layout that is submitted by itself takes the accelerations in
+their given order.
+
+)";
+
 std::string section_note(std::string_view section) {
   if (section == kMaterialSection)
     return "One section per material id of the layout files: `[Material 3]`. Give Density or Mass, not both.\n\n";
   if (section == "Renderer Engine") return "Accepted for compatibility with existing files, without effect.\n\n";
+  if (section == "Screening") return std::string(kStopWhenNote);
   if (section == "Native")
     return "Absent keys take their values from Accuracy. The option `--accuracy` overrides Accuracy.\n\n";
   if (section == "Bullet")

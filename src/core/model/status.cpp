@@ -6,12 +6,13 @@
 namespace holdfast::internal {
 
 std::string to_string(Status status) {
-  constexpr std::array<std::pair<Status, const char*>, 6> kNames = {{{Status::bad_layout, "bad_layout"},
+  constexpr std::array<std::pair<Status, const char*>, 7> kNames = {{{Status::bad_layout, "bad_layout"},
                                                                      {Status::bad_acceleration, "bad_acceleration"},
                                                                      {Status::non_finite, "non_finite"},
                                                                      {Status::not_converged, "not_converged"},
                                                                      {Status::capacity, "capacity"},
-                                                                     {Status::too_large, "too_large"}}};
+                                                                     {Status::too_large, "too_large"},
+                                                                     {Status::not_needed, "not_needed"}}};
   std::string text;
   for (const auto& [bit, name] : kNames) {
     if (!has(status, bit)) continue;
@@ -22,7 +23,7 @@ std::string to_string(Status status) {
 }
 
 std::string to_string(StopReason reason) {
-  constexpr std::array<const char*, 4> kNames = {"not_run", "timeout", "sleeping", "failed"};
+  constexpr std::array<const char*, 5> kNames = {"not_run", "timeout", "sleeping", "failed", "decided"};
   const auto number = static_cast<std::size_t>(reason);
   return number < kNames.size() ? kNames[number] : "unknown";
 }

@@ -15,6 +15,7 @@ enum class Status : std::uint32_t {
   not_converged = 1U << 3U,     ///< the solver's residual stayed above its limit. Cure: more iterations or accuracy
   capacity = 1U << 4U,          ///< a device had too little memory for all contacts, or failed. Cure: another engine
   too_large = 1U << 5U,         ///< the series would take too much memory; not simulated. Cure: see status_text
+  not_needed = 1U << 6U,        ///< by FirstFailure: the layout failed another acceleration; not simulated, no problem
 };
 
 constexpr Status operator|(Status a, Status b) {
@@ -30,6 +31,7 @@ enum class StopReason : std::uint8_t {
   timeout = 1,   ///< the end of the simulated time
   sleeping = 2,  ///< all boxes had come to rest
   failed = 3,    ///< the status says why
+  decided = 4,   ///< a box was beyond a threshold that StopWhen watches
 };
 
 /// Names of the set bits, joined by '+': "ok", "bad_layout", "non_finite+not_converged".

@@ -8,15 +8,18 @@ namespace holdfast::internal {
 
 namespace {
 
-WorldVerdict not_simulated() {
+WorldVerdict not_simulated(Status status) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
-  return {Verdict::failed, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
+  const Verdict verdict = status == Status::not_needed ? Verdict::not_needed : Verdict::failed;
+  return {verdict, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
 }
 
 /// A layout that was not stable before any acceleration is unstable, even if the acceleration then moved nothing.
-Verdict worst_of(Status status, const WorldVerdict& world) {
+Verdict worst_of(Status status, StopReason stop_reason, const WorldVerdict& world) {
   if (status != Status::ok) return Verdict::failed;
+  // How the boxes would have ended is not known, and they may have come back: under no thresholds is there more to say.
+  if (stop_reason == StopReason::decided) return Verdict::gave_way;
   if (world.fallen_boxes > 0) return Verdict::fell;
   if (world.moved_boxes + world.tilted_boxes > 0) return Verdict::moved;
   return world.unstable_boxes > 0 ? Verdict::unstable : Verdict::stayed;
@@ -28,29 +31,36 @@ bool is_fallen(const Float3& displacement, const Thresholds& thresholds) {
   return static_cast<double>(-displacement.z) > thresholds.drop;
 }
 
+bool is_moved(const Float3& displacement, const Thresholds& thresholds) {
+  return static_cast<double>(length(displacement)) > thresholds.move;
+}
+
+bool is_tilted(float tilt, const Thresholds& thresholds) { return static_cast<double>(tilt) > thresholds.tilt; }
+
 float length(const Float3& displacement) {
   return std::sqrt(displacement.x * displacement.x + displacement.y * displacement.y + displacement.z * displacement.z);
 }
 
 BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
-  const auto has_moved = [&](const Float3& d) { return static_cast<double>(length(d)) > thresholds.move; };
   BoxVerdict verdict;
   verdict.drop = 0.0F - end.displacement[i].z;  // never −0
   verdict.fallen = is_fallen(end.displacement[i], thresholds);
-  verdict.moved = has_moved(end.displacement[i]);
-  verdict.tilted = static_cast<double>(end.tilt[i]) > thresholds.tilt;
-  verdict.unstable = is_fallen(end.settling_displacement[i], thresholds) || has_moved(end.settling_displacement[i]);
+  verdict.moved = is_moved(end.displacement[i], thresholds);
+  verdict.tilted = is_tilted(end.tilt[i], thresholds);
+  const Float3& settling = end.settling_displacement[i];
+  verdict.unstable = is_fallen(settling, thresholds) || is_moved(settling, thresholds);
   return verdict;
 }
 
 std::string to_string(Verdict verdict) {
-  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved", "fell", "unstable", "failed"};
+  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved",    "fell",      "unstable",
+                                                             "failed", "gave_way", "not_needed"};
   return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
                          const Thresholds& thresholds) {
-  if (stop_reason == StopReason::not_run) return not_simulated();
+  if (stop_reason == StopReason::not_run) return not_simulated(status);
   WorldVerdict world;
   world.peak_kinetic_energy = peak_kinetic_energy;
   for (std::size_t i = 0; i < end.displacement.size(); ++i) {
@@ -63,7 +73,7 @@ WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kine
     world.max_displacement = std::max(world.max_displacement, length(end.displacement[i]));
     world.peak_displacement = std::max(world.peak_displacement, end.peak_displacement[i]);
   }
-  world.verdict = worst_of(status, world);
+  world.verdict = worst_of(status, stop_reason, world);
   return world;
 }
 

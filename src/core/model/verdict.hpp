@@ -30,13 +30,15 @@ struct BoxVerdict {
 
 /// Verdict on a whole world: the worst that happened in it.
 enum class Verdict : std::uint8_t {
-  stayed = 0,    ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,     ///< a box moved or tilted at the end, and none fell
-  fell = 2,      ///< a box had fallen at the end
-  unstable = 3,  ///< a box fell or moved while settling, before any acceleration, and no box did later
-  failed = 4,    ///< the status is not ok: there is no verdict
+  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
+  moved = 1,       ///< a box moved or tilted at the end, and none fell
+  fell = 2,        ///< a box had fallen at the end
+  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and no box did later
+  failed = 4,      ///< the status is not ok: there is no verdict
+  gave_way = 5,    ///< a box was beyond a threshold that StopWhen watches, and the world ended there
+  not_needed = 6,  ///< the status is not_needed: nothing was asked
 };
-inline constexpr std::size_t kVerdictCount = 5;
+inline constexpr std::size_t kVerdictCount = 7;
 
 /// Name of the verdict as above.
 std::string to_string(Verdict verdict);
@@ -59,6 +61,13 @@ struct WorldVerdict {
 
 /// True when a displacement means that the box has fallen: the same rule for series, tables and counts.
 bool is_fallen(const Float3& displacement, const Thresholds& thresholds);
+
+/// True when a displacement means that the box has moved.
+bool is_moved(const Float3& displacement, const Thresholds& thresholds);
+
+/// True when the angle of a rotation means that the box is tilted.
+/// @param tilt degrees
+bool is_tilted(float tilt, const Thresholds& thresholds);
 
 /// Length of a displacement, m, in float32 arithmetic, as a reader of the file would compute it.
 float length(const Float3& displacement);

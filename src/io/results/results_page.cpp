@@ -60,7 +60,7 @@ with h5py.File("results.h5") as f:
     table = pd.DataFrame({k: f["summary/worlds"][k][:] for k in f["summary/worlds"]})
     table["layout"] = f["inputs/layouts/name"].asstr()[:][f["worlds/layout"][:]]
     table["acceleration"] = f["inputs/accelerations/name"].asstr()[:][f["worlds/acceleration"][:]]
-table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed"])
+table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"])
 ```
 
 The run is described by `dict(f.attrs)`, `f["inputs/config"].asstr()[()]`, and `dict(f["inputs/settings"].attrs)`, which
@@ -125,6 +125,10 @@ constexpr auto kStatusMeanings = std::to_array<StatusMeaning>({
     {Status::capacity, "a device had too little memory for all contacts of the world, or failed. Use another engine"},
     {Status::too_large,
      "the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none"},
+    {Status::not_needed,
+     "with `FirstFailure`: the layout does not hold another acceleration, which `status_text` names; not simulated. "
+     "This "
+     "is no problem, and `verdict` is 6 (not_needed)"},
 });
 
 std::string length_of(const DatasetSpec& spec) {
@@ -142,7 +146,8 @@ std::string results_page() {
   const auto to = std::back_inserter(page);
   page +=
       "\n`/worlds/status` is 0 if nothing went wrong, otherwise the sum of these bits. Read it, or `verdict` in "
-      "`/summary/worlds`, which is then 4 (failed), before the other numbers of the summary. A world that was not "
+      "`/summary/worlds`, which is then 4 (failed) or 6 (not_needed), before the other numbers of the summary. A world "
+      "that was not "
       "simulated has no numbers of boxes: in `/summary/worlds` they are 4294967295, the largest number that fits, and "
       "the other numbers are NaN; in CSV these fields are empty, in JSON null.\n\n| bit | name | meaning and cure |\n";
   page += "| --- | --- | --- |\n";

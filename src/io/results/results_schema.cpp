@@ -41,7 +41,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      "what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md"},
     {"/worlds/status_text", ElementType::text, 1, Axis::worlds, "none", "an explanation if the status is not 0"},
     {"/worlds/stop_reason", ElementType::u8, 1, Axis::worlds, "1",
-     "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed"},
+     "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (by StopWhen)"},
     {"/worlds/box_begin", ElementType::u64, 1, Axis::worlds, "1",
      "first box of the world: row of /boxes and /summary/boxes"},
     {"/worlds/box_count", ElementType::u32, 1, Axis::worlds, "1", "boxes of the world; 0 when it was not run"},
@@ -109,7 +109,8 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
     // summary: derived from the tables above with the thresholds in the attributes of /summary
     {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
-     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed",
+     "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 gave_way "
+     "(ended early by StopWhen), 6 not_needed (left out by FirstFailure)",
      Origin::derived},
     {"/summary/worlds/fallen_boxes", ElementType::u32, 1, Axis::worlds, "1", "boxes that had fallen at the end",
      Origin::derived},

@@ -22,6 +22,12 @@ struct UnitInFlight {
   std::unique_ptr<SinkUnit> unit;
 };
 
+bool first_failure(const ScreeningPlan& plan) { return plan.settings.screening.first_failure; }
+
+WorkUnits units_of(const ScreeningPlan& plan) {
+  return {plan.layouts.count(), plan.accelerations.size(), plan.engine.traits(), first_failure(plan)};
+}
+
 /// What the threads of a run share.
 class Run {
  public:
@@ -32,7 +38,9 @@ class Run {
         stop_(stop),
         costs_(costs),
         runner_(plan.engine, plan.settings, plan.record_series, plan.layouts, plan.accelerations, stop.drop, costs),
-        units_(plan.layouts.count(), plan.accelerations.size(), plan.engine.traits()),
+        units_(units_of(plan)),
+        failures_(plan.failures.value_or(FailureOrder(plan.accelerations.size(), plan.engine.traits()))),
+        thresholds_(recording_plan(plan.settings, false).thresholds),
         first_unit_(units_.beginning_with(plan.finished_worlds)),
         next_world_(plan.finished_worlds) {
     progress_.total = plan.world_count();
@@ -42,10 +50,10 @@ class Run {
 
   ScreeningEnd go() {
     observer_.started(progress_);
-    run_in_order(
-        plan_.workers, units_.count() - first_unit_, [&](std::size_t i) { return simulate(first_unit_ + i); },
-        [&](UnitRecord&& record) { return place(record); }, [&](Placed&& unit) { return pack(std::move(unit)); },
-        [&](Placed&& unit) { return write(unit); });
+    if (first_failure(plan_))
+      run_in_blocks();
+    else
+      run_units(first_unit_, units_.count());
     keep(sink_.finish());
     observer_.ended();
     return {progress_.done, error_};
@@ -54,11 +62,31 @@ class Run {
  private:
   using Placed = std::optional<UnitInFlight>;
 
+  void run_units(std::size_t begin, std::size_t end) {
+    run_in_order(
+        plan_.workers, end - begin, [&](std::size_t i) { return simulate(begin + i); },
+        [&](UnitRecord&& record) { return place(record); }, [&](Placed&& unit) { return pack(std::move(unit)); },
+        [&](Placed&& unit) { return write(unit); });
+  }
+
+  /// Block by block, each of which takes its order from those before it.
+  void run_in_blocks() {
+    for (std::size_t unit = first_unit_; unit < units_.count() && !stop_.no_more && !failed_;) {
+      failures_.enter(units_[unit].layout_begin);
+      std::size_t end = unit + 1;
+      while (end < units_.count() && units_[end].layout_begin < failures_.block_end()) ++end;
+      run_units(unit, end);
+      unit = end;
+    }
+  }
+
   std::optional<UnitRecord> simulate(std::size_t i) {
     if (stop_.no_more || failed_) return std::nullopt;
     const WorkUnit unit = units_[i];
-    return with_memory(unit.layout_begin, unit.acceleration_begin, "simulated",
-                       [&] { return runner_.run(unit, units_.sharing_layouts(i, first_unit_)); });
+    return with_memory(unit.layout_begin, unit.acceleration_begin, "simulated", [&] {
+      return runner_.run(unit, units_.sharing_layouts(i, first_unit_),
+                         first_failure(plan_) ? failures_.order() : std::span<const std::size_t>());
+    });
   }
 
   Placed place(UnitRecord& record) {
@@ -93,6 +121,7 @@ class Run {
       }
     }
     for (const WorldRecord& world : unit.record.worlds) {
+      if (first_failure(plan_)) failures_.count(world, thresholds_);
       progress_.steps += world.outcome.counters.steps;
       progress_.steps_skipped += world.outcome.counters.steps_skipped;
     }
@@ -137,6 +166,8 @@ class Run {
   StageCosts& costs_;
   UnitRunner runner_;
   WorkUnits units_;
+  FailureOrder failures_;  ///< changes between blocks, and in the serial stage of writing
+  Thresholds thresholds_;
   std::size_t first_unit_;
   std::size_t next_world_;  ///< index of the next world to be written
   RunProgress progress_;
@@ -152,9 +183,9 @@ ScreeningEnd screen_worlds(const ScreeningPlan& plan, ResultSink& sink, RunObser
   return Run(plan, sink, observer, stop, costs).go();
 }
 
-bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size_t accelerations, std::size_t world) {
-  if (world == layouts * accelerations) return true;
-  const WorkUnits units(layouts, accelerations, traits);
+bool unit_begins_with(const ScreeningPlan& plan, std::size_t world) {
+  if (world == plan.world_count()) return true;
+  const WorkUnits units = units_of(plan);
   return units.first_world(units.beginning_with(world)) == world;
 }
 

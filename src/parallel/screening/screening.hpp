@@ -11,6 +11,7 @@
 #include "core/engine/run_observer.hpp"
 #include "core/model/settings.hpp"
 #include "parallel/schedulers/workers.hpp"
+#include "parallel/screening/failure_order.hpp"
 #include "parallel/screening/stage_costs.hpp"
 
 namespace holdfast::internal {
@@ -24,6 +25,7 @@ struct ScreeningPlan {
   std::span<const ReadAcceleration> accelerations;
   bool record_series = true;
   std::size_t finished_worlds = 0;  ///< the first so many are finished already; a unit of work must begin there
+  std::optional<FailureOrder> failures = std::nullopt;  ///< with FirstFailure: has counted the finished worlds
 
   std::size_t world_count() const { return layouts.count() * accelerations.size(); }
 };
@@ -42,8 +44,7 @@ struct ScreeningEnd {
 ScreeningEnd screen_worlds(const ScreeningPlan& plan, ResultSink& sink, RunObserver& observer, const StopRequest& stop,
                            StageCosts& costs);
 
-/// Whether a unit of work of the engine begins with world `world`, so that a run can resume there; also true at the
-/// end.
-bool unit_begins_with(const EngineTraits& traits, std::size_t layouts, std::size_t accelerations, std::size_t world);
+/// Whether a unit of work begins with world `world`, so that a run can resume there; also true at the end.
+bool unit_begins_with(const ScreeningPlan& plan, std::size_t world);
 
 }  // namespace holdfast::internal

@@ -6,6 +6,7 @@
 
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
+#include "parallel/screening/failure_order.hpp"
 #include "parallel/screening/series_limit.hpp"
 
 namespace holdfast::internal {
@@ -19,9 +20,20 @@ std::string describe(Status status) {
   return "";
 }
 
+bool is_good(const WorldRecord& world) { return world.outcome.status == Status::ok; }
+
+/// Puts what became of a world in its place.
+void put(WorldRecord&& simulated, WorldRecord& world) {
+  simulated.layout = world.layout;
+  simulated.acceleration = world.acceleration;
+  simulated.status_text = describe(simulated.outcome.status);
+  world = std::move(simulated);
+}
+
 }  // namespace
 
-std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t sharing) {
+std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t sharing,
+                                          std::span<const std::size_t> order) {
   if (abort_) return std::nullopt;
   const double cpu_begin = processor_seconds();
   UnitRecord record;
@@ -36,7 +48,8 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)
     for (std::size_t j = unit.acceleration_begin; j < unit.acceleration_end; ++j)
       record.worlds.push_back(refused(*layouts[i - unit.layout_begin], i, j));
-  const std::size_t simulated = simulate_good(unit, layouts, record.worlds);
+  const std::size_t simulated = order.empty() ? simulate_good(unit, layouts, record.worlds)
+                                              : simulate_until_failure(unit, layouts, order, record.worlds);
   if (abort_) return std::nullopt;
   const double cpu_share = (processor_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, simulated));
   for (WorldRecord& world : record.worlds)
@@ -74,7 +87,6 @@ std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
                                       const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                                       std::vector<WorldRecord>& worlds) const {
   const std::size_t acceleration_count = unit.acceleration_end - unit.acceleration_begin;
-  const auto is_good = [](const WorldRecord& world) { return world.outcome.status == Status::ok; };
   // A batch is every layout under the same accelerations: layouts that go under different ones go in different batches.
   std::map<std::vector<std::size_t>, std::vector<std::size_t>> batches;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
@@ -96,12 +108,42 @@ std::size_t UnitRunner::simulate_good(const WorkUnit& unit,
     for (const std::size_t i : of_layouts) {
       for (const std::size_t j : accelerations) {
         if (next == records.end()) return simulated;
-        WorldRecord& world = worlds[i * acceleration_count + j];
-        next->layout = world.layout;
-        next->acceleration = world.acceleration;
-        next->status_text = describe(next->outcome.status);
-        world = std::move(*next++);
+        put(std::move(*next++), worlds[i * acceleration_count + j]);
       }
+    }
+  }
+  return simulated;
+}
+
+std::size_t UnitRunner::simulate_until_failure(const WorkUnit& unit,
+                                               const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                                               std::span<const std::size_t> order,
+                                               std::vector<WorldRecord>& worlds) const {
+  const std::size_t acceleration_count = unit.acceleration_end - unit.acceleration_begin;
+  std::vector<const std::string*> failed_by(layouts.size());  // name of the acceleration, once there is one
+  std::size_t simulated = 0;
+  for (const std::size_t j : order) {
+    const Acceleration& acceleration = accelerations_[j].acceleration;
+    std::vector<std::size_t> tried;
+    std::vector<const Layout*> batch_layouts;
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+      WorldRecord& world = worlds[i * acceleration_count + j];
+      if (!is_good(world)) continue;
+      if (failed_by[i] != nullptr) {
+        world.outcome.status = Status::not_needed;
+        world.status_text = "the layout does not hold " + *failed_by[i];
+        continue;
+      }
+      tried.push_back(i);
+      batch_layouts.push_back(&layouts[i]->layout);
+    }
+    if (tried.empty()) continue;
+    std::vector<WorldRecord> records = simulate_batch(batch_layouts, {&acceleration});
+    simulated += records.size();
+    if (records.size() < tried.size()) return simulated;
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      if (rejects(records[k], plan_.thresholds)) failed_by[tried[k]] = &acceleration.name;
+      put(std::move(records[k]), worlds[tried[k] * acceleration_count + j]);
     }
   }
   return simulated;

@@ -35,7 +35,9 @@ class UnitRunner {
 
   /// The unit's records; nothing when aborted.
   /// @param sharing units of the run that take the same layouts, this one among them
-  std::optional<UnitRecord> run(const WorkUnit& unit, std::size_t sharing);
+  /// @param order   with FirstFailure: indices of all accelerations, in the order in which a layout is tried; the unit
+  ///                has all of them
+  std::optional<UnitRecord> run(const WorkUnit& unit, std::size_t sharing, std::span<const std::size_t> order = {});
 
  private:
   std::shared_ptr<const ReadLayout> take(std::size_t layout, std::size_t takers) const;
@@ -46,6 +48,12 @@ class UnitRunner {
   /// Simulates those of a unit's worlds that have no such reason. Returns how many there were; less when aborted.
   std::size_t simulate_good(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                             std::vector<WorldRecord>& worlds) const;
+
+  /// The same acceleration by acceleration, each for the layouts that have not failed before. The other worlds are not
+  /// needed.
+  std::size_t simulate_until_failure(const WorkUnit& unit,
+                                     const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                                     std::span<const std::size_t> order, std::vector<WorldRecord>& worlds) const;
 
   /// Every layout under every acceleration; nothing when aborted.
   std::vector<WorldRecord> simulate_batch(const std::vector<const Layout*>& layouts,

@@ -10,12 +10,14 @@ std::size_t blocks(std::size_t count, std::size_t size) { return (count + size -
 
 }  // namespace
 
-WorkUnits::WorkUnits(std::size_t layout_count, std::size_t acceleration_count, const EngineTraits& traits)
+WorkUnits::WorkUnits(std::size_t layout_count, std::size_t acceleration_count, const EngineTraits& traits,
+                     bool whole_layouts)
     : layout_count_(layout_count),
       acceleration_count_(acceleration_count),
       layouts_per_unit_(std::max<std::size_t>(1, traits.layouts_per_unit)),
       // Several layouts per unit take all their accelerations along, or the worlds would not be consecutive.
-      accelerations_per_unit_(layouts_per_unit_ > 1 ? std::max<std::size_t>(1, acceleration_count) : 1),
+      accelerations_per_unit_(whole_layouts || layouts_per_unit_ > 1 ? std::max<std::size_t>(1, acceleration_count)
+                                                                     : 1),
       layout_blocks_(blocks(layout_count, layouts_per_unit_)),
       acceleration_blocks_(blocks(acceleration_count, accelerations_per_unit_)) {}
 

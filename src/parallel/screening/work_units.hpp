@@ -16,7 +16,9 @@ struct WorkUnit {
 /// fastest; a unit's worlds are consecutive in it.
 class WorkUnits {
  public:
-  WorkUnits(std::size_t layout_count, std::size_t acceleration_count, const EngineTraits& traits);
+  /// @param whole_layouts whether the worlds of a layout are one piece of work
+  WorkUnits(std::size_t layout_count, std::size_t acceleration_count, const EngineTraits& traits,
+            bool whole_layouts = false);
 
   std::size_t count() const { return layout_blocks_ * acceleration_blocks_; }
   WorkUnit operator[](std::size_t i) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <numeric>
 #include <span>
 #include <string>
 #include <system_error>
@@ -42,7 +43,7 @@ class OneLayout final : public LayoutSource {
 class WorldStream::Job {
  public:
   Job(std::uint64_t ticket, ReadLayout layout, const WorldStream& stream)
-      : units(1, stream.accelerations_.size(), stream.engine_.traits()),
+      : units(1, stream.accelerations_.size(), stream.engine_.traits(), stream.settings_.screening.first_failure),
         units_left(units.count()),
         accelerations_(stream.accelerations_),
         layout_(std::move(layout)),
@@ -50,6 +51,9 @@ class WorldStream::Job {
     result.ticket = ticket;
     result.worlds.resize(accelerations_.size());
     for (std::size_t i = 0; i < accelerations_.size(); ++i) result.worlds[i].acceleration = i;
+    if (!stream.settings_.screening.first_failure) return;
+    order_.resize(accelerations_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
   }
 
   /// Simulates a unit. An error says what kept it from being simulated.
@@ -58,7 +62,7 @@ class WorldStream::Job {
     const std::string& name = accelerations_[unit.acceleration_begin].acceleration.name;
     const WorkInHand in_hand(label, name);
     try {
-      std::optional<UnitRecord> record = runner_.run(unit, 1);
+      std::optional<UnitRecord> record = runner_.run(unit, 1, order_);
       for (std::size_t i = 0; record && i < record->worlds.size(); ++i)
         result.worlds[unit.acceleration_begin + i] = std::move(record->worlds[i]);
       return std::nullopt;
@@ -87,6 +91,7 @@ class WorldStream::Job {
 
  private:
   std::span<const ReadAcceleration> accelerations_;
+  std::vector<std::size_t> order_;  ///< with FirstFailure: of the accelerations
   OneLayout layout_;
   StageCosts costs_;
   UnitRunner runner_;

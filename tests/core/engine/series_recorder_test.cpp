@@ -311,3 +311,47 @@ TEST_CASE("series_recorder: the options come from the settings", "[core][series_
   CHECK(plan.thresholds.move == 0.4);
   CHECK(plan.thresholds.tilt == 5);
 }
+
+TEST_CASE("series_recorder: a box beyond a threshold decides, and one that comes back does not",
+          "[core][series_recorder]") {
+  const auto decided = [](StopWhen stop_when, const Vec3& offset, double angle = 0.0) {
+    HandDriven world({.stop_when = stop_when});
+    world.start();
+    const Vec3 place = world.now.position[0];
+    world.now.position[0] = place + offset;
+    world.now.orientation[0] = Rotation(Eigen::AngleAxisd(angle * kPi / 180.0, Eigen::Vector3d::UnitX()));
+    world.step(0.1);
+    const bool beyond = world.recorder.decided();
+    world.now.position[0] = place;
+    world.now.orientation[0] = Rotation::Identity();
+    world.step(0.2);
+    CHECK_FALSE(world.recorder.decided());
+    return beyond;
+  };
+  const Vec3 slid(0.08, 0.08, 0.0);
+  const Vec3 sunk(0.0, 0.0, -0.051);
+  CHECK(decided(StopWhen::moved, slid));
+  CHECK(decided(StopWhen::moved, sunk));
+  CHECK(decided(StopWhen::moved, Vec3::Zero(), 10.1));
+  CHECK_FALSE(decided(StopWhen::moved, Vec3(0.09, 0.0, -0.04), 9.9));
+  CHECK(decided(StopWhen::fallen, sunk));
+  CHECK_FALSE(decided(StopWhen::fallen, slid, 10.1));
+  for (const Vec3& offset : {slid, sunk}) CHECK_FALSE(decided(StopWhen::end, offset, 90.0));
+}
+
+TEST_CASE("series_recorder: a pose before the first step does not decide", "[core][series_recorder]") {
+  HandDriven world({.stop_when = StopWhen::moved});
+  world.now.position[0].x() += 0.2;
+  world.start();
+  CHECK_FALSE(world.recorder.decided());
+}
+
+TEST_CASE("series_recorder: what may decide is shown at every interval, also without series",
+          "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1, .series = false, .stop_when = StopWhen::fallen});
+  world.start();
+  CHECK(world.recorder.output_time() == 0.1);
+  world.step(0.25);
+  CHECK(world.recorder.output_time() == Approx(0.3));
+  CHECK(world.finish().series.time.empty());
+}

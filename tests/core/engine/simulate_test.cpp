@@ -338,3 +338,51 @@ TEST_CASE("simulate: a world whose engine lost contacts fails with the last vali
   CHECK(has(lost.record.outcome.status, Status::capacity));
   CHECK(lost.record.outcome.end_time == 0.0);
 }
+
+TEST_CASE("simulate: a world ends with the step that decides it", "[core][simulate]") {
+  Settings settings;
+  settings.screening.stop_when = StopWhen::moved;
+  // ½ · 2 · t² > 0.1 m from 0.316 s on; the rotation about z is 10° at 0.175 s.
+  settings.screening.tilt_threshold = 180.0;
+  const Acceleration acceleration = constant(2.0, 1.0);
+  const Run early = run(ScriptedEngine({}), kOneBox, acceleration, settings);
+  CHECK(early.record.outcome.stop_reason == StopReason::decided);
+  CHECK(early.record.outcome.end_time == 76.0 / 240);
+  CHECK(early.record.outcome.counters.steps == 76);
+  CHECK(early.record.series.time.back() == early.record.outcome.end_time);
+  CHECK(time_saved(Status::ok, StopReason::decided, early.record.outcome.end_time,
+                   latest_end(acceleration, settings)) == 1.0 - 76.0 / 240);
+  settings.screening.tilt_threshold = 10.0;
+  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.outcome.end_time == 42.0 / 240);
+
+  settings.screening.stop_when = StopWhen::fallen;
+  const Run whole = run(ScriptedEngine({}), kOneBox, acceleration, settings);
+  CHECK(whole.record.outcome.stop_reason == StopReason::timeout);
+  CHECK(whole.record.outcome.end_time == 1.0);
+  CHECK(time_saved(Status::ok, StopReason::timeout, 0.5, 1.0) == 0.0);
+  CHECK(time_saved(Status::not_needed, StopReason::not_run, 0.0, 1.0) == 1.0);
+  CHECK(time_saved(Status::bad_layout, StopReason::not_run, 0.0, 1.0) == 0.0);
+}
+
+TEST_CASE("simulate: a world that is decided by its last step has run to its end", "[core][simulate]") {
+  Settings settings;
+  settings.screening.stop_when = StopWhen::moved;
+  settings.screening.tilt_threshold = 180.0;
+  const Run whole = run(ScriptedEngine({}), kOneBox, constant(2.0, 76.0 / 240), settings);
+  CHECK(whole.record.outcome.stop_reason == StopReason::timeout);
+  CHECK(whole.record.outcome.counters.steps == 76);
+}
+
+TEST_CASE("simulate: worlds that advance together are decided separately", "[core][simulate]") {
+  const Layout layouts[] = {kOneBox};
+  const Acceleration slow = constant(0.1, 1.0);
+  const Acceleration fast = constant(2.0, 1.0);
+  const Acceleration* const accelerations[] = {&slow, &fast};
+  Settings settings;
+  settings.screening.stop_when = StopWhen::moved;
+  settings.screening.tilt_threshold = 180.0;
+  const std::vector<Run> runs = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);
+  CHECK(runs[0].record.outcome.end_time == 1.0);
+  CHECK(runs[1].record.outcome.end_time == 76.0 / 240);
+  CHECK(runs[1].record.state_hash == run(ScriptedEngine({}), kOneBox, fast, settings).record.state_hash);
+}

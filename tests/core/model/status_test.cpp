@@ -11,6 +11,7 @@ TEST_CASE("status: names of the bits, joined", "[core][status]") {
   CHECK(to_string(Status::non_finite | Status::not_converged) == "non_finite+not_converged");
   CHECK(to_string(Status::capacity | Status::bad_layout) == "bad_layout+capacity");
   CHECK(to_string(Status::too_large) == "too_large");
+  CHECK(to_string(Status::not_needed) == "not_needed");
 }
 
 TEST_CASE("status: bits are independent", "[core][status]") {
@@ -26,5 +27,6 @@ TEST_CASE("status: names of the reasons to stop", "[core][status]") {
   CHECK(to_string(StopReason::timeout) == "timeout");
   CHECK(to_string(StopReason::sleeping) == "sleeping");
   CHECK(to_string(StopReason::failed) == "failed");
+  CHECK(to_string(StopReason::decided) == "decided");
   CHECK(to_string(static_cast<StopReason>(255)) == "unknown");
 }

@@ -108,6 +108,17 @@ TEST_CASE("verdict: a world is judged by the worst that happened in it", "[core]
   CHECK(verdict(end, Status::not_converged) == "failed");
 }
 
+TEST_CASE("verdict: a world that ended early gave way, whatever the thresholds", "[core][verdict]") {
+  const EndTable end = ends({{0.2F, 0, 0}});
+  const auto verdict = [&](Status status, const Thresholds& thresholds) {
+    return to_string(judge_world(status, StopReason::decided, 0.0, end, thresholds).verdict);
+  };
+  CHECK(verdict(Status::ok, kThresholds) == "gave_way");
+  CHECK(verdict(Status::ok, {.move = 0.5}) == "gave_way");
+  CHECK(verdict(Status::not_converged, kThresholds) == "failed");
+  CHECK(judge_world(Status::ok, StopReason::decided, 0.0, end, kThresholds).moved_boxes == 1);
+}
+
 TEST_CASE("verdict: a world that was not simulated has no counts", "[core][verdict]") {
   const WorldVerdict world = judge_world(Status::bad_layout, StopReason::not_run, 0.0, {}, kThresholds);
   CHECK(world.verdict == Verdict::failed);

@@ -84,3 +84,11 @@ TEST_CASE("work_units: a unit's first world is where the unit begins", "[paralle
   CHECK(units.first_world(2) == 12);
   CHECK(units.first_world(units.beginning_with(6)) == 6);
 }
+
+TEST_CASE("work_units: the worlds of a layout may be one unit", "[parallel][work_units]") {
+  const WorkUnits units(3, 4, {}, true);
+  CHECK(units.count() == 3);
+  check_covers(units, 3, 4);
+  CHECK(units[1].acceleration_end == 4);
+  CHECK(units.sharing_layouts(1, 0) == 1);
+}

@@ -1,0 +1,106 @@
+// A world that ends early says so, and takes nothing back: every other verdict is that of the whole run.
+
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "core/native/native_engine.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "physics/measures.hpp"
+
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+using namespace holdfast::internal::physics;
+
+namespace {
+
+std::vector<Acceleration> bundled_accelerations() {
+  std::vector<Acceleration> accelerations;
+  for (const auto& entry : std::filesystem::directory_iterator(HOLDFAST_SOURCE_DIR "/configs/accelerations")) {
+    const Result<TextFile> file = read_text_file(entry.path().string());
+    REQUIRE(file);
+    std::vector<Error> warnings;
+    Result<Acceleration> acceleration = parse_acceleration(*file, warnings);
+    REQUIRE(acceleration);
+    accelerations.push_back(std::move(*acceleration));
+  }
+  return accelerations;
+}
+
+Verdict verdict_of(const WorldRecord& record, const Settings& settings) {
+  const Thresholds thresholds = recording_plan(settings, true).thresholds;
+  return judge_world(record.outcome.status, record.outcome.stop_reason, 0.0, record.end, thresholds).verdict;
+}
+
+/// Whether the state in which a world ended is beyond the thresholds that it ends early by.
+bool is_beyond(const WorldRecord& record, const Settings& settings) {
+  const Thresholds thresholds = recording_plan(settings, true).thresholds;
+  for (std::size_t i = 0; i < record.end.displacement.size(); ++i) {
+    const BoxVerdict box = judge_box(record.end, i, thresholds);
+    const bool left = settings.screening.stop_when == StopWhen::moved && (box.moved || box.tilted);
+    if (box.fallen || left) return true;
+  }
+  return false;
+}
+
+/// Whether the samples of a world that ended early are the first ones of the whole world, the one at its end aside.
+bool begins_like(const Series& early, const Series& whole) {
+  const auto begins = [](const auto& part, const auto& all, std::size_t count) {
+    return std::memcmp(part.data(), all.data(), count * sizeof(part[0])) == 0;
+  };
+  const std::size_t samples = early.time.size() - 1;
+  const std::size_t rows = early.displacement.size() / early.time.size() * samples;
+  return samples <= whole.time.size() && begins(early.time, whole.time, samples) &&
+         begins(early.displacement, whole.displacement, rows) && begins(early.orientation, whole.orientation, rows);
+}
+
+}  // namespace
+
+TEST_CASE("early_end: of the bundled worlds no verdict changes, and those that end early give way",
+          "[physics][early_end]") {
+  Settings settings;
+  settings.native.accuracy = Accuracy::screening;
+  std::vector<Layout> layouts;
+  for (const char* name : kLayouts) layouts.push_back(bundled_layout(name, settings));
+  const std::vector<Acceleration> accelerations = bundled_accelerations();
+  std::vector<const Acceleration*> pointers;
+  for (const Acceleration& acceleration : accelerations) pointers.push_back(&acceleration);
+  const NativeEngine engine(settings);
+  const std::vector<Run> whole = run_all(engine, layouts, pointers, settings);
+
+  for (const StopWhen stop_when : {StopWhen::moved, StopWhen::fallen}) {
+    settings.screening.stop_when = stop_when;
+    const std::vector<Run> early = run_all(engine, layouts, pointers, settings);
+    double time = 0.0;
+    double saved = 0.0;
+    std::size_t gave_way = 0;
+    std::size_t came_back = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      const WorldRecord& all = whole[i].record;
+      const WorldRecord& part = early[i].record;
+      CAPTURE(layouts[i / accelerations.size()].name, i % accelerations.size(), static_cast<int>(stop_when));
+      const Verdict given = verdict_of(part, settings);
+      const Verdict expected = verdict_of(all, settings);
+      time += all.outcome.end_time;
+      if (given != Verdict::gave_way) {
+        CHECK(to_string(given) == to_string(expected));
+        CHECK(part.state_hash == all.state_hash);
+        CHECK(part.outcome.end_time == all.outcome.end_time);
+        continue;
+      }
+      ++gave_way;
+      saved += time_saved(part.outcome.status, part.outcome.stop_reason, part.outcome.end_time, all.outcome.end_time);
+      CHECK(part.outcome.end_time < all.outcome.end_time);
+      CHECK(is_beyond(part, settings));
+      CHECK(begins_like(part.series, all.series));
+      const bool stays_so = expected == Verdict::fell || (stop_when == StopWhen::moved && expected == Verdict::moved);
+      came_back += stays_so ? 0U : 1U;
+    }
+    // Boxes do come back, which is why a world that ends early has a verdict of its own.
+    WARN((stop_when == StopWhen::moved ? "moved: " : "fallen: ")
+         << gave_way << " of " << whole.size() << " worlds gave way, " << text(100.0 * saved / time)
+         << " % of the time saved; all boxes came back in " << came_back);
+    CHECK(gave_way > 0);
+    CHECK(came_back < gave_way);
+  }
+}
