@@ -31,8 +31,8 @@ TEST_CASE("world_json: all of a world on one line, in this order", "[app][world_
       R"({"world":7,"layout":"a.txt","acceleration":"b.txt","verdict":"fell","status":"ok","status_text":"","stop_reason":"timeout",)"
       R"("boxes":2,"fallen_boxes":1,"moved_boxes":1,"tilted_boxes":1,"unstable_boxes":0,)"
       R"("max_displacement_m":0.5,"peak_displacement_m":0.75,"total_kinetic_energy_J":1.5,)"
-      R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"time_saved_s":0.75,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
-      R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab"})");
+      R"("peak_kinetic_energy_J":8.0,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
+      R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab","time_saved_s":0.75})");
 }
 
 TEST_CASE("world_json: counts follow the thresholds", "[app][world_json]") {
