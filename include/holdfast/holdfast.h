@@ -248,6 +248,24 @@ typedef struct holdfast_box_outcome {
 HOLDFAST_API int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes,
                                        size_t capacity);
 
+/* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
+ * the right. */
+typedef struct holdfast_margins {
+  double margin[4];        /* largest constant acceleration under which all boxes come to rest displaced by less than
+                              5 mm, g, up to 1.5; negative: the layout does not stand under gravity alone; not a number:
+                              the layout cannot be used, or the call was cancelled before */
+  int64_t critical_box[4]; /* index of the box that goes first above the margin; -1: none up to 1.5 g */
+  uint32_t trials;         /* accelerations that were tried */
+  double cpu_seconds;      /* processor time, s */
+} holdfast_margins;
+
+/* How many g every layout stands. The accelerations of the screen play no part, and there need not be any.
+ * margins:  set to one per layout
+ * capacity: number of layouts that the array has room for
+ * HOLDFAST_ERROR also when the engine cannot find margins; native can. */
+HOLDFAST_API int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* layouts,
+                                         holdfast_margins* margins, size_t capacity);
+
 /* How holdfast_screen_record treats its file. */
 typedef struct holdfast_record_options {
   size_t size;              /* sizeof(holdfast_record_options) */

@@ -203,6 +203,18 @@ struct WorldOutcome {
   Series series;                         ///< with `ScreenOptions::keep_series`, else empty
 };
 
+/// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
+/// the right.
+struct LayoutMargins {
+  /// Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, up to 1.5 g;
+  /// negative where the layout does not stand under gravity alone, not a number where `Screen::cancel` came before.
+  std::array<double, 4> margin = {};
+  /// Index of the box that goes first above the margin; -1: none up to 1.5 g.
+  std::array<std::ptrdiff_t, 4> critical_box = {-1, -1, -1, -1};
+  std::uint32_t trials = 0;  ///< accelerations that were tried
+  double cpu_seconds = 0;    ///< processor time, s
+};
+
 /// Unit of the corners of boxes.
 enum class LengthUnit : std::uint8_t { metre, centimetre };
 
@@ -301,9 +313,14 @@ class HOLDFAST_API Screen {
   /// The same of layouts in memory of the caller.
   void evaluate(std::span<const LayoutView> layouts, std::vector<WorldOutcome>& worlds);
 
-  /// The same into a results file, as `holdfast screen` writes it, with everything that a later analysis needs. What is
-  /// finished survives whatever ends the process. Throws `Error`, also when the file exists and `options` do not say
-  /// what to do with it.
+  /// How many g each layout stands, one entry per layout; the accelerations of the screen play no part. Throws `Error`,
+  /// also where the engine cannot: native can.
+  std::vector<LayoutMargins> margins(std::span<const Layout> layouts);
+  std::vector<LayoutMargins> margins(std::span<const LayoutView> layouts);
+
+  /// The same as `evaluate` into a results file, as `holdfast screen` writes it, with everything that a later analysis
+  /// needs. What is finished survives whatever ends the process. Throws `Error`, also when the file exists and
+  /// `options` do not say what to do with it.
   /// @return false when `cancel` ended it: the finished worlds are kept for `RecordOptions::resume`
   bool record(std::span<const Layout> layouts, const std::string& path, const RecordOptions& options = {});
   bool record(std::span<const LayoutView> layouts, const std::string& path, const RecordOptions& options = {});

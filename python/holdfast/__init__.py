@@ -27,6 +27,7 @@ from .accelerations import Acceleration, read_acceleration
 from .codes import Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
+from .margins import Margins
 from .replay import Replay
 from .screen import Screen
 from .verdicts import Verdicts
@@ -37,6 +38,7 @@ __all__ = [
     "Acceleration",
     "Engine",
     "Error",
+    "Margins",
     "Problem",
     "Replay",
     "Screen",

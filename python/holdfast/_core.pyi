@@ -33,6 +33,15 @@ class Screen:
     def evaluate(
         self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str], on_main_thread: bool
     ) -> tuple[_Table, _Messages, tuple[Problem, ...], Optional[list[_Table]]]: ...
+    def margins(
+        self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str], on_main_thread: bool
+    ) -> tuple[
+        npt.NDArray[np.float64],
+        npt.NDArray[np.int64],
+        npt.NDArray[np.uint32],
+        npt.NDArray[np.float64],
+        tuple[Problem, ...],
+    ]: ...
     def replay(
         self, layout: npt.ArrayLike, on_main_thread: bool
     ) -> tuple[

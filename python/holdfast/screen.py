@@ -18,6 +18,7 @@ from . import _core
 from .accelerations import Acceleration, AccelerationLike, acceleration_of
 from .errors import Error, Problem
 from .flight import Flight
+from .margins import Margins
 from .replay import Replay
 from .usage import Usage
 from .verdicts import Verdicts
@@ -133,6 +134,24 @@ class Screen:
         with self._usage as core:
             table, messages, problems, boxes = core.evaluate(_indexed(layouts, offsets), offsets, given, _is_main_thread())
         return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)))
+
+    def margins(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
+                names: Optional[Iterable[str]] = None) -> Margins:
+        """How many g each layout stands, pushed to the front, the rear, the left and the right. The accelerations of the
+        screen play no part.
+
+        :param layouts: as for :meth:`evaluate`, as are ``offsets`` and ``names``
+        :raises Error: a layout cannot be used, or the engine cannot find margins; native can
+
+        >>> with Screen([[[0.0, 1.0, 7.0, 0.0, 0.0]]]) as screen:
+        ...     margins = screen.margins([[[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1]]])
+        >>> margins.margin.round(2)
+        array([[0.5, 0.5, 0.5, 0.5]])
+        """
+        given = list(names) if names is not None else []
+        with self._usage as core:
+            found = core.margins(_indexed(layouts, offsets), offsets, given, _is_main_thread())
+        return Margins(*found, given)
 
     def stream(self, layouts: Iterable[npt.ArrayLike], *, ordered: bool = False,
                names: Optional[Iterable[str]] = None) -> Iterator[tuple[int, Verdicts]]:

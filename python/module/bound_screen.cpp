@@ -1,5 +1,9 @@
 #include "bound_screen.hpp"
 
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "interruptible.hpp"
@@ -38,6 +42,26 @@ py::tuple BoundScreen::replay(const py::object& layout, bool on_main_thread) {
   WorldOutcome& world = worlds_.front();
   const py::array table = table_of(worlds_, {1});
   return py::make_tuple(table, messages_of(worlds_), boxes(worlds_), series_of(std::move(world.series), world.boxes));
+}
+
+py::tuple BoundScreen::margins(const py::object& given, const py::object& offsets, std::vector<std::string> names,
+                               bool on_main_thread) {
+  const Layouts layouts = layouts_of(given, offsets, std::move(names));
+  std::vector<LayoutMargins> found;
+  run_interruptible(screen_, on_main_thread, [&] { found = screen_.margins(layouts.views()); });
+  const auto count = static_cast<py::ssize_t>(found.size());
+  py::array_t<double> margin({count, py::ssize_t{4}});
+  py::array_t<std::int64_t> critical_box({count, py::ssize_t{4}});
+  py::array_t<std::uint32_t> trials(count);
+  py::array_t<double> cpu_seconds(count);
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const LayoutMargins& layout = found[static_cast<std::size_t>(i)];
+    std::copy(layout.margin.begin(), layout.margin.end(), margin.mutable_data(i, 0));
+    std::copy(layout.critical_box.begin(), layout.critical_box.end(), critical_box.mutable_data(i, 0));
+    trials.mutable_at(i) = layout.trials;
+    cpu_seconds.mutable_at(i) = layout.cpu_seconds;
+  }
+  return py::make_tuple(margin, critical_box, trials, cpu_seconds, problems_of(screen_.problems()));
 }
 
 bool BoundScreen::record(const py::object& given, const py::object& offsets, std::vector<std::string> names,

@@ -29,6 +29,10 @@ class BoundScreen {
   /// The verdict of the only acceleration, and the series, of one layout. For screens that keep series.
   pybind11::tuple replay(const pybind11::object& layout, bool on_main_thread);
 
+  /// Margins and critical boxes, of shape (layouts, 4), trials and processor seconds, and problems of marked layouts.
+  pybind11::tuple margins(const pybind11::object& layouts, const pybind11::object& offsets,
+                          std::vector<std::string> names, bool on_main_thread);
+
   /// False when it was cancelled.
   bool record(const pybind11::object& layouts, const pybind11::object& offsets, std::vector<std::string> names,
               const std::string& path, const RecordOptions& options, bool on_main_thread);

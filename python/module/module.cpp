@@ -67,6 +67,8 @@ PYBIND11_MODULE(_core, module) {
       .def("add_acceleration", &BoundScreen::add_acceleration, py::arg("name"), py::arg("segments"))
       .def("evaluate", &BoundScreen::evaluate, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
            py::arg("on_main_thread"))
+      .def("margins", &BoundScreen::margins, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
+           py::arg("on_main_thread"))
       .def("replay", &BoundScreen::replay, py::arg("layout"), py::arg("on_main_thread"))
       .def(
           "record",

@@ -141,6 +141,24 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
   });
 }
 
+int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* layouts, holdfast_margins* margins,
+                            size_t capacity) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const CLayouts given(layouts);
+    require_room(capacity, given.views().size(), "margins");
+    if (!given.views().empty()) required(margins, "margins");
+    const std::vector<holdfast::LayoutMargins> found = object.made().margins(given.views());
+    keep_problems(object);
+    std::transform(found.begin(), found.end(), margins, [](const holdfast::LayoutMargins& layout) {
+      holdfast_margins copy{.trials = layout.trials, .cpu_seconds = layout.cpu_seconds};
+      std::copy(layout.margin.begin(), layout.margin.end(), copy.margin);
+      std::copy(layout.critical_box.begin(), layout.critical_box.end(), copy.critical_box);
+      return copy;
+    });
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layouts, const char* path,
                            const holdfast_record_options* options) {
   return call_object<CScreen>(screen, [&](CScreen& object) {

@@ -43,7 +43,18 @@ Result<std::unique_ptr<Engine>> make_from_plugin(const EngineEntry& entry, const
 Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings) {
   const EngineEntry* entry = find_engine(name);
   if (entry == nullptr) return unknown_engine(name);
-  return entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
+  Result<std::unique_ptr<Engine>> engine =
+      entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
+  if (engine && settings.screening.margins)
+    if (const auto error = why_no_margins(**engine)) return *error;
+  return engine;
+}
+
+std::optional<Error> why_no_margins(const Engine& engine) {
+  if (engine.traits().rewinds) return std::nullopt;
+  return Error{.what = "this engine cannot find margins, since its worlds cannot go back in time",
+               .value = engine.traits().name,
+               .accepted = "leave margins out, or take the engine native"};
 }
 
 std::optional<Error> why_not_loadable(const EngineEntry& entry) {

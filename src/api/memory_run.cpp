@@ -6,16 +6,6 @@
 
 namespace holdfast::internal {
 
-namespace {
-
-/// A unit whose results are in place already.
-class DoneUnit final : public SinkUnit {
- public:
-  std::optional<Error> write() override { return std::nullopt; }
-};
-
-}  // namespace
-
 std::unique_ptr<SinkUnit> MemorySink::place(UnitRecord& unit) {
   for (WorldRecord& record : unit.worlds) {
     holdfast::WorldOutcome& world = worlds_[record.layout * acceleration_count_ + record.acceleration];

@@ -63,21 +63,24 @@ std::optional<Error> check_continues(const Progress& finished, const ScreeningPl
 std::optional<Error> report_finished(const Recording& recording, const Progress& finished, RunObserver& observer) {
   const RunDescription& run = recording.description;
   std::size_t index = 0;
-  return visit_finished(recording.path, finished, [&](const WorldRecord& world) {
+  const auto report_world = [&](const WorldRecord& world) {
     // Names come from this run's inputs; a world that has none there belongs to a damaged file.
     if (world.layout >= run.layout_names.size() || world.acceleration >= run.accelerations.size()) return;
     observer.world_finished(world, index++);
-  });
+  };
+  return visit_finished(recording.path, finished,
+                        {report_world, [&](const LayoutRecord& layout) { observer.margins_found(layout); }});
 }
 
 /// Counts the failures of the finished worlds as the run that finished them did.
 std::optional<Error> count_failures(const Recording& recording, const Progress& finished, ScreeningPlan& plan) {
   FailureOrder& failures = plan.failures.emplace(plan.accelerations.size(), plan.engine.traits());
-  return visit_finished(recording.path, finished, [&](const WorldRecord& world) {
+  const auto count_world = [&](const WorldRecord& world) {
     if (world.acceleration >= plan.accelerations.size()) return;  // of a damaged file
     failures.enter(world.layout);
     failures.count(world, recording.description.thresholds);
-  });
+  };
+  return visit_finished(recording.path, finished, {count_world, nullptr});
 }
 
 /// Adds what a resumed run would find. What was written to the part that failed is lost: only finished parts count.
@@ -175,6 +178,7 @@ RunDescription describe_run(const Settings& settings, std::vector<std::string> l
   run.layout_names = std::move(layout_names);
   run.layout_hashes = std::move(hashes);
   for (const ReadAcceleration& read : accelerations) run.accelerations.push_back(read.acceleration);
+  run.analyses = analyses_of(settings);
   run.record_series = record_series;
   run.thresholds = recording_plan(settings, true).thresholds;
   return run;

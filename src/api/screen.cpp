@@ -60,8 +60,7 @@ void Screen::State::add(Acceleration acceleration) {
   accelerations.push_back(std::move(acceleration));
 }
 
-void Screen::State::begin_reading() {
-  problems.clear();
+void Screen::State::need_accelerations() const {
   if (accelerations.empty()) throw internal::exception_of({{.what = "a screen needs at least one acceleration"}});
 }
 
@@ -73,6 +72,7 @@ void Screen::State::note(const std::vector<internal::Error>& errors, std::size_t
 }
 
 void Screen::State::evaluate(std::vector<internal::ReadLayout> layouts, std::vector<WorldOutcome>& worlds) {
+  need_accelerations();
   const std::size_t count = accelerations.size();
   worlds.resize(layouts.size() * count);
   for (std::size_t i = 0; i < worlds.size(); ++i)
@@ -80,8 +80,9 @@ void Screen::State::evaluate(std::vector<internal::ReadLayout> layouts, std::vec
   if (worlds.empty()) return;
   internal::MemoryLayouts source(std::move(layouts));
   internal::MemorySink sink(worlds, count, thresholds, options.keep_boxes);
-  const internal::ScreeningEnd end =
-      internal::screen_worlds(plan(source, options.keep_series), sink, observer, stop, costs);
+  internal::ScreeningPlan verdicts_alone = plan(source, options.keep_series);
+  verdicts_alone.margins = false;
+  const internal::ScreeningEnd end = internal::screen_worlds(verdicts_alone, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});
   for (WorldOutcome& world : worlds) internal::mark_cancelled(world);
 }

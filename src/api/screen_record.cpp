@@ -67,6 +67,7 @@ void check(const RecordOptions& options, const std::string& path, std::size_t la
 
 bool Screen::State::record(std::vector<internal::ReadLayout> read, const std::string& path,
                            const RecordOptions& record_options) {
+  need_accelerations();
   std::vector<std::string> names;
   std::vector<std::string> hashes;
   for (internal::ReadLayout& layout : read) {

@@ -31,12 +31,11 @@ struct Screen::State {
 
   void add(Acceleration acceleration);
 
-  /// The layouts of a call, which fill `problems`. Throws when one cannot be used and that is to be an error, and when
-  /// there are no accelerations.
+  /// The layouts of a call, which fill `problems`. Throws when one cannot be used and that is to be an error.
   /// @param first index of the first one, for messages
   template <class AnyLayout>
   std::vector<internal::ReadLayout> read(std::span<const AnyLayout> layouts, std::uint64_t first = 0) {
-    begin_reading();
+    problems.clear();
     std::vector<internal::ReadLayout> read;
     read.reserve(layouts.size());
     for (std::size_t i = 0; i < layouts.size(); ++i) {
@@ -50,10 +49,11 @@ struct Screen::State {
   }
 
   internal::ScreeningPlan plan(internal::LayoutSource& layouts, bool series) {
-    return {*engine, settings, *workers, layouts, read_accelerations, series};
+    return {*engine, settings, *workers, layouts, read_accelerations, series, settings.screening.margins};
   }
 
   void evaluate(std::vector<internal::ReadLayout> layouts, std::vector<WorldOutcome>& worlds);
+  std::vector<LayoutMargins> margins(std::vector<internal::ReadLayout> layouts);
   bool record(std::vector<internal::ReadLayout> layouts, const std::string& path, const RecordOptions& record_options);
 
   /// A `cancel` that comes before a call does nothing to it.
@@ -61,6 +61,9 @@ struct Screen::State {
     stop.no_more = false;
     stop.drop = false;
   }
+
+  /// Throws when there are none.
+  void need_accelerations() const;
 
   /// The layouts in flight; in a process that was forked since, a stream of its own, with nothing in flight.
   internal::WorldStream& stream();
@@ -85,7 +88,6 @@ struct Screen::State {
   static std::string name_of(std::string_view name, std::uint64_t index) {
     return name.empty() ? "layout " + std::to_string(index) : std::string(name);
   }
-  void begin_reading();
   void note(const std::vector<internal::Error>& errors, std::size_t layout);
   std::unique_ptr<internal::WorldStream> make_stream() const;
 };

@@ -40,6 +40,7 @@ bool Screen::State::has_room() {
 }
 
 std::uint64_t Screen::State::submit(std::vector<internal::ReadLayout> layout) {
+  need_accelerations();
   stream().submit(next_ticket, std::move(layout.front()));
   return next_ticket++;
 }

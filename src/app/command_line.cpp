@@ -56,11 +56,29 @@ void add_engine_options(CLI::App& command, auto& options) {
       ->type_name("N");
 }
 
-/// Adds the options that `screen` and `run` share.
-void add_run_options(CLI::App& command, RunOptions& options) {
+/// Adds the options of every command that writes a results file.
+void add_recording_options(CLI::App& command, RunOptions& options) {
   add_engine_options(command, options);
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
+  command
+      .add_option("--costs", options.costs_path,
+                  "Write the processor seconds of reading, simulating, writing, ... as JSON")
+      ->type_name("FILE");
+  auto* go_on = command.add_flag("--resume", options.resume, "Go on with a run that was stopped or killed");
+  command.add_flag("--overwrite", options.overwrite, "Replace the results of an earlier run")->excludes(go_on);
+  command.add_flag(
+      "--json", options.json,
+      "Print one JSON object per world, with its verdict, and per layout with margins, as it finishes; with --resume "
+      "the finished ones first");
+  command.add_flag("--quiet", options.quiet, "No progress, no table; errors only");
+}
+
+/// Adds the options that `screen` and `run` share.
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_recording_options(command, options);
+  command.add_flag("--margins", options.margins,
+                   "Also find how many g each layout stands, in four directions; stands in for [Screening] Margins");
   command
       .add_option(
           "--stop-when", options.stop_when,
@@ -73,17 +91,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       "Leave out the accelerations of a layout that has failed one; stands in for [Screening] FirstFailure");
   command.add_option("--text", options.text_folder, "Also write the three kinds of text files into this folder")
       ->type_name("DIR");
-  command
-      .add_option("--costs", options.costs_path,
-                  "Write the processor seconds of reading, simulating, writing, ... as JSON")
-      ->type_name("FILE");
   command.add_flag("--no-series", options.no_series, "Keep end states and peaks only, no time series");
-  auto* go_on = command.add_flag("--resume", options.resume, "Go on with a run that was stopped or killed");
-  command.add_flag("--overwrite", options.overwrite, "Replace the results of an earlier run")->excludes(go_on);
-  command.add_flag(
-      "--json", options.json,
-      "Print one JSON object per world, with its verdict, as it finishes; with --resume the finished ones first");
-  command.add_flag("--quiet", options.quiet, "No progress, no table; errors only");
 }
 
 void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
@@ -116,6 +124,25 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
   add_run_options(*command, options->run);
   command->callback([options, &chosen] {
     chosen.run = [options, &chosen] { return run_run_command(*options, chosen.command_line); };
+  });
+}
+
+void add_margins_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("margins", "Find how many g each layout stands, and which box goes first");
+  command->footer(
+      "For the load pushed to the front, the rear, the left and the right: the largest constant acceleration under "
+      "which\n"
+      "all boxes come to rest, displaced by less than 5 mm.\n\n"
+      "Example:\n"
+      "  holdfast margins --layouts configs/layouts -o margins.h5");
+  auto options = std::make_shared<MarginOptions>();
+  command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
+      ->type_name("FILE");
+  command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
+  command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
+  add_recording_options(*command, options->run);
+  command->callback([options, &chosen] {
+    chosen.run = [options, &chosen] { return run_margins_command(*options, chosen.command_line); };
   });
 }
 
@@ -333,6 +360,7 @@ int run_command_line(int argc, char** argv) {
   chosen.command_line = words_of(argc, argv);
   add_screen_command(program, chosen);
   add_run_command(program, chosen);
+  add_margins_command(program, chosen);
   add_serve_command(program, chosen);
   add_summary_command(program, chosen);
   add_check_command(program, chosen);

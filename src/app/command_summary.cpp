@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/crash_guard.hpp"
+#include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
 #include "core/model/setting_table.hpp"
@@ -38,8 +39,10 @@ ExitCode summarise(const SummaryOptions& options) {
 
   const Result<OutcomeTable> table = outcome_table(options.results_path, thresholds);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}", thresholds.drop, thresholds.move,
-           thresholds.tilt, table->text);
+  const Result<std::string> margins = margin_table(options.results_path);
+  if (!margins) return fail(ExitCode::some_failed, margins.error());
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text, *margins);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

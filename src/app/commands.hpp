@@ -27,6 +27,14 @@ struct ConfigRunOptions {
 };
 ExitCode run_run_command(const ConfigRunOptions& options, const std::string& command_line);
 
+struct MarginOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> layouts;
+  std::string results_path = "margins.h5";
+  RunOptions run;
+};
+ExitCode run_margins_command(const MarginOptions& options, const std::string& command_line);
+
 struct ServeOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> accelerations;

@@ -35,6 +35,7 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
 
 std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job) {
   std::vector<ReadAcceleration> accelerations;
+  if (job.acceleration_paths.empty()) accelerations.push_back({gravity_alone(), ""});
   for (const std::string& path : job.acceleration_paths) {
     ReadAcceleration& entry = accelerations.emplace_back();
     entry.acceleration.name = input_name(path);

@@ -21,6 +21,7 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   }
   // The command line has checked it.
   if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, 0, *stop_when));
+  if (margins) screening.margins = true;
   if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
   job.costs_path = costs_path;

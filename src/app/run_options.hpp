@@ -17,6 +17,7 @@ struct RunOptions {
   std::optional<std::string> stop_when;
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
+  bool margins = false;
   bool first_failure = false;
   bool no_series = false;
   bool resume = false;

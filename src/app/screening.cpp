@@ -7,6 +7,7 @@
 #include "api/engine_loader.hpp"
 #include "api/recorded_run.hpp"
 #include "app/crash_guard.hpp"
+#include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
@@ -78,7 +79,9 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
     latest_ends.push_back(latest_end(acceleration, job.settings));
   const auto table = outcome_table(job.results_path, description.thresholds, latest_ends);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  if (!job.json && !job.quiet) print_to(stdout, "{}\nresults: {}\n", table->text, job.results_path);
+  const auto margins = margin_table(job.results_path);
+  if (!margins) return fail(ExitCode::some_failed, margins.error());
+  if (!job.json && !job.quiet) print_to(stdout, "{}{}\nresults: {}\n", table->text, *margins, job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -142,8 +145,9 @@ ExitCode run_screening(const ScreeningJob& job) {
   LayoutFiles layouts(job.layout_paths, description.layout_hashes, job.settings);
   Workers workers(job.settings.screening.scheduler, job.settings.screening.threads);
   TerminalObserver observer(job, description, stop);
-  const RecordedEnd end = record_run({**engine, job.settings, workers, layouts, accelerations, job.record_series},
-                                     recording, *lock, observer, stop, costs);
+  const RecordedEnd end = record_run(
+      {**engine, job.settings, workers, layouts, accelerations, job.record_series, job.settings.screening.margins},
+      recording, *lock, observer, stop, costs);
   switch (end.kind) {
     case RecordedEnd::Kind::refused:
       return fail(ExitCode::bad_usage, end.errors);

@@ -27,10 +27,9 @@ std::string engine_text(const Settings& settings) {
 }
 
 /// The first line: what is run.
-std::string start_text(const ScreeningJob& job, std::size_t finished) {
+std::string start_text(const ScreeningJob& job, std::size_t accelerations, std::size_t finished) {
   const Settings& settings = job.settings;
   const std::size_t layouts = job.layout_paths.size();
-  const std::size_t accelerations = job.acceleration_paths.size();
   const auto threads = static_cast<std::size_t>(thread_count(settings.screening.threads));
   return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(layouts, "layout"),
                      counted(accelerations, "acceleration"), counted(layouts * accelerations, "world"),
@@ -46,7 +45,7 @@ void TerminalObserver::started(const RunProgress& progress) {
       print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job_.results_path);
     warn_of_same_names(job_.layout_paths);
     warn_of_same_names(job_.acceleration_paths);
-    print_to(stderr, "{}", start_text(job_, progress.resumed));
+    print_to(stderr, "{}", start_text(job_, description_.accelerations.size(), progress.resumed));
   }
   display_.emplace(progress, job_.quiet);
   ticker_ = std::make_unique<Ticker>(std::chrono::milliseconds(250), [this] {
@@ -60,6 +59,10 @@ void TerminalObserver::started(const RunProgress& progress) {
 
 void TerminalObserver::warned(const Error& warning) {
   if (!job_.quiet && ++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
+}
+
+void TerminalObserver::margins_found(const LayoutRecord& layout) {
+  if (job_.json) write_unless(stop_.drop, stdout, margins_json(layout) + "\n");
 }
 
 void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {

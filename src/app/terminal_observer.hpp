@@ -15,7 +15,8 @@
 
 namespace holdfast::internal {
 
-/// Shows a run at a terminal: progress and notes on standard error, one JSON object per world on standard output.
+/// Shows a run at a terminal: progress and notes on standard error, one JSON object per world, and
+/// per layout with margins, on standard output.
 class TerminalObserver final : public RunObserver {
  public:
   /// All must outlive this.
@@ -24,6 +25,7 @@ class TerminalObserver final : public RunObserver {
 
   void started(const RunProgress& progress) override;
   void warned(const Error& warning) override;
+  void margins_found(const LayoutRecord& layout) override;
   void world_finished(const WorldRecord& world, std::size_t index) override;
   void ended() override;
 

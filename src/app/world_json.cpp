@@ -56,4 +56,16 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   return one_line(json);
 }
 
+std::string margins_json(const LayoutRecord& layout) {
+  nlohmann::ordered_json json;
+  json["layout"] = layout.layout->name;
+  for (std::size_t i = 0; i < kDirectionCount; ++i) {
+    const std::string direction(kMarginDirections.at(i).name);
+    json["margins_g"][direction] = layout.margins.margin.at(i);
+    json["critical_boxes"][direction] = layout.margins.critical_box.at(i);
+  }
+  json["cpu_seconds"] = layout.margins.cpu_seconds;
+  return one_line(json);
+}
+
 }  // namespace holdfast::internal

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "core/engine/result_sink.hpp"
 #include "core/engine/world_record.hpp"
 #include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
@@ -20,5 +21,8 @@ std::string one_line(const nlohmann::ordered_json& json);
 /// @param time_saved as in `simulate.hpp`, s
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds, double time_saved);
+
+/// The margins of one layout as one line of JSON; null where one is not known.
+std::string margins_json(const LayoutRecord& layout);
 
 }  // namespace holdfast::internal

@@ -212,6 +212,7 @@ static void survives_abuse(void) {
   holdfast_screen* screen = NULL;
   holdfast_settings* settings = holdfast_settings_new();
   holdfast_layouts all = layouts();
+  holdfast_margins margins[layout_count];
   holdfast_outcome outcomes[world_count];
   struct {
     holdfast_screen_options known;
@@ -227,6 +228,11 @@ static void survives_abuse(void) {
   CHECK(holdfast_screen_new(NULL, &later.known, &screen) == HOLDFAST_OK);
   CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_BAD_ARGUMENT);
   CHECK(strstr(holdfast_screen_message(screen), "has no acceleration") != NULL);
+  CHECK(holdfast_screen_margins(screen, &all, margins, all.layout_count) == HOLDFAST_OK);
+  CHECK(margins[0].margin[0] > 0.49 && margins[0].margin[0] <= 0.5001 && margins[0].critical_box[0] == 0);
+  CHECK(margins[0].trials > 4 && margins[0].cpu_seconds > 0.0);
+  CHECK(holdfast_screen_margins(screen, &all, margins, all.layout_count - 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_margins(screen, &all, NULL, all.layout_count) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_BAD_ARGUMENT);
   holdfast_screen_free(screen);
   options.size = offsetof(holdfast_screen_options, accuracy); /* an earlier version */

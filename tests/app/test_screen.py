@@ -13,12 +13,14 @@ from cli import CONFIG, REST, SEED, SOURCE, CliTest, datasets, layout_text, same
 DROP, MOVE, TILT = 0.05, 0.10, 10.0  # the defaults, m and degrees
 
 
-def documented_datasets():
-    """(path, type, length, units) of every dataset that docs/results_file.md names."""
+def documented_datasets(everything=True):
+    """(path, type, length, units) of every dataset that docs/results_file.md names; or of those that every file has."""
     group, found = "", []
     for line in (SOURCE / "docs/results_file.md").read_text().splitlines():
         if line.startswith("#"):
             group = line[4:] if line.startswith("### /") else ""
+        if line.startswith("Only in files of runs with") and not everything:
+            group = ""
         row = re.match(r"\| `(\w+)` \| (\w+) \| ([A-Z])(?: × (\d))? \| (\S+) \|", line)
         if group and row:
             name, kind, axis, columns, units = row.groups()
@@ -53,19 +55,25 @@ class Contents(CliTest):
     def test_is_as_documented(self):
         documented = documented_datasets()
         self.assertGreater(len(documented), 60)
+        path, _ = self.screen("--engine", "native", "--margins", output="everything.h5")
+        file = h5py.File(path)
+        self.addCleanup(file.close)
         lengths = {}
         kinds = {"text": "S", "uint": "u", "int": "i", "float": "f"}
-        for path, kind, axis, columns, units in documented:
-            dataset = self.file[path]
-            self.assertEqual(dataset.attrs["units"], units, path)
-            self.assertGreater(len(dataset.attrs["description"]), 3, path)
-            self.assertEqual(dataset.dtype.kind, kinds[kind.rstrip("0123456789")], path)
+        for name, kind, axis, columns, units in documented:
+            dataset = file[name]
+            self.assertEqual(dataset.attrs["units"], units, name)
+            self.assertGreater(len(dataset.attrs["description"]), 3, name)
+            self.assertEqual(dataset.dtype.kind, kinds[kind.rstrip("0123456789")], name)
             if kind != "text":
-                self.assertEqual(8 * dataset.dtype.itemsize, int(re.sub(r"\D", "", kind)), path)
-            self.assertEqual(dataset.shape[1:], (columns,) if columns > 1 else (), path)
-            self.assertEqual(lengths.setdefault(axis, len(dataset)), len(dataset), path)
-        self.assertEqual(set(datasets(self.path)), {path for path, *_ in documented} | {"/inputs/config"})
+                self.assertEqual(8 * dataset.dtype.itemsize, int(re.sub(r"\D", "", kind)), name)
+            self.assertEqual(dataset.shape[1:], (columns,) if columns > 1 else (), name)
+            self.assertEqual(lengths.setdefault(axis, len(dataset)), len(dataset), name)
+        self.assertEqual(set(datasets(path)), {name for name, *_ in documented} | {"/inputs/config"})
         self.assertEqual({axis: lengths[axis] for axis in "WNLBAG"}, {"W": 6, "N": 20, "L": 3, "B": 10, "A": 2, "G": 4})
+
+    def test_has_what_was_asked_for_and_no_more(self):
+        self.assertEqual(set(datasets(self.path)), {name for name, *_ in documented_datasets(False)} | {"/inputs/config"})
 
     def test_attributes_tell_what_ran(self):
         self.assertEqual(self.file.attrs["format"], "holdfast results")

@@ -49,6 +49,8 @@ struct EngineTraits {
   std::size_t layouts_per_unit = 1;
   /// True when all worlds of a batch advance together, under any accelerations: by one call of `advance`.
   bool all_together = false;
+  /// True when worlds can go back to where they were: `Simulation::mark` and `rewind`.
+  bool rewinds = false;
 };
 
 /// A request to advance one world within its current phase, and the answer.
@@ -76,6 +78,11 @@ class Simulation {
   /// the last end of a step that is not after `output_time`, and at the first one after it: the caller interpolates
   /// between these two. Steps during which nothing moves may be taken all at once, past `output_time`.
   virtual void advance(std::span<AdvanceRequest> requests) = 0;
+
+  /// Remembers where a world is; it may be rewound to there any number of times, and then goes on in a new phase, as if
+  /// it had not gone on before. For engines with `EngineTraits::rewinds`.
+  virtual void mark(std::size_t /*world*/) {}
+  virtual void rewind(std::size_t /*world*/) {}
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;

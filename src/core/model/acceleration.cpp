@@ -8,6 +8,8 @@ double Acceleration::end_time() const {
   return segments.empty() ? 0.0 : segments.back().start + segments.back().duration;
 }
 
+Acceleration gravity_alone() { return {.name = "gravity alone", .sha256 = "", .segments = {{.duration = 2.0}}}; }
+
 std::vector<Phase> phases_of(const Acceleration& acceleration, double end) {
   std::vector<Phase> phases;
   double time = 0.0;

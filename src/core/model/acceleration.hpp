@@ -26,6 +26,9 @@ struct Acceleration {
   double end_time() const;
 };
 
+/// No acceleration for two seconds: tells whether a layout stands at all.
+Acceleration gravity_alone();
+
 /// An interval of simulated time with constant acceleration of the container. Phases follow each other without gaps;
 /// no step crosses the boundary between two phases.
 struct Phase {

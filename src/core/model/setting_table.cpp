@@ -170,6 +170,10 @@ std::vector<SettingKey> make_table() {
       "(`fallen`); its verdict is then `gave_way`, because boxes may come back.");
   add(Truth{}, "FirstFailure", "", "false", MEMBER(screening.first_failure),
       "Whether a layout that does not hold one acceleration is spared the others, whose status is `not_needed`.");
+  add(Truth{}, "Margins", "", "false", MEMBER(screening.margins),
+      "Whether the largest constant acceleration that each layout stands is found as well, towards the front, the "
+      "rear, "
+      "the left and the right; docs/margins.md says what it means.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";

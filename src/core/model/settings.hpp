@@ -78,6 +78,7 @@ struct ScreeningSettings {
   double move_threshold = 0.10;  ///< m
   double tilt_threshold = 10.0;  ///< degrees
   StopWhen stop_when = StopWhen::end;
+  bool margins = false;        ///< also find how many g each layout stands
   bool first_failure = false;  ///< leave out the accelerations of a layout that has failed one
 };
 

@@ -71,6 +71,22 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   }
 }
 
+void NativeWorld::mark() {
+  mark_ = {scene_, pairs_, broad_phase_, terms_, resting_, wait_, next_wait_};
+  phase_set_ = false;
+}
+
+void NativeWorld::rewind() {
+  scene_ = mark_.scene;
+  pairs_ = mark_.pairs;
+  broad_phase_ = mark_.broad_phase;
+  terms_ = mark_.terms;
+  resting_ = mark_.resting;
+  wait_ = mark_.wait;
+  next_wait_ = mark_.next_wait;
+  phase_set_ = false;
+}
+
 void NativeWorld::begin_phase(const Phase& phase) {
   if (phase_set_ && phase.begin == phase_begin_) return;
   phase_set_ = true;

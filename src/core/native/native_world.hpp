@@ -23,6 +23,10 @@ class NativeWorld {
   /// Takes the next step inside the phase, or all of them when nothing moves. Returns the time reached, s.
   double advance(const Phase& phase);
 
+  /// Remembers where the world is, and takes it back to there, to begin a phase.
+  void mark();
+  void rewind();
+
   /// Writes the world's range of the columns.
   void read_back(StateColumns& state) const;
 
@@ -77,6 +81,18 @@ class NativeWorld {
   std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²
   std::vector<IslandReport> reports_;                       ///< a moving body: of its island's step
   std::vector<std::uint8_t> merged_, restored_;             ///< an island, a body: put back to the start of the step
+
+  /// Everything that the steps from a time on depend on: members of the same names. The others are found anew in a
+  /// step.
+  struct Mark {
+    Scene scene;
+    PairTable pairs;
+    BroadPhase broad_phase;
+    StepTerms terms;
+    std::vector<std::uint8_t> resting;
+    std::vector<std::uint32_t> wait, next_wait;
+  };
+  Mark mark_;
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 
 #include "io/export/csv_field.hpp"
@@ -11,15 +10,9 @@ namespace holdfast::internal {
 
 namespace {
 
-/// A number; an empty field, which readers treat as a missing value, if it is NaN.
-template <class Number>
-std::string number(Number value) {
-  return std::isnan(value) ? "" : fmt::format("{}", value);
-}
-
 std::string count(std::uint32_t boxes) { return boxes == kNotCounted ? "" : fmt::format("{}", boxes); }
 
-std::string vector(const Float3& v) { return number(v.x) + ',' + number(v.y) + ',' + number(v.z); }
+std::string vector(const Float3& v) { return csv_number(v.x) + ',' + csv_number(v.y) + ',' + csv_number(v.z); }
 
 constexpr const char* kWorldHeader =
     "world,layout,acceleration,verdict,status,status_text,stop_reason,end_time_s,boxes,fallen_boxes,unstable_boxes,"
@@ -41,13 +34,13 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice) {
   const WorldSummary& w = slice.worlds;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-                        naming(info, slice.world_begin + i, row), to_string(w.verdict[i]), to_string(row.status),
-                        csv_field(row.status_text), to_string(row.stop_reason), row.end_time, row.box_count,
-                        count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
-                        count(w.tilted_boxes[i]), number(w.total_kinetic_energy[i]), number(w.peak_kinetic_energy[i]),
-                        number(w.max_displacement[i]), number(w.peak_displacement[i]), row.max_residual,
-                        row.residual_scale, row.max_penetration, row.cpu_seconds);
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", naming(info, slice.world_begin + i, row),
+        to_string(w.verdict[i]), to_string(row.status), csv_field(row.status_text), to_string(row.stop_reason),
+        row.end_time, row.box_count, count(w.fallen_boxes[i]), count(w.unstable_boxes[i]), count(w.moved_boxes[i]),
+        count(w.tilted_boxes[i]), csv_number(w.total_kinetic_energy[i]), csv_number(w.peak_kinetic_energy[i]),
+        csv_number(w.max_displacement[i]), csv_number(w.peak_displacement[i]), row.max_residual, row.residual_scale,
+        row.max_penetration, row.cpu_seconds);
   }
   return text;
 }
@@ -61,10 +54,10 @@ std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const 
     const std::size_t begin = row.box_begin - slice.box_begin;
     for (std::size_t i = begin; i < begin + row.box_count; ++i) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", names, boxes.id[i], boxes.material[i],
-                          number(boxes.mass[i]), vector(b.displacement[i]), number(b.max_displacement[i]),
-                          number(b.drop[i]), number(b.tilt[i]), number(b.kinetic_energy[i]),
-                          number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i], b.tilted[i], b.unstable[i],
-                          number(b.first_move_time[i]));
+                          csv_number(boxes.mass[i]), vector(b.displacement[i]), csv_number(b.max_displacement[i]),
+                          csv_number(b.drop[i]), csv_number(b.tilt[i]), csv_number(b.kinetic_energy[i]),
+                          csv_number(b.peak_kinetic_energy[i]), b.fallen[i], b.moved[i], b.tilted[i], b.unstable[i],
+                          csv_number(b.first_move_time[i]));
     }
   }
   return text;
@@ -93,6 +86,7 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
     if (error) throw h5::Failure(*error);
     worlds.close();
     boxes.close();
+    if (results->info().has_margins) write_margin_csv(*results, folder + "/margins.csv");
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,11 @@ class PartBuilder {
 
   std::string path_;
   h5::File file_;
-  AxisCounts begin_;  ///< for long datasets, at the start of a chunk
+  std::vector<Analysis> analyses_;  ///< of the run
+  AxisCounts begin_;                ///< for long datasets, at the start of a chunk
   AxisCounts end_;
-  ColumnSet columns_;                 ///< the short datasets
-  std::vector<h5::Dataset> chunked_;  ///< the long datasets
+  ColumnSet columns_;                           ///< the short datasets
+  std::map<std::size_t, h5::Dataset> chunked_;  ///< the long datasets of the run, by their index among all
   LongEntries tail_;
   std::size_t bytes_ = 0;
   std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();

@@ -102,6 +102,14 @@ void visit_box_summary(Visit&& visit, BoxSummaryLike& b) {
   visit("/summary/boxes/first_move_time", b.first_move_time);
 }
 
+template <class Visit>
+void visit_margins(Visit&& visit) {
+  visit("/margins/margin", &LayoutMargins::margin);
+  visit("/margins/critical_box", &LayoutMargins::critical_box);
+  visit("/margins/trials", &LayoutMargins::trials);
+  visit("/margins/cpu_seconds", &LayoutMargins::cpu_seconds);
+}
+
 /// Entries of one dataset, collected in memory: bytes in their stored form, or texts before their common length is
 /// known.
 class Column {

@@ -137,6 +137,11 @@ std::string length_of(const DatasetSpec& spec) {
   return spec.width == 1 ? std::string(1, letter) : fmt::format("{} × {}", letter, spec.width);
 }
 
+/// What has to be asked for so that a dataset is there.
+std::string_view asked_by(Analysis analysis) {
+  return analysis == Analysis::margins ? "\nOnly in files of runs with `Margins`, see [margins.md](margins.md).\n" : "";
+}
+
 std::string_view folder_of(std::string_view path) { return path.substr(0, path.rfind('/')); }
 
 }  // namespace
@@ -158,7 +163,8 @@ std::string results_page() {
   for (const DatasetSpec& spec : kSchema) {
     if (folder_of(spec.path) != folder) {
       folder = folder_of(spec.path);
-      fmt::format_to(to, "\n### {}\n\n| dataset | type | length | units | description |\n", folder);
+      fmt::format_to(to, "\n### {}\n{}\n| dataset | type | length | units | description |\n", folder,
+                     asked_by(spec.analysis));
       page += "| --- | --- | --- | --- | --- |\n";
     }
     fmt::format_to(to, "| `{}` | {} | {} | {} | {} |\n", spec.path.substr(folder.size() + 1), to_string(spec.type),

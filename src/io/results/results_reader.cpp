@@ -83,6 +83,7 @@ struct ResultsReader::State {
     // A file that is being assembled has all attributes except this one.
     if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
+    info.has_margins = h5::exists(*file, "/margins");
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);
     info.layout_begin = at(before, Axis::layouts);
@@ -146,6 +147,20 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
       rows[i].sample_begin -= at(state_->before, Axis::samples);
       rows[i].row_begin -= at(state_->before, Axis::rows);
     }
+    return rows;
+  });
+}
+
+Result<std::vector<LayoutMargins>> ResultsReader::margins(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<LayoutMargins> rows(count);
+    const auto take = [&](std::string_view path, auto member) {
+      using Entry = std::decay_t<decltype(LayoutMargins{}.*member)>;
+      std::vector<Entry> column;
+      state_->read(path, begin, count, column);
+      for (std::size_t i = 0; i < count; ++i) rows[i].*member = column[i];
+    };
+    visit_margins(take);
     return rows;
   });
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/engine/world_record.hpp"
+#include "core/model/margin.hpp"
 #include "core/model/verdict.hpp"
 
 namespace holdfast::internal {
@@ -23,6 +24,7 @@ struct ResultsInfo {
   std::string fingerprint;
   bool complete = false;           ///< false for a part
   Thresholds thresholds;           ///< of its summary
+  bool has_margins = false;        ///< whether the run was asked for margins
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;
@@ -77,6 +79,9 @@ class ResultsReader {
 
   /// Rows [begin, begin + count) of /worlds.
   Result<std::vector<WorldRow>> worlds(std::uint64_t begin, std::uint64_t count);
+
+  /// Rows [begin, begin + count) of /margins, of a file that has them: one per layout, from the file's first one on.
+  Result<std::vector<LayoutMargins>> margins(std::uint64_t begin, std::uint64_t count);
 
   /// Rows [begin, begin + count) of /boxes: properties and end values of boxes.
   Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);

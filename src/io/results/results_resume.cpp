@@ -66,9 +66,18 @@ WorldRecord record_of(const WorldRow& row, EndTable&& end) {
   return world;
 }
 
-void visit_file(const std::string& path, const std::function<void(const WorldRecord&)>& visit) {
+void visit_margins_of(ResultsReader& results, const std::function<void(const LayoutRecord&)>& visit) {
+  const ResultsInfo& info = results.info();
+  const auto rows = results.margins(0, info.layouts.size());
+  if (!rows) throw h5::Failure(rows.error());
+  for (std::size_t i = 0; i < rows->size(); ++i)
+    visit({info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), (*rows)[i]});
+}
+
+void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   Result<ResultsReader> results = ResultsReader::open(path);
   if (!results) throw h5::Failure(results.error());
+  if (results->info().has_margins && visitor.margins) visit_margins_of(*results, visitor.margins);
   constexpr std::uint64_t kSlice = 1024;
   const std::uint64_t count = results->info().world_count;
   for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
@@ -77,19 +86,18 @@ void visit_file(const std::string& path, const std::function<void(const WorldRec
     for (const WorldRow& row : *rows) {
       Result<EndTable> end = results->ends(row.box_begin, row.box_count);
       if (!end) throw h5::Failure(end.error());
-      visit(record_of(row, std::move(*end)));
+      visitor.world(record_of(row, std::move(*end)));
     }
   }
 }
 
 }  // namespace
 
-std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
-                                    const std::function<void(const WorldRecord&)>& visit) {
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress, const FinishedVisitor& visitor) {
   return h5::caught(path, [&] {
-    if (progress.complete) return visit_file(path, visit);
+    if (progress.complete) return visit_file(path, visitor);
     for (std::uint64_t part = 1; part <= progress.part_count; ++part)
-      h5::with_cure(kCureOfPart, [&] { visit_file(part_path(path, part), visit); });
+      h5::with_cure(kCureOfPart, [&] { visit_file(part_path(path, part), visitor); });
   });
 }
 

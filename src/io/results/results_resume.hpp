@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/engine/world_record.hpp"
+#include "core/engine/result_sink.hpp"
 
 namespace holdfast::internal {
 
@@ -33,9 +33,15 @@ struct Progress {
 /// @param fingerprint of the run to resume
 Result<Progress> find_finished(const std::string& path, const std::string& fingerprint);
 
-/// Calls a function with every finished world in the order of the run, without boxes and series.
+/// Called with what an earlier run finished.
+struct FinishedVisitor {
+  std::function<void(const WorldRecord&)> world;     ///< without boxes and series
+  std::function<void(const LayoutRecord&)> margins;  ///< of a run that was asked for them; may be empty
+};
+
+/// Calls the visitor with every finished world and layout, part by part in the order of the run; within a part the
+/// layouts are first.
 /// @param progress from `find_finished`
-std::optional<Error> visit_finished(const std::string& path, const Progress& progress,
-                                    const std::function<void(const WorldRecord&)>& visit);
+std::optional<Error> visit_finished(const std::string& path, const Progress& progress, const FinishedVisitor& visitor);
 
 }  // namespace holdfast::internal

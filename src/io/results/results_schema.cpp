@@ -33,6 +33,18 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/inputs/accelerations/duration", ElementType::f64, 1, Axis::segments, "s", "duration of the segment"},
     {"/inputs/accelerations/value", ElementType::f64, 3, Axis::segments, "m/s2",
      "acceleration of the container x, y, z in the segment; zero outside all segments"},
+    // margins: one row per layout, one column per direction in which the load is pushed
+    {"/margins/margin", ElementType::f64, kDirectionCount, Axis::layouts, "g",
+     "largest constant acceleration that the layout stands, towards the front, the rear, the left and the right; "
+     "negative: it does not stand under gravity alone; NaN if it is not known",
+     Origin::recorded, Analysis::margins},
+    {"/margins/critical_box", ElementType::u32, kDirectionCount, Axis::layouts, "1",
+     "box that goes first above the margin: position in the layout file, from 1; 0: none up to 1.5 g", Origin::recorded,
+     Analysis::margins},
+    {"/margins/trials", ElementType::u32, 1, Axis::layouts, "1", "accelerations that were tried to find the margins",
+     Origin::recorded, Analysis::margins},
+    {"/margins/cpu_seconds", ElementType::f64, 1, Axis::layouts, "s", "processor time to find the margins",
+     Origin::recorded, Analysis::margins},
     // worlds: one row per (layout, acceleration) pair
     {"/worlds/layout", ElementType::u64, 1, Axis::worlds, "1", "index of the layout: row of /inputs/layouts"},
     {"/worlds/acceleration", ElementType::u64, 1, Axis::worlds, "1",

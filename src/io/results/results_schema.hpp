@@ -9,6 +9,8 @@
 
 #include "core/base/vector.hpp"
 #include "core/engine/world_record.hpp"
+#include "core/model/analysis.hpp"
+#include "core/model/margin.hpp"
 #include "core/model/status.hpp"
 
 namespace holdfast::internal {
@@ -59,6 +61,7 @@ struct DatasetSpec {
   std::string_view units;  ///< "1": a number without unit; "none": text
   std::string_view description;
   Origin origin = Origin::recorded;
+  Analysis analysis = Analysis::verdicts;  ///< the dataset is there where a run was asked for it
 };
 
 /// Entries per chunk of a long axis: 64 KiB of one float32 column of a series, 192 KiB of a vector column. Fewer for
@@ -80,7 +83,7 @@ inline constexpr std::uint64_t kFormatVersion = 2;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 78;
+inline constexpr std::size_t kDatasetCount = 82;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all use this table.
@@ -108,13 +111,15 @@ constexpr ElementType element_type_of() {
     return element_type_of<std::underlying_type_t<T>>();
   } else if constexpr (std::is_same_v<T, std::uint8_t>) {
     return ElementType::u8;
-  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+  } else if constexpr (std::is_same_v<T, std::uint32_t> ||
+                       std::is_same_v<T, std::array<std::uint32_t, kDirectionCount>>) {
     return ElementType::u32;
   } else if constexpr (std::is_same_v<T, std::uint64_t>) {
     return ElementType::u64;
   } else if constexpr (std::is_same_v<T, std::int32_t>) {
     return ElementType::i32;
-  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3>) {
+  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3> ||
+                       std::is_same_v<T, std::array<double, kDirectionCount>>) {
     return ElementType::f64;
   } else {
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, Float3> || std::is_same_v<T, Float4>);

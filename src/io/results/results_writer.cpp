@@ -13,12 +13,14 @@ namespace holdfast::internal {
 namespace {
 
 /// Entries of the incomplete chunks at the end of the last finished part.
-LongEntries read_tail(const std::string& path, const Progress& resume) {
+LongEntries read_tail(const std::string& path, const RunDescription& run, const Progress& resume) {
   LongEntries tail;
   if (resume.part_count == 0) return tail;
   const h5::File file = h5::File::open(part_path(path, resume.part_count));
   for (std::size_t column = 0; column < kLongDatasets; ++column) {
-    const h5::Dataset dataset = h5::Dataset::open(file, kSchema[long_datasets()[column]]);
+    const DatasetSpec& spec = kSchema[long_datasets()[column]];
+    if (!includes(run.analyses, spec.analysis)) continue;
+    const h5::Dataset dataset = h5::Dataset::open(file, spec);
     const std::uint64_t begin = chunk_begin(dataset.spec().axis, dataset.length());
     tail[column] = dataset.read(begin, dataset.length() - begin);
   }
@@ -109,7 +111,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& pa
     state->limits = limits;
     state->finished_parts = resume.part_count;
     state->end = counts_of(resume);
-    state->tail = read_tail(path, resume);
+    state->tail = read_tail(path, state->run, resume);
     state->placed = state->end;
     state->grid = ChunkGrid(state->end, state->tail);
     return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(state)));

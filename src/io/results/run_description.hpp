@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/model/acceleration.hpp"
+#include "core/model/analysis.hpp"
 #include "core/model/verdict.hpp"
 
 namespace holdfast::internal {
@@ -24,8 +25,9 @@ struct RunDescription {
   /// SHA-256 of each layout file when the run began; empty if it could not be read.
   std::vector<std::string> layout_hashes;
   std::vector<Acceleration> accelerations;  ///< of the run, in its order; a bad acceleration has no segments
-  bool record_series = true;                ///< false: end states and peaks only
-  Thresholds thresholds;                    ///< of the summary
+  std::vector<Analysis> analyses = {Analysis::verdicts};  ///< what the run finds out
+  bool record_series = true;                              ///< false: end states and peaks only
+  Thresholds thresholds;                                  ///< of the summary
 };
 
 /// Everything that must be the same for a run to be resumed, as text: `software=… settings=… engine=… layouts=…

@@ -63,7 +63,12 @@ std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& th
 std::optional<Error> write_summary(const std::string& results_path, const Thresholds& thresholds,
                                    const std::string& path);
 
-/// Writes `worlds.csv` and `boxes.csv` into the folder, which is created if it is missing; existing files are replaced.
+/// Writes the margins of a file that has them as `layout,direction,margin_g,critical_box`, one line per layout and
+/// direction. For src/io only; throws `h5::Failure`.
+void write_margin_csv(ResultsReader& results, const std::string& path);
+
+/// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv` where the run was asked for margins. The
+/// folder is created if it is missing; existing files are replaced.
 /// RFC 4180, one header line, units at the end of the names (`drop_m`). pandas.read_csv needs no options.
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);

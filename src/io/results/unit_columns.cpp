@@ -75,6 +75,8 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
   for (const LayoutRecord& record : unit.layouts) {
     assert(record.index == at(end, Axis::layouts));
     append_layout(columns, *record.layout, at(end, Axis::layout_boxes));
+    if (includes(run.analyses, Analysis::margins))
+      visit_margins([&](std::string_view path, auto member) { columns[path].append(record.margins.*member); });
     at(end, Axis::layouts) += 1;
     at(end, Axis::layout_boxes) += record.layout->boxes.size();
   }

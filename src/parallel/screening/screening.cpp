@@ -37,7 +37,8 @@ class Run {
         observer_(observer),
         stop_(stop),
         costs_(costs),
-        runner_(plan.engine, plan.settings, plan.record_series, plan.layouts, plan.accelerations, stop.drop, costs),
+        runner_(plan.engine, plan.settings, plan.record_series, plan.layouts, plan.accelerations, stop.drop, costs,
+                plan.margins),
         units_(units_of(plan)),
         failures_(plan.failures.value_or(FailureOrder(plan.accelerations.size(), plan.engine.traits()))),
         thresholds_(recording_plan(plan.settings, false).thresholds),
@@ -127,6 +128,8 @@ class Run {
     }
     progress_.done += unit.record.worlds.size();
     for (const Error& warning : unit.record.warnings) observer_.warned(warning);
+    if (plan_.margins)
+      for (const LayoutRecord& layout : unit.record.layouts) observer_.margins_found(layout);
     for (const WorldRecord& world : unit.record.worlds) observer_.world_finished(world, next_world_++);
     return true;
   }

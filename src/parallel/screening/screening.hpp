@@ -24,6 +24,7 @@ struct ScreeningPlan {
   LayoutSource& layouts;
   std::span<const ReadAcceleration> accelerations;
   bool record_series = true;
+  bool margins = false;             ///< also find the margins of every layout
   std::size_t finished_worlds = 0;  ///< the first so many are finished already; a unit of work must begin there
   std::optional<FailureOrder> failures = std::nullopt;  ///< with FirstFailure: has counted the finished worlds
 

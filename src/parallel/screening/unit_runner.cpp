@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/engine/margin_search.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
@@ -51,11 +52,26 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   const std::size_t simulated = order.empty() ? simulate_good(unit, layouts, record.worlds)
                                               : simulate_until_failure(unit, layouts, order, record.worlds);
   if (abort_) return std::nullopt;
-  const double cpu_share = (processor_seconds() - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, simulated));
+  const double cpu_end = processor_seconds();
+  const double cpu_share = (cpu_end - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, simulated));
   for (WorldRecord& world : record.worlds)
     if (world.outcome.stop_reason != StopReason::not_run)
       world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
+  if (margins_ && !add_margins(record.layouts)) return std::nullopt;
   return record;
+}
+
+bool UnitRunner::add_margins(std::vector<LayoutRecord>& layouts) const {
+  const StageTimer timer(costs_, Stage::simulate);
+  for (LayoutRecord& record : layouts) {
+    if (record.layout->boxes.empty()) continue;
+    const double cpu_begin = processor_seconds();
+    const std::optional<LayoutMargins> margins = find_margins(engine_, *record.layout, settings_, abort_);
+    if (!margins) return false;
+    record.margins = *margins;
+    record.margins.cpu_seconds = processor_seconds() - cpu_begin;
+  }
+  return true;
 }
 
 std::shared_ptr<const ReadLayout> UnitRunner::take(std::size_t layout, std::size_t takers) const {

@@ -23,15 +23,18 @@ namespace holdfast::internal {
 class UnitRunner {
  public:
   /// All must outlive this.
+  /// @param margins whether to find those of every layout
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series, LayoutSource& layouts,
-             std::span<const ReadAcceleration> accelerations, const std::atomic<bool>& abort, StageCosts& costs)
+             std::span<const ReadAcceleration> accelerations, const std::atomic<bool>& abort, StageCosts& costs,
+             bool margins = false)
       : engine_(engine, costs),
         settings_(settings),
         plan_(recording_plan(settings, record_series)),
         layouts_(layouts),
         accelerations_(accelerations),
         abort_(abort),
-        costs_(costs) {}
+        costs_(costs),
+        margins_(margins) {}
 
   /// The unit's records; nothing when aborted.
   /// @param sharing units of the run that take the same layouts, this one among them
@@ -55,6 +58,9 @@ class UnitRunner {
                                      const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                                      std::span<const std::size_t> order, std::vector<WorldRecord>& worlds) const;
 
+  /// Finds the margins of layouts that can be used. False when aborted.
+  bool add_margins(std::vector<LayoutRecord>& layouts) const;
+
   /// Every layout under every acceleration; nothing when aborted.
   std::vector<WorldRecord> simulate_batch(const std::vector<const Layout*>& layouts,
                                           const std::vector<const Acceleration*>& accelerations) const;
@@ -66,6 +72,7 @@ class UnitRunner {
   std::span<const ReadAcceleration> accelerations_;
   const std::atomic<bool>& abort_;
   StageCosts& costs_;
+  bool margins_;
 };
 
 }  // namespace holdfast::internal

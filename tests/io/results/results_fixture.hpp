@@ -100,7 +100,8 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
 }
 
 /// A run with one unit per layout, each with two accelerations.
-inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
+inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
+                    std::vector<Analysis> analyses = {Analysis::verdicts}) {
   std::mt19937 random(7);
   Run run;
   RunDescription& about = run.description;
@@ -112,6 +113,7 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
            .host = "host",
            .config_text = "[Physics Engine]\nDensityValue = 250\n",
            .settings = {{"Physics Engine/DensityValue", "250"}, {"Export Settings/SavePath", ""}},
+           .analyses = std::move(analyses),
            .record_series = series};
   Acceleration braking{.name = "braking.txt", .sha256 = std::string(64, 'b')};
   braking.segments = {{.start = 0, .duration = 1, .acceleration = {1, 0, 0}},
@@ -126,7 +128,10 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true) {
     Layout loading{.name = name, .sha256 = std::string(64, 'a'), .header = "262  18"};
     for (std::size_t box = 0; box < shape.boxes; ++box)
       loading.boxes.push_back({Vec3(0, 0, 0), Vec3(0.8, 0.6, 0.4), static_cast<int>(layout), 2});
-    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading))});
+    LayoutMargins margins;
+    margins.margin = {0.5, 0.25, 1.5, 0.125 * static_cast<double>(layout)};
+    margins.critical_box = {1, 2, 0, static_cast<std::uint32_t>(layout)};
+    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), margins});
     for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
       unit.worlds.push_back(make_world(random, layout, acceleration, shape));
       if (!series) unit.worlds.back().series = {};

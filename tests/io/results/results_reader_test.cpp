@@ -76,3 +76,17 @@ TEST_CASE("results_reader: entries beyond the end are an error", "[io][results]"
   CHECK_FALSE(reader.boxes(7, 1));
   CHECK(reader.worlds(2, 0));
 }
+
+TEST_CASE("results_reader: margins are read as they were found, over parts too", "[io][results]") {
+  const Run run = make_run({{3, 4}, {2, 2}, {1, 1}}, true, {Analysis::verdicts, Analysis::margins});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  REQUIRE(results.info().has_margins);
+  const std::vector<LayoutMargins> margins = require_value(results.margins(0, 3));
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(margins[i].margin == run.units[i].layouts.front().margins.margin);
+    CHECK(margins[i].critical_box == run.units[i].layouts.front().margins.critical_box);
+  }
+}

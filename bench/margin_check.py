@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+"""How exact margins are: every layout at 0.95 and 1.05 of each of its margins, and margins beside a plain bisection.
+
+  bench/margin_check.py --layouts configs/layouts [--accuracy screening] [--bisect]
+
+The first table counts the cases in which a constant acceleration of 0.95 margins moves a box by more than 5 mm, or one
+of 1.05 margins does not. With --bisect, margins are found a second time by halving 0 to 1.5 g down to 1 mg, each
+acceleration as a full simulation of its own from the layout's pose, and the differences are printed.
+"""
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+DIRECTIONS = {"front": (1, 0), "rear": (-1, 0), "left": (0, 1), "right": (0, -1)}  # acceleration of the container
+GRAVITY = 9.81  # m/s2
+LARGEST = 1.5  # g
+MOVED = 0.005  # m
+SECONDS = 2.0  # a margin's load has so long to come to rest
+
+
+def worlds(program, command, *arguments):
+    """The lines that a command prints as JSON."""
+    done = subprocess.run([program, command, *map(str, arguments), "--json", "--quiet", "--overwrite"],
+                          capture_output=True, text=True, check=False)
+    if done.returncode > 1:
+        sys.exit(done.stderr)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+class Loads:
+    """Constant accelerations as files, and what becomes of a layout under them."""
+
+    def __init__(self, folder, arguments):
+        self.folder, self.arguments = pathlib.Path(folder), arguments
+
+    def hold(self, layout, cases):
+        """Whether the layout holds each (direction, size in g)."""
+        for i, (direction, size) in enumerate(cases):
+            x, y = (size * GRAVITY * part for part in DIRECTIONS[direction])
+            (self.folder / f"{i:03}.txt").write_text(f"0 {SECONDS} {x!r} {y!r} 0\n")
+        files = [self.folder / f"{i:03}.txt" for i in range(len(cases))]
+        found = worlds(self.arguments.program, "screen", "--layouts", layout, "--accelerations", *files, "--no-series",
+                       "--accuracy", self.arguments.accuracy, "-o", self.folder / "worlds.h5")
+        return [world["peak_displacement_m"] < MOVED for world in found]
+
+    def bisect(self, layout):
+        """The margins of a layout, all directions at once."""
+        known = {direction: [0.0, LARGEST] for direction in DIRECTIONS}
+        for direction, held in zip(DIRECTIONS, self.hold(layout, [(direction, LARGEST) for direction in DIRECTIONS])):
+            if held:
+                known[direction][0] = LARGEST
+        while open_ones := [direction for direction, (low, high) in known.items() if high - low > 1e-3]:
+            middles = [(direction, sum(known[direction]) / 2) for direction in open_ones]
+            for (direction, middle), held in zip(middles, self.hold(layout, middles)):
+                known[direction][0 if held else 1] = middle
+        return {direction: low for direction, (low, _) in known.items()}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--layouts", nargs="+", required=True)
+    parser.add_argument("--accuracy", default="screening")
+    parser.add_argument("--bisect", action="store_true")
+    parser.add_argument("--program", default="build/release/bin/holdfast")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        loads = Loads(folder, arguments)
+        paths = {}
+        for given in map(pathlib.Path, arguments.layouts):
+            paths |= {path.name: path for path in (sorted(given.glob("*.txt")) if given.is_dir() else [given])}
+        found = {line["layout"]: line for line in worlds(arguments.program, "margins", "--layouts", *paths.values(),
+                                                         "--accuracy", arguments.accuracy, "-o", f"{folder}/margins.h5")
+                 if "margins_g" in line}
+        below, above, differences = [], [], []
+        for name, line in found.items():
+            margins = line["margins_g"]
+            if min(margins.values()) < 0:
+                continue
+            cases = [(direction, share * margin) for direction, margin in margins.items() for share in (0.95, 1.05)]
+            for (direction, size), held in zip(cases, loads.hold(paths[name], cases)):
+                if size > LARGEST:
+                    continue
+                expected = size < margins[direction]
+                (below if expected else above).append(held == expected)
+                if held != expected:
+                    print(f"{name} {direction}: margin {margins[direction]:.3f} g, "
+                          f"{'holds' if held else 'does not hold'} {size:.3f} g")
+            if arguments.bisect:
+                exact = loads.bisect(paths[name])
+                differences += [margins[direction] - exact[direction] for direction in margins]
+    seconds = [line["cpu_seconds"] for line in found.values() if min(line["margins_g"].values()) >= 0]
+    print(f"0.95 of the margin holds in {sum(below)} of {len(below)} cases, 1.05 of it does not in {sum(above)} of {len(above)}")
+    if differences:
+        near = sum(abs(difference) <= 0.01 for difference in differences)
+        print(f"within 0.01 g of the bisection: {near} of {len(differences)}; the median difference is "
+              f"{statistics.median(differences):+.4f} g")
+    print(f"processor time for four directions: median {1e3 * statistics.median(seconds):.0f} ms, "
+          f"largest {1e3 * max(seconds):.0f} ms, {len(seconds)} layouts")
+
+
+if __name__ == "__main__":
+    main()

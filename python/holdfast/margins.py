@@ -1,0 +1,100 @@
+"""How many g layouts stand, as arrays."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import Problem
+
+if TYPE_CHECKING:
+    import pandas
+
+#: Directions in which the load is pushed, in the order of all arrays.
+DIRECTIONS = ("front", "rear", "left", "right")
+#: Layouts that a notebook shows one by one.
+_MOST_SHOWN = 20
+
+
+class Margins:
+    """How many g each layout stands in each direction. Arrays have shape (layouts, 4); columns are :data:`DIRECTIONS`."""
+
+    __slots__ = ("margin", "critical_box", "trials", "cpu_seconds", "problems", "layout_names")
+
+    def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.int64], trials: npt.NDArray[np.uint32],
+                 cpu_seconds: npt.NDArray[np.float64], problems: tuple[Problem, ...], layout_names: Sequence[str]) -> None:
+        #: Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, g, up to 1.5.
+        #: Negative where the layout does not stand under gravity alone; NaN where it cannot be used, or
+        #: :meth:`Screen.cancel` came before.
+        self.margin = margin
+        #: Index of the box that goes first above the margin; -1: none up to 1.5 g.
+        self.critical_box = critical_box
+        #: Accelerations that were tried, one number per layout.
+        self.trials = trials
+        #: Processor time, s, one number per layout.
+        self.cpu_seconds = cpu_seconds
+        #: With ``errors="mark"``: what is wrong with the layouts, see :class:`Problem`.
+        self.problems = problems
+        #: Names of the layouts of the call, in their order; empty when none were given.
+        self.layout_names = tuple(layout_names)
+
+    @property
+    def least(self) -> npt.NDArray[np.float64]:
+        """The margin in the weakest direction, g, of shape (layouts,)."""
+        least: npt.NDArray[np.float64] = self.margin.min(axis=1)
+        return least
+
+    @property
+    def weakest(self) -> list[str]:
+        """The weakest direction of each layout, the first of several."""
+        return [DIRECTIONS[i] for i in self.margin.argmin(axis=1)]
+
+    def over(self, needed: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """How often a layout stands what is needed, in the worst direction: the least of margin / needed, of shape (layouts,).
+        A fitness: 1 or more where the layout stands all of it.
+
+        :param needed: g, one number per direction, such as (0.8, 0.5, 0.5, 0.5) for the road; 0 where nothing is needed
+        """
+        needed = np.asarray(needed, dtype=float)
+        if needed.shape != (len(DIRECTIONS),) or not (needed >= 0).all() or not needed.any():
+            raise ValueError("needed is one number per direction, front, rear, left and right, and not negative")
+        asked = needed > 0
+        worst: npt.NDArray[np.float64] = (self.margin[:, asked] / needed[asked]).min(axis=1)
+        return worst
+
+    def frame(self) -> pandas.DataFrame:
+        """A data frame with one row per layout and direction: margin, critical_box."""
+        import pandas
+
+        count = len(self)
+        frame = pandas.DataFrame({
+            "layout": np.repeat(np.arange(count), len(DIRECTIONS)),
+            "direction": pandas.Categorical.from_codes(np.tile(range(len(DIRECTIONS)), count), list(DIRECTIONS)),
+            "margin": self.margin.ravel(),
+            "critical_box": self.critical_box.ravel(),
+        })
+        if self.layout_names:
+            frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
+        return frame
+
+    def __len__(self) -> int:
+        return len(self.margin)
+
+    def __repr__(self) -> str:
+        found = "" if not len(self) else f", the least {np.nanmin(self.margin):.2f} g"
+        return f"<holdfast.Margins of {len(self)} layouts{found}>"
+
+    def _repr_html_(self) -> str:
+        heads = "".join(f"<th>{direction}</th>" for direction in DIRECTIONS)
+        lines = [f"<table><caption>{html.escape(repr(self)[1:-1])}</caption><tr><th>layout</th>{heads}</tr>"]
+        for i, row in enumerate(self.margin[:_MOST_SHOWN]):
+            name = self.layout_names[i] if self.layout_names else str(i)
+            cells = "".join(f"<td>{margin:.2f} g</td>" for margin in row)
+            lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
+        if len(self) > _MOST_SHOWN:
+            lines.append(f"<tr><td colspan='{len(DIRECTIONS) + 1}'>and {len(self) - _MOST_SHOWN} layouts more</td></tr>")
+        return "\n".join(lines) + "</table>"

@@ -1,0 +1,64 @@
+#include <utility>
+#include <vector>
+
+#include "api/engine_loader.hpp"
+#include "api/guarded.hpp"
+#include "api/memory_run.hpp"
+#include "api/screen_state.hpp"
+#include "holdfast/holdfast.hpp"
+
+namespace holdfast {
+
+namespace {
+
+/// Takes the margins of layouts, and drops their worlds.
+class MarginSink final : public internal::ResultSink {
+ public:
+  explicit MarginSink(std::vector<LayoutMargins>& margins) : margins_(margins) {}
+
+  std::unique_ptr<internal::SinkUnit> place(internal::UnitRecord& unit) override {
+    for (const internal::LayoutRecord& layout : unit.layouts) margins_[layout.index] = public_margins(layout.margins);
+    return std::make_unique<internal::DoneUnit>();
+  }
+
+ private:
+  static LayoutMargins public_margins(const internal::LayoutMargins& found) {
+    LayoutMargins margins{.margin = found.margin, .trials = found.trials, .cpu_seconds = found.cpu_seconds};
+    for (std::size_t i = 0; i < internal::kDirectionCount; ++i)
+      margins.critical_box.at(i) = static_cast<std::ptrdiff_t>(found.critical_box.at(i)) - 1;
+    return margins;
+  }
+
+  std::vector<LayoutMargins>& margins_;
+};
+
+}  // namespace
+
+std::vector<LayoutMargins> Screen::State::margins(std::vector<internal::ReadLayout> layouts) {
+  if (const auto error = internal::why_no_margins(*engine)) throw internal::exception_of({*error});
+  std::vector<LayoutMargins> margins(layouts.size());
+  for (LayoutMargins& unknown : margins) unknown.margin = internal::LayoutMargins{}.margin;
+  internal::MemoryLayouts source(std::move(layouts));
+  MarginSink sink(margins);
+  const std::vector<internal::ReadAcceleration> gravity = {{internal::gravity_alone(), ""}};
+  const internal::ScreeningEnd end =
+      internal::screen_worlds({*engine, settings, *workers, source, gravity, false, true}, sink, observer, stop, costs);
+  if (end.error) throw internal::exception_of({*end.error});
+  return margins;
+}
+
+std::vector<LayoutMargins> Screen::margins(std::span<const Layout> layouts) {
+  return internal::guarded([&] {
+    state_->forget_cancel();
+    return state_->margins(state_->read(layouts));
+  });
+}
+
+std::vector<LayoutMargins> Screen::margins(std::span<const LayoutView> layouts) {
+  return internal::guarded([&] {
+    state_->forget_cancel();
+    return state_->margins(state_->read(layouts));
+  });
+}
+
+}  // namespace holdfast

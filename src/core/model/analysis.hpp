@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/model/settings.hpp"
+
+namespace holdfast::internal {
+
+/// What a run finds out. Everything but the verdicts is found, stored and printed only when it is asked for.
+enum class Analysis : std::uint8_t { verdicts, margins };
+
+/// What the settings ask for, in the order above.
+inline std::vector<Analysis> analyses_of(const Settings& settings) {
+  std::vector<Analysis> analyses = {Analysis::verdicts};
+  if (settings.screening.margins) analyses.push_back(Analysis::margins);
+  return analyses;
+}
+
+/// Whether an analysis is among those of a run.
+inline bool includes(const std::vector<Analysis>& analyses, Analysis analysis) {
+  return std::find(analyses.begin(), analyses.end(), analysis) != analyses.end();
+}
+
+}  // namespace holdfast::internal
