@@ -81,3 +81,7 @@ TEST_CASE("fuzz: accelerations are read or refused, the corpus and what becomes 
 TEST_CASE("fuzz: configs are read or refused, the corpus and what becomes of it", "[fuzz]") {
   check_target("config", fuzz::read_config);
 }
+
+TEST_CASE("fuzz: requests are read or refused, the corpus and what becomes of it", "[fuzz]") {
+  check_target("request", fuzz::read_requests);
+}

@@ -1,10 +1,13 @@
 #include "fuzz/fuzz_targets.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/serve/layout_request.hpp"
 #include "core/base/error_list.hpp"
 #include "core/model/layout_check.hpp"
 #include "core/model/setting_table.hpp"
@@ -20,6 +23,7 @@ namespace {
 using namespace holdfast::internal;
 
 constexpr std::size_t kMostMessageBytes = 2000;
+constexpr int kNumbersPerBox = 7;
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
@@ -53,6 +57,38 @@ void check_box(const Box& box) {
   require(box.corner_min.allFinite() && box.corner_max.allFinite(), "a corner is not finite");
   require((box.corner_max - box.corner_min).minCoeff() > kLayoutTolerance, "a box has no extent");
   require(box.material >= 0 && box.line > 0, "a box has no material or line");
+}
+
+/// Where a mistake in a box is looked up after the line was read.
+void check_columns(std::string_view line, const LayoutRequest& request) {
+  const auto boxes = static_cast<std::ptrdiff_t>(request.places.size());
+  for (std::ptrdiff_t box = 0; box < boxes; ++box) {
+    long before = 0;
+    for (int number = -1; number < kNumbersPerBox; ++number) {
+      const long column = column_of(line, request, box, number);
+      require(column > before && column <= static_cast<long>(line.size()), "a number has no column of its own");
+      before = column;
+    }
+  }
+}
+
+void check_request(std::string_view line) {
+  const std::vector<std::string> accelerations = {"brake.txt", "corner.txt"};
+  const auto [request, error] = read_request(line, accelerations);
+  require(nlohmann::json::accept(request.id), "an id is not JSON");
+  require(request.id.find_first_of("\r\n") == std::string::npos, "an id ends the line of the answer");
+  if (error) {
+    // The answer escapes what a terminal could not show.
+    require(error->message().size() < kMostMessageBytes, "a message is too long");
+    require(error->column >= 1 && error->column <= static_cast<long>(line.size()) + 1, "a mistake is not in the line");
+    require(error->box >= 0 && error->box_number >= 0, "a mistake is in no box");
+    return;
+  }
+  require(request.numbers.size() == kNumbersPerBox * request.places.size(), "a box has not seven numbers");
+  for (const double number : request.numbers) require(std::isfinite(number), "a number is not finite");
+  for (const std::size_t index : request.options.accelerations)
+    require(index < accelerations.size(), "an acceleration is none of those that are there");
+  check_columns(line, request);
 }
 
 }  // namespace
@@ -104,6 +140,14 @@ void read_config(std::string_view text) {
   if (!config) return;
   require(check_settings(config->settings).empty(), "accepted settings contradict each other");
   effective_settings(config->settings);
+}
+
+void read_requests(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    check_request(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
 }
 
 }  // namespace fuzz

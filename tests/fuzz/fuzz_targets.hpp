@@ -10,4 +10,7 @@ void read_layout(std::string_view text);
 void read_acceleration(std::string_view text);
 void read_config(std::string_view text);
 
+/// Every line is one request to `holdfast serve`.
+void read_requests(std::string_view text);
+
 }  // namespace fuzz

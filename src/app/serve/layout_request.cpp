@@ -46,7 +46,28 @@ class Cursor {
   const char** furthest_;
 };
 
-bool is_in_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E'; }
+/// Where the number ends that the parser has found there.
+std::size_t end_of_number(std::string_view line, std::size_t at) {
+  const auto is_one_of = [&](std::string_view some) {
+    return at < line.size() && some.find(line[at]) != std::string_view::npos;
+  };
+  const auto pass_digits = [&] { at = std::min(line.find_first_not_of("0123456789", at), line.size()); };
+  if (is_one_of("-")) ++at;
+  if (is_one_of("0"))  // after which other digits are another number
+    ++at;
+  else
+    pass_digits();
+  if (is_one_of(".")) {
+    ++at;
+    pass_digits();
+  }
+  if (is_one_of("eE")) {
+    ++at;
+    if (is_one_of("+-")) ++at;
+    pass_digits();
+  }
+  return at;
+}
 
 /// Takes the line apart as it is parsed, without a tree in memory. After a mistake it goes on for the id alone.
 class RequestReader {
@@ -98,9 +119,8 @@ class RequestReader {
   bool take(Token token) {
     begin_ = begin_of_next();
     end_ = static_cast<std::size_t>(furthest_ - line_.data());
-    if (token == Token::number) {  // of which the parser has seen one more character, if there is one
-      for (end_ = begin_; end_ < line_.size() && is_in_number(line_[end_]);) ++end_;
-    }
+    // Of a number the parser has seen one more character, if there is one.
+    if (token == Token::number) end_ = end_of_number(line_, begin_);
     if (token == Token::object_ends || token == Token::list_ends) {
       --depth_;
       end_of_container();

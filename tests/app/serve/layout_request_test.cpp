@@ -48,6 +48,16 @@ TEST_CASE("layout_request: an id is any JSON, and kept as it is written", "[app]
   }
 }
 
+TEST_CASE("layout_request: an id is JSON also where the line goes wrong after it", "[app][layout_request]") {
+  for (const auto& [text, id] : std::vector<std::pair<std::string, std::string>>{
+           {"1-2", "1"}, {"-01", "-0"}, {"1.5e+3.2", "1.5e+3"}, {"2+", "2"}, {"7e1e", "7e1"}}) {
+    const ReadRequest read = read_request("{\"id\":" + text, kNames);
+    CAPTURE(text);
+    CHECK(read.error);
+    CHECK(read.request.id == id);
+  }
+}
+
 TEST_CASE("layout_request: an id stays on one line for any reader", "[app][layout_request]") {
   CHECK(good("{\"boxes\":[],\"id\":[1,\r\t2]}").id == "[1, \t2]");
 }
