@@ -99,6 +99,8 @@ struct Layout {
 struct LayoutView {
   std::string_view name;            ///< as in `Layout`
   std::span<const double> numbers;  ///< seven times as many as there are boxes
+  /// What is wrong with the layout, if no numbers could be had for it; it is then a bad one, see `BadLayouts`.
+  const Problem* problem = nullptr;
 };
 
 /// A stretch of time in which the container has one acceleration.

@@ -42,7 +42,7 @@ class Screen:
     :param threads: worlds that are simulated at the same time; 0: one per core (default)
     :param unit: of the corners of boxes: "m", or "cm" as in layout files
     :param errors: "raise": a bad layout is an :class:`Error`, before anything is simulated; "mark": its worlds have a status
-        and a message, and the others are simulated
+        and a message, and the others are simulated; what is neither an array nor a sequence is an :class:`Error` in any case
     :param keep_boxes: whether verdicts have :meth:`Verdicts.box_outcomes`
     :param config: text of a config.ini, for all that is not a parameter here (docs/config.md)
     :param scheduler: "tbb", "openmp" or "serial"; never changes a result

@@ -24,20 +24,34 @@ Error wrong(std::string what, std::string value, std::string accepted, std::ptrd
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
+std::string type_text(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
+
+/// The array that an object is, or can be made into; none when it cannot.
+Numbers array_from(const py::handle& object) {
+  Numbers array = Numbers::ensure(object);
+  if (!array) PyErr_Clear();
+  return array;
+}
+
+/// Whether an array is a table with so many columns, or has nothing in it.
+bool has_columns(const Numbers& array, py::ssize_t columns) {
+  if (array.ndim() == 2) return array.shape(1) == columns;
+  return array.ndim() < 2 && array.size() == 0;
+}
+
 /// The array of numbers with so many columns that an object is, or can be made into.
 /// @param name what messages call it
-Numbers numbers_of(const py::handle& object, py::ssize_t columns, const std::string& name, const char* accepted,
-                   std::ptrdiff_t layout = -1) {
-  Numbers array = Numbers::ensure(object);
-  if (!array) {
-    PyErr_Clear();
-    throw wrong(name + " is no array of numbers", py::str(py::type::handle_of(object).attr("__name__")), accepted,
-                layout);
-  }
-  const bool is_table = array.ndim() == 2 && array.shape(1) == columns;
-  const bool is_nothing = array.ndim() <= 2 && array.size() == 0 && (array.ndim() < 2 || array.shape(1) == columns);
-  if (!is_table && !is_nothing) throw wrong(name + " has a wrong shape", shape_text(array), accepted, layout);
+Numbers numbers_of(const py::handle& object, py::ssize_t columns, const std::string& name, const char* accepted) {
+  Numbers array = array_from(object);
+  if (!array) throw wrong(name + " is no array of numbers", type_text(object), accepted);
+  if (!has_columns(array, columns)) throw wrong(name + " has a wrong shape", shape_text(array), accepted);
   return array;
+}
+
+/// Whether an object can be meant as a layout.
+bool is_table(const py::handle& object) {
+  const bool is_text = py::isinstance<py::str>(object) || py::isinstance<py::bytes>(object);
+  return py::isinstance<py::array>(object) || (!is_text && py::isinstance<py::sequence>(object));
 }
 
 std::span<const double> span_of(const Numbers& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
@@ -47,15 +61,28 @@ std::span<const double> span_of(const Numbers& array) { return {array.data(), st
 Layouts::Layouts(const py::sequence& arrays, std::vector<std::string> names) : names_(std::move(names)) {
   arrays_.reserve(arrays.size());
   views_.reserve(arrays.size());
-  for (std::size_t i = 0; i < arrays.size(); ++i) {
-    const py::object object = arrays[i];
-    const std::string label = i < names_.size() && !names_[i].empty() ? names_[i] : "layout " + std::to_string(i);
-    arrays_.push_back(numbers_of(object, kBoxColumns, label,
-                                 "an array of shape (boxes, 7) is needed; a single layout goes into a list",
-                                 static_cast<std::ptrdiff_t>(i)));
-    views_.push_back({"", span_of(arrays_.back())});
-  }
+  for (const py::object object : arrays) add(object);
   name_all();
+}
+
+void Layouts::add(const py::object& object) {
+  constexpr const char* kAccepted = "an array of shape (boxes, 7) is needed; a single layout goes into a list";
+  if (!is_table(object)) {
+    const std::size_t i = views_.size();
+    const std::string name = i < names_.size() && !names_[i].empty() ? names_[i] : "layout " + std::to_string(i);
+    throw wrong(name + " is no array of numbers", type_text(object), kAccepted, static_cast<std::ptrdiff_t>(i));
+  }
+  Numbers array = array_from(object);
+  if (!array) {
+    problems_.push_back({.what = "no array of numbers", .value = type_text(object), .accepted = kAccepted});
+  } else if (!has_columns(array, kBoxColumns)) {
+    problems_.push_back({.what = "a wrong shape", .value = shape_text(array), .accepted = kAccepted});
+  } else {
+    views_.push_back({"", span_of(array)});
+    arrays_.push_back(std::move(array));
+    return;
+  }
+  views_.push_back({.problem = &problems_.back()});
 }
 
 Layouts::Layouts(const py::object& boxes, const py::object& offsets, std::vector<std::string> names)

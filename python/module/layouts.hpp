@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <deque>
 #include <holdfast/holdfast.hpp>
 #include <span>
 #include <string>
@@ -16,7 +17,8 @@ using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 /// Layouts of a call, in the memory of numpy where that is float64 row after row.
 class Layouts {
  public:
-  /// One array of shape (boxes, 7) per layout. Throws `Error` for any other shape.
+  /// One array of shape (boxes, 7) per layout. One of any other shape is a view with a problem. Throws `Error` for what
+  /// is neither an array nor a sequence of rows.
   /// @param names one per layout, or none
   Layouts(const pybind11::sequence& arrays, std::vector<std::string> names);
 
@@ -26,9 +28,11 @@ class Layouts {
   std::span<const LayoutView> views() const { return views_; }
 
  private:
+  void add(const pybind11::object& array);
   void name_all();
 
   std::vector<Numbers> arrays_;
+  std::deque<Problem> problems_;  ///< of views
   std::vector<std::string> names_;
   std::vector<LayoutView> views_;
 };

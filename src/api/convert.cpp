@@ -168,6 +168,8 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
   const std::span<const double> numbers = layout.numbers;
   const std::size_t count = numbers.size() / kNumbersPerBox;
   std::vector<Error> errors = check_count(count, name);
+  if (const holdfast::Problem* const problem = layout.problem)
+    errors = {{.file = name, .what = problem->what, .value = problem->value, .accepted = problem->accepted}};
   if (errors.empty() && numbers.size() % kNumbersPerBox != 0)
     errors = {{.file = name,
                .what = "the layout is no whole number of boxes",

@@ -16,6 +16,19 @@ screen = holdfast.Screen([BRAKE], accuracy="reference", unit="cm", threads=2)
 layouts = [screen.read_layout(LONG_LAYOUT)] * 200
 """
 
+# What can be meant as a layout and is none, and what is said of it.
+WRONG_SHAPES = [
+    (BOX[:, :6], r"a wrong shape: \(1, 6\)"),
+    (np.zeros((7, 6)), r"a wrong shape: \(7, 6\)"),
+    (np.zeros((0, 6)), r"a wrong shape: \(0, 6\)"),
+    (BOX[0], r"a wrong shape: \(7,\)"),
+    (BOX[None], r"a wrong shape: \(1, 1, 7\)"),
+    (np.array(1.0), r"a wrong shape: \(\)"),
+    ([[1, 2], [3]], "no array of numbers: list"),
+    ([["a box"]], "no array of numbers: list"),
+    (np.array([BOX[0], None], dtype=object), "no array of numbers: ndarray"),
+]
+
 
 class InputTest(unittest.TestCase):
     def setUp(self):
@@ -30,14 +43,13 @@ class InputTest(unittest.TestCase):
         self.assertTrue(error.what and error.accepted is not None)
 
     def test_wrong_shapes(self):
-        self.check([BOX, BOX[:, :6]], r"layout 1 has a wrong shape: \(1, 6\); an array of shape \(boxes, 7\)", (1, None, None))
-        self.check(BOX, r"layout 0 has a wrong shape: \(7,\); .* a single layout goes into a list", (0, None, None))
-        self.check([[BOX]], "wrong shape", (0, None, None))
-        self.check([1.0], "wrong shape", (0, None, None))
-        self.check([np.zeros((0, 6))], "wrong shape", (0, None, None))
-        self.check([["a box"]], "no array of numbers: list", (0, None, None))
-        self.check([None], "layout 0", (0, None, None))
-        self.check([BOX, [[1, 2], [3]]], "no array of numbers", (1, None, None))
+        self.check([BOX, BOX[:, :6]], r"layout 1: a wrong shape: \(1, 6\); an array of shape \(boxes, 7\)", (1, None, None))
+        self.check(BOX, r"layout 0: a wrong shape: \(7,\); .* a single layout goes into a list", (0, None, None))
+        for layout, message in WRONG_SHAPES:
+            self.check([BOX, layout], f"^layout 1: {message}", (1, None, None))
+            self.check([BOX, layout], f"^mine: {message}", (1, None, None), names=["", "mine"])
+        for thing in ("a box", b"a box", None, 1.0, {}, {1}, object()):
+            self.check([BOX, thing], "^layout 1 is no array of numbers", (1, None, None))
         self.check(BOX[:, :6], "array of boxes has a wrong shape", offsets=[0, 1])
         for offsets, layout in (([0, 2], 0), ([0, 1, 0], 1), ([-1, 1], 0), ([0, 2**62], 0)):
             self.check(BOX, "has offsets that are none", (layout, None, None), offsets=offsets)
@@ -48,6 +60,23 @@ class InputTest(unittest.TestCase):
             self.screen.evaluate(3)
         with self.assertRaises(TypeError):
             self.screen.evaluate([BOX], names=[1])
+
+    def test_wrong_shapes_may_be_marked(self):
+        layouts = [BOX, *(layout for layout, _ in WRONG_SHAPES), BOX]
+        with holdfast.Screen([SLIDE, REST], errors="mark", keep_boxes=True) as screen:
+            verdicts = screen.evaluate(layouts)
+            streamed = dict(screen.stream(layouts))
+            with self.assertRaisesRegex(holdfast.Error, "layout 1 is no array of numbers: str"):
+                screen.evaluate([BOX, "a box"])
+        self.assertEqual([problem.layout for problem in verdicts.problems], list(range(1, len(layouts) - 1)))
+        for i, (_, message) in enumerate(WRONG_SHAPES, 1):
+            for marked in (verdicts[i], streamed[i]):
+                self.assertEqual(marked.status.tolist(), [holdfast.Status.BAD_LAYOUT] * 2)
+                self.assertRegex(marked.messages[i, 1], f"^layout {i}: {message}")
+                self.assertEqual(marked.problems[0].layout, i)
+            self.assertEqual(verdicts.box_outcomes(i).shape, (2, 0))
+        np.testing.assert_array_equal(verdicts.state_hash[0], self.screen.evaluate([BOX]).state_hash[0])
+        np.testing.assert_array_equal(verdicts.state_hash[0], verdicts.state_hash[-1])
 
     def test_numbers_that_are_none(self):
         for column in range(6):

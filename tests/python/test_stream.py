@@ -50,7 +50,7 @@ class StreamTest(unittest.TestCase):
         with self.assertRaisesRegex(holdfast.Error, "^layout 2: ") as caught:
             list(self.screen.stream(layouts))
         self.assertEqual((caught.exception.layout, caught.exception.box), (2, 0))
-        with self.assertRaisesRegex(holdfast.Error, "layout 1 has a wrong shape") as caught:
+        with self.assertRaisesRegex(holdfast.Error, "^layout 1: a wrong shape") as caught:
             list(self.screen.stream([BOX, BOX[:, :6]]))
         self.assertEqual(caught.exception.layout, 1)
         with self.assertRaisesRegex(holdfast.Error, "layout 1"):
