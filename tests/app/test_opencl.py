@@ -1,4 +1,5 @@
 """Bullet's OpenCL pipeline from outside: what the program says of devices, and what it does without one."""
+import json
 import os
 import pathlib
 import subprocess
@@ -8,7 +9,7 @@ import unittest
 
 import h5py
 
-from cli import HOLDFAST, SOURCE
+from cli import HOLDFAST, SOURCE, layout_text
 
 WITHOUT = {**os.environ, "OCL_ICD_VENDORS": "/nonexistent"}
 
@@ -80,6 +81,37 @@ class WithDevice(unittest.TestCase):
         self.assertEqual(list(found["bullet-opencl"]["fallen_boxes"]), list(found["bullet"]["fallen_boxes"]))
         for ours, bullets in zip(found["bullet-opencl"]["max_displacement"], found["bullet"]["max_displacement"]):
             self.assertAlmostEqual(ours, bullets, delta=0.05)
+
+    def test_worlds_that_are_decided_early_are_those_of_whole_runs(self):
+        # On its floor a box holds 1 m/s² and slides under 7 m/s²; one at the front wall slides only away from it.
+        accelerations = {"weak.txt": "0 0.5 1 0 0\n", "brake.txt": "0 0.8 7 0 0\n", "start.txt": "0 0.8 -7 0 0\n"}
+        layouts = {"free.txt": [(200, 50, 0, 280, 110, 40)], "front.txt": [(0, 50, 0, 80, 110, 40)],
+                   "two.txt": [(200, 50, 0, 280, 110, 40), (200, 50, 40, 280, 110, 80)]}
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "config.ini").write_text("[Physics Engine]\nSimulationStepsPerSecond = 120\n")
+            for name, text in {**accelerations, **{name: layout_text(boxes) for name, boxes in layouts.items()}}.items():
+                pathlib.Path(folder, name).write_text(text)
+
+            def worlds(*options):
+                done = subprocess.run([HOLDFAST, "screen", "--quiet", "--json", "--overwrite", "-c", "config.ini", "--engine",
+                                       "bullet-opencl", "-o", "results.h5", "--layouts", *layouts, "--accelerations",
+                                       *accelerations, *options], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                return [{**json.loads(line), "cpu_seconds": 0} for line in done.stdout.splitlines()]
+
+            whole, until, early = worlds(), worlds("--first-failure"), worlds("--stop-when", "moved")
+        verdicts = [[world["verdict"] for world in run] for run in (whole, until, early)]
+        self.assertEqual(verdicts[0], ["stayed", "moved", "moved", "stayed", "stayed", "moved", "stayed", "moved", "moved"])
+        self.assertEqual(verdicts[1], ["stayed", "moved", "not_needed", "stayed", "stayed", "moved", "stayed", "moved", "not_needed"])
+        self.assertEqual(verdicts[2], ["gave_way" if verdict == "moved" else verdict for verdict in verdicts[0]])
+        for all_of_it, one, other in zip(whole, until, early):
+            if one["verdict"] != "not_needed":
+                self.assertEqual(one, all_of_it)
+            if other["verdict"] != "gave_way":
+                self.assertEqual(other, all_of_it)
+            else:
+                self.assertLess(other["end_time_s"], all_of_it["end_time_s"])
+                self.assertGreater(other["max_displacement_m"], 0.1)
 
 
 if __name__ == "__main__":
