@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
@@ -41,6 +40,17 @@ long not_finite(const Box& box) {
   return 0;
 }
 
+/// A box that has positive extents.
+struct Extents {
+  Vec3 min, max;
+  std::size_t index;  ///< of the box
+};
+
+/// How far two boxes are in each other, m; negative when they are apart.
+double depth_of(const Extents& a, const Extents& b) {
+  return (a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min)).minCoeff();
+}
+
 /// The check of one layout: first of single boxes, then of pairs of the boxes that have positive extents.
 class LayoutCheck {
  public:
@@ -52,16 +62,19 @@ class LayoutCheck {
       if (!is_box(i)) continue;
       check_inside(i);
       check_centre_of_mass(i);
-      sound_.push_back(i);
+      sound_.push_back({boxes_[i].corner_min, boxes_[i].corner_max, i});
     }
   }
 
   void check_pairs() {
-    const auto x_min = [&](std::size_t i) { return boxes_[i].corner_min.x(); };
-    std::stable_sort(sound_.begin(), sound_.end(), [&](std::size_t a, std::size_t b) { return x_min(a) < x_min(b); });
+    std::sort(sound_.begin(), sound_.end(), [](const Extents& a, const Extents& b) {
+      return a.min.x() < b.min.x() || (a.min.x() == b.min.x() && a.index < b.index);
+    });
     for (auto a = sound_.begin(); a != sound_.end(); ++a) {
-      const double x_max = boxes_[*a].corner_max.x();
-      for (auto b = a + 1; b != sound_.end() && x_min(*b) < x_max; ++b) check_pair(std::min(*a, *b), std::max(*a, *b));
+      for (auto b = a + 1; b != sound_.end() && b->min.x() < a->max.x(); ++b) {
+        const double depth = depth_of(*a, *b);
+        if (depth > kExact) check_pair(std::min(a->index, b->index), std::max(a->index, b->index), depth);
+      }
     }
   }
 
@@ -136,11 +149,9 @@ class LayoutCheck {
                  .box_number = kMaterialNumber});
   }
 
-  void check_pair(std::size_t a, std::size_t b) {
-    const Vec3 shared =
-        boxes_[a].corner_max.cwiseMin(boxes_[b].corner_max) - boxes_[a].corner_min.cwiseMax(boxes_[b].corner_min);
-    const double depth = shared.minCoeff();
-    if (depth <= kExact || tolerates(depth)) return;
+  /// Two boxes that are in each other.
+  void check_pair(std::size_t a, std::size_t b, double depth) {
+    if (tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[b].line,
                  .what = box_name(b) + " overlaps " + box_name(a) +
@@ -161,7 +172,7 @@ class LayoutCheck {
   const Settings& settings_;
   const ContainerSettings& container_;
   ErrorList errors_;
-  std::vector<std::size_t> sound_;  ///< boxes with positive extents
+  std::vector<Extents> sound_;  ///< in check_pairs by where they begin along x
   std::size_t tolerated_ = 0;
   double largest_tolerated_ = 0.0;  ///< m
 };
