@@ -6,6 +6,7 @@ Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peer
 """
 import argparse
 import subprocess
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -15,8 +16,10 @@ matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "peers"})
 import matplotlib.pyplot as plt
 import pandas as pd
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import peer_statistics as statistics
 from peer_runs import ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads
+from tables import replace_tables, table_of
 
 BASE = "native-screening"
 KINDS = ["road", "loose", "gentle", "harsh", "large"]
@@ -34,25 +37,6 @@ REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
 SETTINGS["loose"], REFERENCES["loose"] = SETTINGS["road"], REFERENCES["road"]
 TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
 SIZES = [100, 200, 400, 600]  # boxes of the large loads
-
-
-def table_of(title, head, rows):
-    """A table of Markdown under its title."""
-    lines = [title, "", f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}", *[f"| {' | '.join(row)} |" for row in rows]]
-    return "\n".join(lines)
-
-
-def replace_tables(path, tables):
-    """Puts the tables between the marks of their kinds in a page of the documentation."""
-    page = path.read_text(encoding="utf-8")
-    for kind, text in tables.items():
-        begin, end = f"<!-- peers {kind} -->\n", f"\n<!-- end of peers {kind} -->"
-        before, found, rest = page.partition(begin)
-        _, closed, after = rest.partition(end)
-        if not found or not closed:
-            raise ValueError(f"{path}: no marks '{begin.strip()}' and '{end.strip()}'")
-        page = before + begin + text + end + after
-    path.write_text(page, encoding="utf-8")
 
 
 def number(value):
@@ -192,7 +176,7 @@ def main():
     except subprocess.CalledProcessError as error:
         parser.exit(1, f"{error.cmd[0]} failed: {error.returncode}\n")
     if arguments.into:
-        replace_tables(arguments.into, tables)
+        replace_tables(arguments.into, {f"peers {kind}": text for kind, text in tables.items()})
     comparison.draw(arguments.plot or arguments.output / "front.svg")
 
 
