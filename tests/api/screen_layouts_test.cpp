@@ -96,6 +96,22 @@ TEST_CASE("screen: problems of marked layouts are kept until the next call", "[a
   CHECK(screen.problems().empty());
 }
 
+TEST_CASE("screen: a layout of which the caller says what is wrong is a bad one", "[api][screen]") {
+  const std::vector<double> good = {2, 1, 0, 2.5, 1.5, 0.5, 1};
+  const holdfast::Problem problem{.what = "a wrong shape", .value = "(1, 6)", .accepted = "(boxes, 7)"};
+  const std::vector<LayoutView> layouts = {{"", good}, {.name = "bad", .problem = &problem}};
+  std::vector<WorldOutcome> worlds;
+  Screen raising({brake()}, {});
+  CHECK_THROWS_WITH(raising.evaluate(layouts, worlds), "bad: a wrong shape: (1, 6); (boxes, 7)");
+  Screen marking({brake()}, {.bad_layouts = holdfast::BadLayouts::mark});
+  marking.evaluate(layouts, worlds);
+  CHECK(worlds[0].status == holdfast::status::ok);
+  CHECK(worlds[1].status == holdfast::status::bad_layout);
+  CHECK(worlds[1].message == "bad: a wrong shape: (1, 6); (boxes, 7)");
+  REQUIRE(marking.problems().size() == 1);
+  CHECK(marking.problems()[0].layout == 1);
+}
+
 TEST_CASE("screen: accelerations are added one by one", "[api][screen]") {
   Screen screen(holdfast::ScreenOptions{});
   const std::vector<Layout> layouts = {{"one", {{{2.0, 1.0, 0.0}, {2.5, 1.5, 0.5}, 1}}}};
