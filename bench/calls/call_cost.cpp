@@ -4,12 +4,14 @@
 //
 // A call evaluates one layout, in turn, or all of them together, at accuracy `screening`. One line of JSON says the
 // wall time of all calls; the overhead of a call, which is its wall time less `cpu_seconds`, the processor time of
-// building and simulating its worlds, as median and 99th percentile (on several threads it means nothing); and the
-// resident memory of the process after a tenth of the calls and after all. compare.py makes a table of it.
+// building and simulating its worlds, as median and 99th percentile (on several threads it means nothing); the
+// processor time of the process for all calls; and its resident memory after a tenth of the calls and after all.
+// compare.py makes tables of it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -94,6 +96,7 @@ void measure(const Call& call, std::size_t calls, std::size_t layout_count, std:
   for (std::size_t first = 0; first < layout_count; first += at_once) call(first, at_once);
   std::vector<double> overheads(calls);
   long early = resident();
+  const std::clock_t processor_begin = std::clock();
   const auto begin = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < calls; ++i) {
     const auto called = std::chrono::steady_clock::now();
@@ -102,10 +105,13 @@ void measure(const Call& call, std::size_t calls, std::size_t layout_count, std:
     if (i == calls / 10) early = resident();
   }
   const double wall = Seconds(std::chrono::steady_clock::now() - begin).count();
+  const double processor = static_cast<double>(std::clock() - processor_begin) / CLOCKS_PER_SEC;
   const long late = resident();
   std::sort(overheads.begin(), overheads.end());
-  std::printf("{\"wall\": %.9g, \"median\": %.9g, \"percentile99\": %.9g, \"early\": %ld, \"late\": %ld}\n", wall,
-              overheads[calls / 2], overheads[calls * 99 / 100], early, late);
+  std::printf(
+      "{\"wall\": %.9g, \"processor\": %.9g, \"median\": %.9g, \"percentile99\": %.9g, \"early\": %ld, \"late\": "
+      "%ld}\n",
+      wall, processor, overheads[calls / 2], overheads[calls * 99 / 100], early, late);
 }
 
 void run(char** words, std::size_t layout_count) {

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """What an evaluation costs through each way into holdfast: C++, C, Python, `holdfast serve` and one process per candidate.
 
-All take turns on the same candidates, round after round, on one thread. Evaluations per second are of layouts that a search
-might make, under an acceleration of the road; the overhead of a call is measured on the same layouts at rest, where nothing is
-simulated for long: its wall time less the processor time of building and simulating. Then two threads against one, and the
-memory of a million calls. Figures are medians of rounds; of the two threads also the best round, where other programs had
-least of the machine.
+All take turns on the same candidates, round after round, on one thread. Evaluations are counted per second of processor time, of
+all processes that take part, so that other work on the machine does not count: they are of layouts that a search might make,
+under an acceleration of the road. The overhead of a call is its wall time less the processor time of building and simulating,
+the median of a few hundred calls on the same layouts at rest, of which the best round is given. Then two threads against one, by
+wall time, which needs a machine without other work; and the memory of a million calls.
 
 Build before: cmake --preset release -DHOLDFAST_PYTHON=ON
               cmake --build --preset release --target holdfast call_cost holdfast_python
@@ -15,6 +15,7 @@ Example: bench/calls/compare.py --into docs/performance.md
 import argparse
 import json
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -35,11 +36,12 @@ CALLS_AT_REST = 400
 CALLS_OF_A_PROCESS = 10  # each takes milliseconds
 REST = "0 0.1 0 0 0\n"
 ONE_BOX = "1 1\n200 100 0 250 150 50 1\n"
+PARTS = ("cost", "threads", "memory")
 WAYS = ("C++", "C", "Python", "serve", "process")
 
 
 class Ways:
-    """Every way evaluates layouts one by one on one thread; says the wall time of all, s, and the overheads of a call, s."""
+    """Every way evaluates layouts one by one on one thread."""
 
     def __init__(self, build, folder):
         self.build = build
@@ -54,13 +56,13 @@ class Ways:
         return json.loads(done.stdout)
 
     def run(self, way, acceleration, calls, layouts):
-        """Wall time of a call, and its median overhead, s."""
+        """Processor time per call, and median overhead of a call, s."""
         if way == "serve":
             return self.serve(acceleration, calls, layouts)
         if way == "process":
             return self.processes(acceleration, min(calls, max(CALLS_OF_A_PROCESS, len(layouts))), layouts)
         cost = self.driver(way, acceleration, 1, calls, "each", *layouts)
-        return cost["wall"] / calls, cost["median"]
+        return cost["processor"] / calls, cost["median"]
 
     def serve(self, acceleration, calls, layouts):
         """Each line is written when the answer to the one before is there."""
@@ -75,7 +77,7 @@ class Ways:
 
             for line in lines:
                 call(line)
-            return measured(call, calls, lines)
+            return measured(call, calls, lines, lambda: time.process_time() + processor_of(service.pid))
 
     @staticmethod
     def line(path):
@@ -90,18 +92,33 @@ class Ways:
                                    "-o", self.folder / "results.h5"], stdout=subprocess.PIPE, check=True).stdout
 
         call(layouts[0])
-        return measured(call, calls, layouts)
+        return measured(call, calls, layouts, lambda: time.process_time() + processor_of_children())
 
 
-def measured(call, calls, inputs):
-    """Wall time per call, and the median overhead, s, of calls that answer with lines of JSON."""
-    walls, overheads = [], []
+def measured(call, calls, inputs, processor):
+    """Processor time per call, and median overhead, s, of calls that answer with a line of JSON.
+
+    :param processor: says the processor time, s, that all have used so far
+    """
+    overheads = []
+    processor_begin = processor()
     for i in range(calls):
         begin = time.perf_counter()
         answer = call(inputs[i % len(inputs)])
-        walls.append(time.perf_counter() - begin)
-        overheads.append(walls[-1] - simulated(json.loads(answer)))
-    return sum(walls) / calls, statistics.median(overheads)
+        overheads.append(time.perf_counter() - begin - simulated(json.loads(answer)))
+    return (processor() - processor_begin) / calls, statistics.median(overheads)
+
+
+def processor_of(process):
+    """Processor time of the threads of another process, s."""
+    threads = Path(f"/proc/{process}/task").glob("*/schedstat")
+    return 1e-9 * sum(int(path.read_text(encoding="ascii").split()[0]) for path in threads)
+
+
+def processor_of_children():
+    """Processor time of the processes that have ended, s."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def simulated(answer):
@@ -140,10 +157,10 @@ def calls_table(ways, rounds, folder, rest):
         for boxes in layouts:
             rate = statistics.median(rates[way, boxes])
             row.append(f"{rate:.3g} ({rate / statistics.median(rates['C++', boxes]):.2f})")
-        rows.append(row + [time_text(statistics.median(overheads[way, boxes])) for boxes in layouts])
+        rows.append(row + [time_text(min(overheads[way, boxes])) for boxes in layouts])
     head = ["through", *(f"{boxes} boxes: per second" for boxes in layouts), *(f"{boxes}: overhead" for boxes in layouts)]
-    return table_of(f"Evaluations per second under {BRAKE.name}, in brackets as a share of those from C++, and overhead of a "
-                    f"call; medians of {rounds} rounds.", head, rows)
+    return table_of(f"Evaluations per processor second under {BRAKE.name} (in brackets as a share of those from C++), and "
+                    f"overhead of a call; {rounds} rounds.", head, rows)
 
 
 def threads_table(ways, rounds, folder):
@@ -154,8 +171,8 @@ def threads_table(ways, rounds, folder):
             one, two = (ways.driver(way, SHORT_BRAKE, threads, 1, "together", *population)["wall"] for threads in (1, 2))
             found.append(one / two)
     rows = [[way, f"{statistics.median(found):.2f}", f"{max(found):.2f}"] for way, found in ratios.items()]
-    return table_of(f"Two threads against one: a call on {POPULATION} layouts of 100 boxes under {SHORT_BRAKE.name}; {rounds} rounds.",
-                    ["through", "speed-up, median", "best"], rows)
+    return table_of(f"Two threads against one: a call on {POPULATION} layouts of 100 boxes under {SHORT_BRAKE.name}; {rounds} "
+                    "rounds.", ["through", "speed-up, median", "best"], rows)
 
 
 def memory_table(ways, calls, folder, rest):
@@ -173,6 +190,7 @@ def memory_table(ways, calls, folder, rest):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="default: %(default)s")
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="default: all")
     parser.add_argument("--rounds", type=int, default=5, help="default: %(default)s")
     parser.add_argument("--calls", type=int, default=1_000_000, help="of which memory is watched (default: %(default)s)")
     parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/performance.md")
@@ -183,11 +201,13 @@ def main():
         rest = folder / "rest.txt"
         rest.write_text(REST, encoding="ascii")
         ways = Ways(arguments.build, folder)
-        for part, measure in (("calls", lambda: calls_table(ways, arguments.rounds, folder, rest)),
-                              ("calls on threads", lambda: threads_table(ways, arguments.rounds, folder)),
-                              ("calls and memory", lambda: memory_table(ways, arguments.calls, folder, rest))):
-            tables[part] = measure()
-            print(tables[part], end="\n\n", flush=True)
+        measures = (lambda: calls_table(ways, arguments.rounds, folder, rest),
+                    lambda: threads_table(ways, arguments.rounds, folder),
+                    lambda: memory_table(ways, arguments.calls, folder, rest))
+        for part, measure in zip(PARTS, measures):
+            if part in arguments.parts:
+                tables[f"calls: {part}"] = measure()
+                print(tables[f"calls: {part}"], end="\n\n", flush=True)
     if arguments.into:
         replace_tables(arguments.into, tables)
 
