@@ -13,10 +13,10 @@ PYTHON ?= /usr/bin/python3
 help:  ## List these targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-14s %s\n", $$1, $$2}' Makefile
 
-demo: program  ## Screen the sample layouts under the norm accelerations into demo/results.h5
+demo: program  ## Screen the sample layouts under the norm of the road into demo/results.h5
 	@mkdir -p demo
 	build/release/bin/holdfast screen -c configs/demo.ini --layouts configs/layouts \
-	  --accelerations configs/accelerations -o demo/results.h5 --overwrite
+	  --norm road -o demo/results.h5 --overwrite
 	@cat examples/next_steps.txt
 
 test: build  ## Build and run all tests
@@ -64,6 +64,7 @@ python:  ## Build the Python package into build/release/python
 
 docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
 	build/release/bin/holdfast --config-page > docs/config.md
+	build/release/bin/holdfast --norms-page > docs/norms.md
 	build/release/bin/holdfast --results-page > docs/results_file.md
 	! command -v dot > /dev/null || dot -Tsvg docs/world_flow.dot -o docs/world_flow.svg
 

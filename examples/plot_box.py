@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Plots how far one box moved over time, with the acceleration of the container below.
 
-Example: examples/plot_box.py demo/results.h5 --layout BR8_009_ep.txt --acceleration road_brake_0g8.txt -o box.png
+Example: examples/plot_box.py demo/results.h5 --layout BR8_009_ep.txt --acceleration road-front-0g8 -o box.png
 """
 import argparse
 import sys

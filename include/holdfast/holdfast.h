@@ -114,6 +114,8 @@ typedef struct holdfast_screen_options {
   int32_t mark_bad_layouts; /* 0: a bad layout is an error; 1: its worlds have HOLDFAST_BAD_LAYOUT */
   int32_t keep_boxes;       /* 1: holdfast_screen_boxes gives the boxes */
   size_t most_in_flight;    /* layouts that holdfast_screen_submit takes before one is polled; 0: 16 per thread */
+  const char* norm;         /* norm whose accelerations the screen begins with, such as "road", see docs/norms.md;
+                               "": none; NULL: as the settings say */
 } holdfast_screen_options;
 
 /* Makes a screen, which starts no thread before it needs one.
@@ -132,6 +134,9 @@ HOLDFAST_API void holdfast_screen_free(holdfast_screen* screen);
  * segments: rows of five numbers */
 HOLDFAST_API int holdfast_screen_add_acceleration(holdfast_screen* screen, const char* name, const double* segments,
                                                   size_t segment_count);
+
+/* Number of accelerations: those of the norm and those that were added. 0 for what is no screen. */
+HOLDFAST_API size_t holdfast_screen_acceleration_count(const holdfast_screen* screen);
 
 /* Layouts: that with index i consists of the boxes offsets[i], ..., offsets[i + 1] - 1. Boxes may touch; they overlap
  * each other, or protrude from the container, by 0.1 mm at most. */

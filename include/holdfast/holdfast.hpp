@@ -6,7 +6,7 @@
 /// verdicts out. It gives the same bits as `holdfast screen` does on the same layouts, whatever the number of threads,
 /// the batch and the order.
 ///
-///     holdfast::Screen screen({holdfast::read_acceleration("road_brake_0g8.txt")});
+///     holdfast::Screen screen({.norm = "road"});
 ///     for (const holdfast::WorldOutcome& world : screen.evaluate(layouts))
 ///       if (world.verdict != holdfast::Verdict::stayed) reject(layouts[world.layout]);
 ///
@@ -119,6 +119,10 @@ struct Acceleration {
 /// Reads an acceleration file: a header line, then one segment per line, `start duration x y z`.
 /// Throws `Error`. May be called from any thread.
 HOLDFAST_API Acceleration read_acceleration(const std::string& path);
+
+/// The accelerations of a norm, such as "road" or "eumos-40509:0.5" (docs/norms.md). Throws `Error`, which says what is
+/// accepted. May be called from any thread.
+HOLDFAST_API std::vector<Acceleration> norm_accelerations(const std::string& name);
 
 /// What became of a world as a whole, by the worst that happened in it.
 enum class Verdict : std::uint8_t {
@@ -237,8 +241,11 @@ HOLDFAST_API std::vector<Setting> read_settings(const std::string& text);
 
 /// How a `Screen` works. What is absent is as `config` says.
 struct ScreenOptions {
-  std::string config;                   ///< text of a config.ini, see docs/config.md; empty: all defaults
-  std::vector<Setting> settings;        ///< keys that are set after `config`, in this order
+  std::string config;             ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::vector<Setting> settings;  ///< keys that are set after `config`, in this order
+  /// Name of a norm whose accelerations the screen has before those that it is given, such as "road"
+  /// (docs/norms.md); "": none.
+  std::optional<std::string> norm;
   std::optional<std::string> engine;    ///< such as "native"; see `engines`
   std::optional<std::string> accuracy;  ///< of the native engine: "screening", "standard", "reference"
   /// Ends a world early: "moved", as soon as a box is beyond any threshold; "fallen", as soon as one has fallen; "end",
@@ -289,9 +296,9 @@ enum class PollOrder : std::uint8_t {
 /// parent has nothing in flight; `evaluate` and `record` then work on one thread, if the parent has used several.
 class HOLDFAST_API Screen {
  public:
-  /// @param accelerations at least one; a bad one is an `Error`
+  /// @param accelerations at least one, unless there is a norm; a bad one is an `Error`
   explicit Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options = {});
-  /// A screen that `add_acceleration` gives its accelerations.
+  /// A screen that its norm and `add_acceleration` give its accelerations.
   explicit Screen(const ScreenOptions& options);
   /// Drops what is in flight and waits until all threads have let go of it.
   ~Screen();
@@ -352,7 +359,7 @@ class HOLDFAST_API Screen {
   /// most some twenty per layout. Valid until the next call.
   std::span<const Problem> problems() const noexcept;
 
-  /// The accelerations that the screen was made with.
+  /// The accelerations of the screen: those of its norm, and those that it was given.
   std::span<const Acceleration> accelerations() const noexcept;
 
  private:

@@ -23,7 +23,7 @@ Units are SI, unless stated.
 """
 
 from ._core import version as _version
-from .accelerations import Acceleration, read_acceleration
+from .accelerations import Acceleration, norm_accelerations, read_acceleration
 from .codes import Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
@@ -47,5 +47,6 @@ __all__ = [
     "Verdict",
     "Verdicts",
     "engines",
+    "norm_accelerations",
     "read_acceleration",
 ]

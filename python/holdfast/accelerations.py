@@ -58,6 +58,17 @@ def read_acceleration(path: str | os.PathLike[str]) -> Acceleration:
     return Acceleration(*_core.read_acceleration(os.fspath(path)))
 
 
+def norm_accelerations(name: str) -> list[Acceleration]:
+    """The accelerations of a norm, such as "road" (docs/norms.md).
+
+    >>> [one.name for one in norm_accelerations("road")]
+    ['road-front-0g8', 'road-rear-0g5', 'road-left-0g5', 'road-right-0g5']
+
+    :raises Error: there is no such norm; it says which there are
+    """
+    return [Acceleration(*made) for made in _core.norm_accelerations(name)]
+
+
 def acceleration_of(given: AccelerationLike, index: int) -> Acceleration:
     """The acceleration that the caller means, which has that index."""
     if isinstance(given, Acceleration):

@@ -36,7 +36,9 @@ class Screen:
     It starts no thread before it needs one, and may be pickled, which keeps its accelerations and options, and sent to other
     processes. In a forked process :meth:`evaluate` works on one thread, if the parent has used several.
 
-    :param accelerations: at least one: :class:`Acceleration`, path of a file, or array of shape (segments, 5)
+    :param accelerations: at least one, unless there is a norm: :class:`Acceleration`, path of a file, or array of shape
+        (segments, 5)
+    :param norm: name of a norm, such as "road" (docs/norms.md), whose accelerations come first
     :param accuracy: of the native engine: "screening", "standard" (default), "reference"
     :param engine: such as "native" (default), see :func:`engines`
     :param threads: worlds that are simulated at the same time; 0: one per core (default)
@@ -56,8 +58,9 @@ class Screen:
 
     def __init__(
         self,
-        accelerations: Iterable[AccelerationLike],
+        accelerations: Iterable[AccelerationLike] = (),
         *,
+        norm: Optional[str] = None,
         accuracy: Optional[str] = None,
         engine: Optional[str] = None,
         threads: Optional[int] = None,
@@ -74,25 +77,27 @@ class Screen:
             raise ValueError(f"unit is {unit!r}, not 'm' or 'cm'")
         if errors not in ("raise", "mark"):
             raise ValueError(f"errors is {errors!r}, not 'raise' or 'mark'")
-        self._accelerations = tuple(acceleration_of(given, i) for i, given in enumerate(accelerations))
+        self._given = tuple(acceleration_of(given, i) for i, given in enumerate(accelerations))
         self._options: dict[str, Any] = {
-            "accuracy": accuracy, "engine": engine, "threads": threads, "unit": unit, "errors": errors,
+            "norm": norm, "accuracy": accuracy, "engine": engine, "threads": threads, "unit": unit, "errors": errors,
             "keep_boxes": bool(keep_boxes), "config": config, "scheduler": scheduler, "most_in_flight": most_in_flight,
         }
-        if not self._accelerations:
-            raise ValueError("a screen needs at least one acceleration")
         self._streaming = False
         self._usage = Usage(self._make)
+        with self._usage as core:
+            self._accelerations = tuple(Acceleration(*one) for one in core.accelerations())
+        if not self._accelerations:
+            raise ValueError("a screen needs at least one acceleration, or a norm")
         _open_screens.add(self)
 
-    def _make(self, accelerations: Optional[Sequence[Acceleration]] = None, keep_series: bool = False) -> _core.Screen:
+    def _make(self, only: Optional[Acceleration] = None, keep_series: bool = False) -> _core.Screen:
         options = self._options
         core = _core.Screen(
-            config=options["config"], engine=options["engine"], accuracy=options["accuracy"],
-            scheduler=options["scheduler"], threads=options["threads"], centimetres=options["unit"] == "cm",
-            mark=options["errors"] == "mark" and not keep_series, keep_boxes=options["keep_boxes"] or keep_series,
+            config=options["config"], norm=options["norm"] if only is None else "", engine=options["engine"],
+            accuracy=options["accuracy"], scheduler=options["scheduler"], threads=options["threads"],
+            centimetres=options["unit"] == "cm", mark=options["errors"] == "mark" and not keep_series, keep_boxes=options["keep_boxes"] or keep_series,
             keep_series=keep_series, most_in_flight=options["most_in_flight"])
-        for acceleration in self._accelerations if accelerations is None else accelerations:
+        for acceleration in self._given if only is None else (only,):
             core.add_acceleration(acceleration.name, acceleration.segments)
         return core
 
@@ -232,7 +237,7 @@ class Screen:
         """
         chosen = self._acceleration(acceleration)
         with self._usage:
-            core = self._usage.also(self._make([chosen], keep_series=True))
+            core = self._usage.also(self._make(chosen, keep_series=True))
             try:
                 table, messages, boxes, series = core.replay(layout, _is_main_thread())
             finally:
@@ -281,7 +286,7 @@ class Screen:
         self.close()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _made, (self._accelerations, self._options)
+        return _made, (self._given, self._options)
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._options.items()

@@ -28,6 +28,13 @@ py::object BoundScreen::boxes(std::span<const WorldOutcome> worlds) const {
   return boxes_of(worlds, screen_.accelerations().size());
 }
 
+py::list BoundScreen::accelerations() const {
+  py::list all;
+  for (const Acceleration& acceleration : screen_.accelerations())
+    all.append(py::make_tuple(acceleration.name, array_of(acceleration)));
+  return all;
+}
+
 py::tuple BoundScreen::evaluate(const py::object& given, const py::object& offsets, std::vector<std::string> names,
                                 bool on_main_thread) {
   const Layouts layouts = layouts_of(given, offsets, std::move(names));

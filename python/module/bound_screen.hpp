@@ -22,6 +22,9 @@ class BoundScreen {
     screen_.add_acceleration(acceleration_of(std::move(name), segments));
   }
 
+  /// Name and segments of each acceleration, those of the norm first.
+  pybind11::list accelerations() const;
+
   /// Table of verdicts, messages, problems of marked layouts, and tables of boxes or None.
   pybind11::tuple evaluate(const pybind11::object& layouts, const pybind11::object& offsets,
                            std::vector<std::string> names, bool on_main_thread);

@@ -16,11 +16,12 @@ namespace {
 
 using holdfast::python::BoundScreen;
 
-holdfast::ScreenOptions options_of(std::string config, std::optional<std::string> engine,
-                                   std::optional<std::string> accuracy, std::optional<std::string> scheduler,
-                                   std::optional<int> threads, bool centimetres, bool mark, bool keep_boxes,
-                                   bool keep_series, std::size_t most_in_flight) {
+holdfast::ScreenOptions options_of(std::string config, std::optional<std::string> norm,
+                                   std::optional<std::string> engine, std::optional<std::string> accuracy,
+                                   std::optional<std::string> scheduler, std::optional<int> threads, bool centimetres,
+                                   bool mark, bool keep_boxes, bool keep_series, std::size_t most_in_flight) {
   return {.config = std::move(config),
+          .norm = std::move(norm),
           .engine = std::move(engine),
           .accuracy = std::move(accuracy),
           .scheduler = std::move(scheduler),
@@ -53,18 +54,30 @@ PYBIND11_MODULE(_core, module) {
       },
       py::arg("path"));
 
+  module.def(
+      "norm_accelerations",
+      [](const std::string& name) {
+        py::list all;
+        for (const holdfast::Acceleration& acceleration : holdfast::norm_accelerations(name))
+          all.append(py::make_tuple(acceleration.name, holdfast::python::array_of(acceleration)));
+        return all;
+      },
+      py::arg("name"));
+
   py::class_<BoundScreen>(module, "Screen")
-      .def(py::init([](std::string config, std::optional<std::string> engine, std::optional<std::string> accuracy,
-                       std::optional<std::string> scheduler, std::optional<int> threads, bool centimetres, bool mark,
-                       bool keep_boxes, bool keep_series, std::size_t most_in_flight) {
-             return std::make_unique<BoundScreen>(options_of(std::move(config), std::move(engine), std::move(accuracy),
-                                                             std::move(scheduler), threads, centimetres, mark,
-                                                             keep_boxes, keep_series, most_in_flight));
+      .def(py::init([](std::string config, std::optional<std::string> norm, std::optional<std::string> engine,
+                       std::optional<std::string> accuracy, std::optional<std::string> scheduler,
+                       std::optional<int> threads, bool centimetres, bool mark, bool keep_boxes, bool keep_series,
+                       std::size_t most_in_flight) {
+             return std::make_unique<BoundScreen>(
+                 options_of(std::move(config), std::move(norm), std::move(engine), std::move(accuracy),
+                            std::move(scheduler), threads, centimetres, mark, keep_boxes, keep_series, most_in_flight));
            }),
-           py::kw_only(), py::arg("config"), py::arg("engine"), py::arg("accuracy"), py::arg("scheduler"),
-           py::arg("threads"), py::arg("centimetres"), py::arg("mark"), py::arg("keep_boxes"), py::arg("keep_series"),
-           py::arg("most_in_flight"))
+           py::kw_only(), py::arg("config"), py::arg("norm"), py::arg("engine"), py::arg("accuracy"),
+           py::arg("scheduler"), py::arg("threads"), py::arg("centimetres"), py::arg("mark"), py::arg("keep_boxes"),
+           py::arg("keep_series"), py::arg("most_in_flight"))
       .def("add_acceleration", &BoundScreen::add_acceleration, py::arg("name"), py::arg("segments"))
+      .def("accelerations", &BoundScreen::accelerations)
       .def("evaluate", &BoundScreen::evaluate, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
            py::arg("on_main_thread"))
       .def("margins", &BoundScreen::margins, py::arg("layouts"), py::arg("offsets"), py::arg("names"),

@@ -16,6 +16,7 @@ holdfast::ScreenOptions screen_options(const std::vector<holdfast::Setting>& set
                                        const holdfast_screen_options* given) {
   const auto options = options_of(given, "options");
   holdfast::ScreenOptions all{.settings = settings};
+  if (options.norm != nullptr) all.norm = options.norm;
   if (options.engine != nullptr) all.engine = options.engine;
   if (options.accuracy != nullptr) all.accuracy = options.accuracy;
   if (options.scheduler != nullptr) all.scheduler = options.scheduler;

@@ -28,6 +28,12 @@ const char* holdfast_screen_outcome_message(const holdfast_screen* screen, size_
   });
 }
 
+size_t holdfast_screen_acceleration_count(const holdfast_screen* screen) {
+  return read_of(screen, std::size_t{0}, [](const CScreen& object) {
+    return object.screen ? object.screen->accelerations().size() : std::size_t{0};
+  });
+}
+
 size_t holdfast_screen_error_count(const holdfast_screen* screen) {
   return read_of(screen, std::size_t{0}, [](const CScreen& object) { return object.problems.size(); });
 }

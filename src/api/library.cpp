@@ -5,6 +5,7 @@
 #include "api/guarded.hpp"
 #include "api/version.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/model/norms.hpp"
 #include "core/model/setting_table.hpp"
 #include "holdfast/holdfast.h"
 #include "holdfast/holdfast.hpp"
@@ -31,6 +32,15 @@ Acceleration read_acceleration(const std::string& path) {
     const internal::TextFile file = value_or_throw(internal::read_text_file(path));
     std::vector<internal::Error> warnings;
     return internal::public_acceleration(value_or_throw(internal::parse_acceleration(file, warnings)));
+  });
+}
+
+std::vector<Acceleration> norm_accelerations(const std::string& name) {
+  return guarded([&] {
+    std::vector<Acceleration> accelerations;
+    for (const internal::Acceleration& made : value_or_throw(internal::find_norm(name)).accelerations())
+      accelerations.push_back(internal::public_acceleration(made));
+    return accelerations;
   });
 }
 

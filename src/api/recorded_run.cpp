@@ -17,6 +17,7 @@
 #include "api/version.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/model/setting_table.hpp"
+#include "io/input/text_file.hpp"
 #include "io/results/results_assembler.hpp"
 #include "io/results/results_removal.hpp"
 #include "io/results/results_resume.hpp"
@@ -163,6 +164,19 @@ RecordedEnd record_run(ScreeningPlan plan, const Recording& recording, const Out
     add_what_is_safe(recording, end);
   }
   return end;
+}
+
+std::string hash_of(const Acceleration& acceleration) {
+  std::string bytes;
+  const auto append = [&](const double* data, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(data), count * sizeof(double));
+  };
+  for (const Segment& segment : acceleration.segments) {
+    append(&segment.start, 1);
+    append(&segment.duration, 1);
+    append(segment.acceleration.data(), 3);
+  }
+  return sha256_of(bytes);
 }
 
 RunDescription describe_run(const Settings& settings, std::vector<std::string> layout_names,

@@ -46,6 +46,9 @@ struct RecordedEnd {
 RecordedEnd record_run(ScreeningPlan plan, const Recording& recording, const OutputLock& lock, RunObserver& observer,
                        const StopRequest& stop, StageCosts& costs);
 
+/// SHA-256 of the numbers of an acceleration that is from no file.
+std::string hash_of(const Acceleration& acceleration);
+
 /// What the results file says about a run; `command_line`, `config_text` and the names are the caller's.
 /// @param hashes SHA-256 of each layout's file; empty where there is none
 RunDescription describe_run(const Settings& settings, std::vector<std::string> layout_names,

@@ -9,6 +9,7 @@
 #include "api/memory_run.hpp"
 #include "api/screen_state.hpp"
 #include "core/engine/series_recorder.hpp"
+#include "core/model/norms.hpp"
 #include "holdfast/holdfast.hpp"
 #include "io/input/config_reader.hpp"
 #include "io/input/layout_reader.hpp"
@@ -27,6 +28,8 @@ internal::Settings settings_of(const ScreenOptions& options) {
   const internal::TextFile text{.path = "config", .name = "config", .text = options.config};
   internal::Settings settings = value_or_throw(internal::parse_config(text, ignored)).settings;
   internal::apply_settings(settings, options.settings);
+  if (options.norm)
+    settings.screening.norm = options.norm->empty() ? "" : value_or_throw(internal::find_norm(*options.norm)).name();
   if (options.engine) internal::apply_setting(settings, {"Screening", "Engine", *options.engine});
   if (options.scheduler) internal::apply_setting(settings, {"Screening", "Scheduler", *options.scheduler});
   if (options.stop_when) internal::apply_setting(settings, {"Screening", "StopWhen", *options.stop_when});
@@ -46,6 +49,8 @@ Screen::State::State(const ScreenOptions& given) : options(given), settings(sett
   workers.emplace(settings.screening.scheduler, settings.screening.threads);
   thresholds = internal::recording_plan(settings, false).thresholds;
   world_stream = make_stream();
+  if (settings.screening.norm.empty()) return;
+  for (Acceleration& acceleration : norm_accelerations(settings.screening.norm)) add(std::move(acceleration));
 }
 
 Screen::State::~State() {
@@ -61,7 +66,8 @@ void Screen::State::add(Acceleration acceleration) {
 }
 
 void Screen::State::need_accelerations() const {
-  if (accelerations.empty()) throw internal::exception_of({{.what = "a screen needs at least one acceleration"}});
+  if (accelerations.empty())
+    throw internal::exception_of({{.what = "a screen needs at least one acceleration", .accepted = "or a norm"}});
 }
 
 void Screen::State::note(const std::vector<internal::Error>& errors, std::size_t layout) {
@@ -90,7 +96,7 @@ void Screen::State::evaluate(std::vector<internal::ReadLayout> layouts, std::vec
 Screen::Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options) {
   guarded([&] {
     state_ = std::make_unique<State>(options);
-    if (accelerations.empty()) throw internal::exception_of({{.what = "a screen needs at least one acceleration"}});
+    if (accelerations.empty()) state_->need_accelerations();
     for (Acceleration& acceleration : accelerations) state_->add(std::move(acceleration));
   });
 }

@@ -28,19 +28,6 @@ std::string hash_of(const internal::Layout& layout) {
   return internal::sha256_of(bytes);
 }
 
-std::string hash_of(const internal::Acceleration& acceleration) {
-  std::string bytes;
-  const auto append = [&](const double* data, std::size_t count) {
-    bytes.append(reinterpret_cast<const char*>(data), count * sizeof(double));
-  };
-  for (const internal::Segment& segment : acceleration.segments) {
-    append(&segment.start, 1);
-    append(&segment.duration, 1);
-    append(segment.acceleration.data(), 3);
-  }
-  return internal::sha256_of(bytes);
-}
-
 /// The text of a config.ini that sets the same keys: that of the options, or one of all keys where some are set beside
 /// it.
 std::string config_text_of(const ScreenOptions& options) {
@@ -76,7 +63,7 @@ bool Screen::State::record(std::vector<internal::ReadLayout> read, const std::st
     hashes.push_back(layout.layout.sha256);
   }
   for (internal::ReadAcceleration& acceleration : read_accelerations)
-    acceleration.acceleration.sha256 = hash_of(acceleration.acceleration);
+    acceleration.acceleration.sha256 = internal::hash_of(acceleration.acceleration);
   internal::Recording recording{.path = path,
                                 .description = internal::describe_run(settings, std::move(names), std::move(hashes),
                                                                       read_accelerations, record_options.series)};

@@ -16,6 +16,7 @@
 #include "app/commands.hpp"
 #include "app/report.hpp"
 #include "core/base/closest_word.hpp"
+#include "core/model/norms_page.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/settings_page.hpp"
 #include "io/results/results_page.hpp"
@@ -56,6 +57,16 @@ void add_engine_options(CLI::App& command, auto& options) {
       ->type_name("N");
 }
 
+/// Adds the norm, of any options that have the member.
+void add_norm_option(CLI::App& command, auto& options) {
+  command
+      .add_option(
+          "--norm", options.norm,
+          "Take the accelerations of a norm, before those of files; `holdfast norms` lists norms; stands in for "
+          "[Screening] Norm")
+      ->type_name("NAME");
+}
+
 /// Adds the options of every command that writes a results file.
 void add_recording_options(CLI::App& command, RunOptions& options) {
   add_engine_options(command, options);
@@ -76,6 +87,7 @@ void add_recording_options(CLI::App& command, RunOptions& options) {
 
 /// Adds the options that `screen` and `run` share.
 void add_run_options(CLI::App& command, RunOptions& options) {
+  add_norm_option(command, options);
   add_recording_options(command, options);
   command.add_flag("--margins", options.margins,
                    "Also find how many g each layout stands, in four directions; stands in for [Screening] Margins");
@@ -99,13 +111,13 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   command->footer(
       "PATH is a regular file, a folder, or - for a list of paths on standard input.\n\n"
       "Example:\n"
-      "  holdfast screen -c configs/demo.ini --layouts configs/layouts --accelerations configs/accelerations "
-      "-o results.h5");
+      "  holdfast screen -c configs/demo.ini --layouts configs/layouts --norm road -o results.h5");
   auto options = std::make_shared<ScreenOptions>();
   command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
       ->type_name("FILE");
   command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
-  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations; needed without a norm")
+      ->type_name("PATH");
   command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
   add_run_options(*command, options->run);
   command->callback([options, &chosen] {
@@ -152,16 +164,17 @@ void add_serve_command(CLI::App& program, ChosenCommand& chosen) {
       "A line of the input is one object of JSON, and so is its answer. Keys: \"boxes\", a list of boxes of seven\n"
       "numbers, which are two corners and a material; optional are \"id\", which the answer repeats, \"unit\", \"m\" "
       "or\n"
-      "\"cm\", \"accelerations\", a list of names of files, and \"per_box\" and \"series\", true or false. A line "
+      "\"cm\", \"accelerations\", a list of their names, and \"per_box\" and \"series\", true or false. A line "
       "that\n"
       "cannot be used is answered by an object with \"error\". The program ends with its input.\n\n"
       "Example:\n"
-      "  echo '{\"id\": 1, \"boxes\": [[0, 0, 0, 0.8, 0.6, 1.0, 1]]}' | holdfast serve --accelerations "
-      "configs/accelerations");
+      "  echo '{\"id\": 1, \"boxes\": [[0, 0, 0, 0.8, 0.6, 1.0, 1]]}' | holdfast serve --norm road");
   auto options = std::make_shared<ServeOptions>();
   command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
       ->type_name("FILE");
-  command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
+  command->add_option("--accelerations", options->accelerations, "Accelerations; needed without a norm")
+      ->type_name("PATH");
+  add_norm_option(*command, *options);
   add_engine_options(*command, *options);
   command->add_flag("--ordered", options->ordered, "Answer in the order of the lines, not as layouts finish");
   command->callback([options, &chosen] { chosen.run = [options] { return run_serve_command(*options); }; });
@@ -278,6 +291,12 @@ void add_engines_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([devices, &chosen] { chosen.run = [devices] { return run_engines_command(*devices); }; });
 }
 
+void add_norms_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("norms", "List the norms that --norm takes, and friction by name");
+  command->footer("Example:\n  holdfast norms");
+  command->callback([&chosen] { chosen.run = run_norms_command; });
+}
+
 /// An option that prints a page and ends the program.
 CLI::Option* add_page(CLI::App& program, const std::string& name, const std::string& description,
                       std::string (*page)()) {
@@ -346,7 +365,7 @@ int run_command_line(int argc, char** argv) {
   CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
   program.footer(
       "Example:\n"
-      "  holdfast screen --layouts configs/layouts --accelerations configs/accelerations -o results.h5\n\n"
+      "  holdfast screen --layouts configs/layouts --norm road -o results.h5\n\n"
       "Exit codes: 0 done, 1 some work failed, 2 bad usage or input, 130 and 143 stopped by a signal (Ctrl-C, kill),\n"
       "141 ended by the shell's pipe, whose reader took no more.");
   program.require_subcommand(1);
@@ -354,6 +373,7 @@ int run_command_line(int argc, char** argv) {
   add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
   // For `make docs` alone, and not listed.
   add_page(program, "--config-page", "Print docs/config.md and exit", settings_page)->group("");
+  add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");
   add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
 
   ChosenCommand chosen;
@@ -367,6 +387,7 @@ int run_command_line(int argc, char** argv) {
   add_bench_command(program, chosen);
   add_validate_command(program, chosen);
   add_engines_command(program, chosen);
+  add_norms_command(program, chosen);
   if (const auto error = unknown_command(program, argc, argv))
     return static_cast<int>(fail(ExitCode::bad_usage, *error));
   try {

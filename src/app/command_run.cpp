@@ -11,18 +11,23 @@ namespace holdfast::internal {
 
 namespace {
 
-/// The inputs that a configuration names: its batch folder, or its single pair.
-Result<BatchFolder> inputs_of(const Config& config, std::vector<Error>& warnings) {
-  const Settings& settings = config.settings;
-  if (settings.batch_simulation) return read_batch_folder(settings.batch_path, warnings);
-  if (settings.screening.layout.empty() || settings.screening.acceleration.empty()) {
-    return Error{.file = config.path,
-                 .what = "names nothing to run",
-                 .accepted = "give [Screening] Layout and Acceleration, or BatchSimulation = true and BatchPath"};
+/// The files that a configuration names: its batch folder, or its single pair. With a norm there may be none of
+/// accelerations.
+/// @param path of the configuration
+Result<BatchFolder> inputs_of(const Settings& settings, const std::string& path, std::vector<Error>& warnings) {
+  const bool has_norm = !settings.screening.norm.empty();
+  if (settings.batch_simulation) return read_batch_folder(settings.batch_path, !has_norm, warnings);
+  const std::string& acceleration = settings.screening.acceleration;
+  if (settings.screening.layout.empty() || (acceleration.empty() && !has_norm)) {
+    return Error{
+        .file = path,
+        .what = "names nothing to run",
+        .accepted = "give [Screening] Layout and Acceleration or Norm, or BatchSimulation = true and BatchPath"};
   }
   const auto layouts = layout_paths(std::vector{settings.screening.layout}, std::cin, warnings);
   if (!layouts) return layouts.errors();
-  const auto accelerations = acceleration_paths(std::vector{settings.screening.acceleration}, std::cin, warnings);
+  if (acceleration.empty()) return BatchFolder{*layouts, {}};
+  const auto accelerations = acceleration_paths(std::vector{acceleration}, std::cin, warnings);
   if (!accelerations) return accelerations.errors();
   return BatchFolder{*layouts, *accelerations};
 }
@@ -32,8 +37,11 @@ Result<BatchFolder> inputs_of(const Config& config, std::vector<Error>& warnings
 ExitCode run_run_command(const ConfigRunOptions& options, const std::string& command_line) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
+  ScreeningJob job;
+  job.settings = config->settings;
+  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   std::vector<Error> warnings;
-  const Result<BatchFolder> inputs = inputs_of(*config, warnings);
+  const Result<BatchFolder> inputs = inputs_of(job.settings, config->path, warnings);
   if (!inputs) return fail(ExitCode::bad_usage, inputs.errors());
   warn(warnings);
 
@@ -47,15 +55,12 @@ ExitCode run_run_command(const ConfigRunOptions& options, const std::string& com
                                       .accepted = error.message()});
   }
 
-  ScreeningJob job;
-  job.settings = config->settings;
   job.config_text = config->text;
   job.layout_paths = inputs->layouts;
   job.acceleration_paths = inputs->accelerations;
   job.results_path = (folder / "results.h5").string();
   job.command_line = command_line;
   if (config->settings.batch_simulation) job.batch_name = config->settings.batch_path;
-  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   if (!job.text_folder && job.record_series) job.text_folder = folder.string();
   return run_screening(job);
 }

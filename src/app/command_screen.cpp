@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
+#include "app/norm_option.hpp"
 #include "app/report.hpp"
 #include "app/run_options.hpp"
 #include "io/input/input_paths.hpp"
@@ -28,21 +29,21 @@ ExitCode run_screen_command(const ScreenOptions& options, const std::string& com
                                       .value = "-",
                                       .accepted = "name one of them by file or folder"});
   }
+  ScreeningJob job;
+  job.settings = config->settings;
+  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   std::vector<Error> warnings;
   const auto layouts = layout_paths(options.layouts, std::cin, warnings);
   if (!layouts) return fail(ExitCode::bad_usage, layouts.errors());
-  const auto accelerations = acceleration_paths(options.accelerations, std::cin, warnings);
+  const auto accelerations = files_beside_norm(options.accelerations, job.settings, warnings);
   if (!accelerations) return fail(ExitCode::bad_usage, accelerations.errors());
   warn(warnings);
 
-  ScreeningJob job;
-  job.settings = config->settings;
   job.config_text = config->text;
   job.layout_paths = *layouts;
   job.acceleration_paths = *accelerations;
   job.results_path = options.results_path;
   job.command_line = command_line;
-  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   return run_screening(job);
 }
 

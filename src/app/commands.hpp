@@ -38,6 +38,7 @@ ExitCode run_margins_command(const MarginOptions& options, const std::string& co
 struct ServeOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> accelerations;
+  std::optional<std::string> norm;
   std::optional<std::string> engine;
   std::optional<std::string> accuracy;
   std::optional<int> threads;
@@ -88,5 +89,7 @@ ExitCode run_validate_command(const ValidateOptions& options);
 
 /// @param devices also look for the devices of engines that run on some
 ExitCode run_engines_command(bool devices);
+
+ExitCode run_norms_command();
 
 }  // namespace holdfast::internal

@@ -11,6 +11,7 @@
 
 #include "api/recorded_run.hpp"
 #include "app/report.hpp"
+#include "core/model/norms.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/text_file.hpp"
 #include "parallel/screening/series_limit.hpp"
@@ -35,25 +36,32 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
 
 std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job) {
   std::vector<ReadAcceleration> accelerations;
-  if (job.acceleration_paths.empty()) accelerations.push_back({gravity_alone(), ""});
-  for (const std::string& path : job.acceleration_paths) {
-    ReadAcceleration& entry = accelerations.emplace_back();
-    entry.acceleration.name = input_name(path);
-    const Result<TextFile> file = read_text_file(path);
-    std::vector<Error> warnings;
-    Result<Acceleration> acceleration =
-        file ? parse_acceleration(*file, warnings) : Result<Acceleration>(file.errors());
-    if (file) entry.acceleration.sha256 = file->sha256;
+  const auto take = [&](const std::string& label, Result<Acceleration> acceleration) {
     if (acceleration) {
-      const auto error = job.record_series ? check_samples(path, *acceleration, job.settings) : std::nullopt;
+      const auto error = job.record_series ? check_samples(label, *acceleration, job.settings) : std::nullopt;
       if (error) acceleration = *error;
     }
     if (acceleration) {
-      entry.acceleration = std::move(*acceleration);
+      accelerations.back().acceleration = std::move(*acceleration);
     } else {
-      entry.error = acceleration.error().message();
+      accelerations.back().error = acceleration.error().message();
       for (const Error& error : acceleration.errors()) print_to(stderr, "{}\n", error.message());
     }
+  };
+  if (!job.settings.screening.norm.empty()) {
+    for (Acceleration& made : find_norm(job.settings.screening.norm)->accelerations()) {
+      const std::string name = made.name;
+      made.sha256 = hash_of(made);
+      accelerations.push_back({{name, made.sha256, {}}, ""});
+      take(name, std::move(made));
+    }
+  }
+  if (accelerations.empty() && job.acceleration_paths.empty()) accelerations.push_back({gravity_alone(), ""});
+  for (const std::string& path : job.acceleration_paths) {
+    const Result<TextFile> file = read_text_file(path);
+    std::vector<Error> warnings;
+    accelerations.push_back({{input_name(path), file ? file->sha256 : "", {}}, ""});
+    take(path, file ? parse_acceleration(*file, warnings) : Result<Acceleration>(file.errors()));
   }
   return accelerations;
 }

@@ -15,7 +15,8 @@ std::string input_name(const std::string& path);
 /// Says so where inputs share a file name, by which alone results tell them apart.
 void warn_of_same_names(const std::vector<std::string>& paths);
 
-/// Reads the accelerations of a run. What is wrong with one is reported, and becomes the message of its worlds.
+/// The accelerations of a run: those of its norm, and those of its files. What is wrong with one is reported, and
+/// becomes the message of its worlds.
 std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job);
 
 /// What the results file says about the run.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/norm_option.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/setting_table.hpp"
 #include "parallel/schedulers/scheduler.hpp"
@@ -10,6 +11,7 @@ namespace holdfast::internal {
 
 std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   ScreeningSettings& screening = job.settings.screening;
+  if (auto wrong = apply_norm(norm, job.settings)) return wrong;
   screening.engine = engine.value_or(screening.engine);
   screening.threads = threads.value_or(screening.threads);
   if (scheduler) {

@@ -10,6 +10,7 @@ namespace holdfast::internal {
 
 /// Options that `screen` and `run` share; what is given stands in for the key of the same name.
 struct RunOptions {
+  std::optional<std::string> norm;
   std::optional<std::string> engine;
   std::optional<std::string> accuracy;
   std::optional<int> threads;

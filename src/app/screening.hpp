@@ -16,7 +16,7 @@ struct ScreeningJob {
   Settings settings;
   std::string config_text;  ///< of the configuration file, kept in the results; may be empty
   std::vector<std::string> layout_paths;
-  std::vector<std::string> acceleration_paths;  ///< none: gravity alone
+  std::vector<std::string> acceleration_paths;  ///< without them and a norm: gravity alone
   std::string results_path;
   std::optional<std::string> text_folder;  ///< write the three text files there
   std::string batch_name = "batch";        ///< names the text file of the batch

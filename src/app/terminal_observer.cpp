@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "app/norm_option.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/world_json.hpp"
@@ -26,15 +27,17 @@ std::string engine_text(const Settings& settings) {
   return settings.screening.engine + (accuracy.empty() ? "" : ", accuracy " + accuracy);
 }
 
-/// The first line: what is run.
+/// The first lines: what is run, and what its norm says.
 std::string start_text(const ScreeningJob& job, std::size_t accelerations, std::size_t finished) {
   const Settings& settings = job.settings;
   const std::size_t layouts = job.layout_paths.size();
   const auto threads = static_cast<std::size_t>(thread_count(settings.screening.threads));
-  return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n", counted(layouts, "layout"),
+  const std::string& norm = settings.screening.norm;
+  return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n{}", counted(layouts, "layout"),
                      counted(accelerations, "acceleration"), counted(layouts * accelerations, "world"),
                      engine_text(settings), find_setting("Screening", "Scheduler")->get(settings, 0),
-                     counted(threads, "thread"), finished > 0 ? fmt::format(", {} finished before", finished) : "");
+                     counted(threads, "thread"), finished > 0 ? fmt::format(", {} finished before", finished) : "",
+                     norm.empty() ? "" : norm_text(norm));
 }
 
 }  // namespace

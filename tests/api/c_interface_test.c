@@ -82,6 +82,26 @@ static void ends_early(void) {
   holdfast_settings_free(settings);
 }
 
+static void takes_a_norm(void) {
+  const holdfast_screen_options options = {.size = sizeof options, .norm = "road"};
+  const holdfast_screen_options wrong = {.size = sizeof wrong, .norm = "raod"};
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[layout_count * 5];
+  holdfast_screen* screen = NULL;
+  CHECK(holdfast_screen_new(NULL, &options, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_acceleration_count(screen) == 4);
+  CHECK(holdfast_screen_add_acceleration(screen, "weak", kWeak, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_acceleration_count(screen) == 5);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, layout_count * 5) == HOLDFAST_OK);
+  CHECK(outcomes[0].verdict == HOLDFAST_MOVED);
+  CHECK(outcomes[4].verdict == HOLDFAST_STAYED);
+  holdfast_screen_free(screen);
+  CHECK(holdfast_screen_acceleration_count(screen) == 0);
+  CHECK(holdfast_screen_new(NULL, &wrong, &screen) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "did you mean road?") != NULL);
+  holdfast_screen_free(screen);
+}
+
 static void submits_and_polls(void) {
   const holdfast_screen_options options = {.size = sizeof options, .threads = 2, .most_in_flight = 2};
   holdfast_screen* screen = screen_with(&options);
@@ -299,6 +319,7 @@ int main(void) {
   CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
   evaluates();
   ends_early();
+  takes_a_norm();
   submits_and_polls();
   settles_settings();
   takes_a_world_forward();

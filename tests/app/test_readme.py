@@ -68,7 +68,7 @@ class Readme(CliTest):
         for layout in (self.folder / "configs/layouts").iterdir():
             if layout.name != "seed_example.txt":
                 layout.unlink()  # one layout is enough
-        for command in ("", "screen", "summary", "run", "check", "bench", "engines"):  # validate takes minutes
+        for command in ("", "screen", "summary", "run", "check", "bench", "engines", "norms"):  # validate takes minutes
             page = self.run_command(["bash", "-c", f"holdfast {command} --help"]).stdout
             examples = re.findall(r"^  (holdfast .*)", page[page.index("\nExample:\n"):], re.MULTILINE)
             self.assertGreater(len(examples), 0, command)

@@ -115,6 +115,23 @@ class EvaluateTest(unittest.TestCase):
         self.assertEqual((same.messages, same.problems), (verdicts.messages, verdicts.problems))
         np.testing.assert_array_equal(same.box_outcomes(0), verdicts.box_outcomes(0))
 
+    def test_a_norm_comes_before_what_is_given(self):
+        road = ["road-front-0g8", "road-rear-0g5", "road-left-0g5", "road-right-0g5"]
+        self.assertEqual([one.name for one in holdfast.norm_accelerations("road")], road)
+        screen = holdfast.Screen([REST], norm="road", accuracy="screening")
+        self.assertEqual([one.name for one in screen.accelerations], [*road, "acceleration 0"])
+        verdicts = screen.evaluate([BOX])
+        for again in (pickle.loads(pickle.dumps(screen)), holdfast.Screen([REST], config="[Screening]\nNorm = road\n[Native]\n"
+                                                                                       "Accuracy = screening\n")):
+            self.assertEqual(again.accelerations, screen.accelerations)
+            np.testing.assert_array_equal(again.evaluate([BOX]).state_hash, verdicts.state_hash)
+        replay = screen.replay(BOX, "road-front-0g8")
+        self.assertEqual(replay.verdict.state_hash, verdicts.state_hash[0, 0])
+        with self.assertRaisesRegex(holdfast.Error, "did you mean road"):
+            holdfast.Screen(norm="raod")
+        with self.assertRaisesRegex(ValueError, "or a norm"):
+            holdfast.Screen()
+
     def test_an_acceleration_is_a_value(self):
         one = holdfast.Acceleration("one", SLIDE)
         self.assertEqual(one, pickle.loads(pickle.dumps(one)))

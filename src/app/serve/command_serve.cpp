@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
+#include "app/norm_option.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/serve/layout_service.hpp"
@@ -32,20 +33,30 @@ ExitCode run_serve_command(const ServeOptions& options) {
     return fail(ExitCode::bad_usage, {.what = "standard input brings the layouts, and cannot list accelerations",
                                       .value = "-",
                                       .accepted = "name them by file or folder"});
+  Settings settings = config->settings;
+  if (const auto wrong = apply_norm(options.norm, settings)) return fail(ExitCode::bad_usage, *wrong);
   std::vector<Error> warnings;
-  const auto paths = acceleration_paths(options.accelerations, std::cin, warnings);
+  const auto paths = files_beside_norm(options.accelerations, settings, warnings);
   if (!paths) return fail(ExitCode::bad_usage, paths.errors());
   warn(warnings);
   warn_of_same_names(*paths);
 
   try {
     std::vector<holdfast::Acceleration> accelerations;
+    if (const std::string norm = std::exchange(settings.screening.norm, ""); !norm.empty()) {
+      print_to(stderr, "{}", norm_text(norm));
+      accelerations = holdfast::norm_accelerations(norm);
+    }
     for (const std::string& path : *paths) accelerations.push_back(holdfast::read_acceleration(path));
     const int threads = thread_count(options.threads.value_or(config->settings.screening.threads));
-    LayoutService service(
-        std::move(accelerations),
-        {.config = config->text, .engine = options.engine, .accuracy = options.accuracy, .threads = options.threads},
-        config->settings, static_cast<std::size_t>(threads), options.ordered, watch_stop_signals());
+    // The service gives each screen the accelerations that it needs, those of the norm among them.
+    LayoutService service(std::move(accelerations),
+                          {.config = config->text,
+                           .norm = "",
+                           .engine = options.engine,
+                           .accuracy = options.accuracy,
+                           .threads = options.threads},
+                          settings, static_cast<std::size_t>(threads), options.ordered, watch_stop_signals());
     return service.run();
   } catch (const holdfast::Error& error) {
     return fail(error);

@@ -12,24 +12,14 @@
 #include "core/base/number_text.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/container_sides.hpp"
+#include "core/model/friction_pairs.hpp"
+#include "core/model/norms.hpp"
 #include "core/model/settings.hpp"
+#include "core/model/wrapped_text.hpp"
 
 /// Kinds of values that a key may have. A kind has `kAccepted`, the clause for messages; `parse(text)`, which returns
 /// an optional value; and `text(value)`, the value as one would write it in the file.
 namespace holdfast::internal::setting_kinds {
-
-/// The words of a text; any of the characters in `separators` separates them.
-inline std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t begin = text.find_first_not_of(separators);
-    if (begin == std::string_view::npos) return words;
-    text.remove_prefix(begin);
-    const std::size_t end = std::min(text.find_first_of(separators), text.size());
-    words.push_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-}
 
 /// A number for which `Range::holds`.
 template <class Range>
@@ -96,6 +86,35 @@ struct Centimetres : Kind {
     return number ? std::optional(*number / 100.0) : std::nullopt;
   }
   static std::string text(double metres) { return centimetre_text(metres); }
+};
+
+/// A number from 0, or a name that `find` knows.
+template <class List>
+struct NamedFriction : List {
+  static std::optional<double> parse(std::string_view text) {
+    const std::optional<double> named = List::find(text);
+    return named ? named : NotNegative::parse(text);
+  }
+  static std::string text(double number) { return NotNegative::text(number); }
+};
+
+/// The coefficient of a pair.
+struct OfPair {
+  static constexpr std::string_view kAccepted =
+      "a number from 0 to 1000000, or the name of a pair that `holdfast norms` lists, such as cardboard-pallet";
+  static std::optional<double> find(std::string_view name) { return friction_of_pair_name(name); }
+};
+/// The factor of a box.
+struct OfBox {
+  static constexpr std::string_view kAccepted =
+      "a number from 0 to 1000000, or a pair of one material with itself, such as cardboard-cardboard; other pairs are "
+      "for BoxBox, BoxFloor and BoxWall with FrictionModel = pairs";
+  static std::optional<double> find(std::string_view name) { return friction_factor_of_name(name); }
+};
+/// The factor of the container or the ground: no name says what it is without the box.
+struct ContainerFactor : NotNegative {
+  static constexpr std::string_view kAccepted =
+      "a number from 0 to 1000000; names of pairs are for BoxFloor and BoxWall with FrictionModel = pairs";
 };
 
 /// Three lengths in centimetres. A comma does not separate them: `1,5 0` must not be read as three numbers.
@@ -232,6 +251,17 @@ struct Name : List {
   static std::optional<std::string> parse(std::string_view text) {
     const auto found = std::find(List::kNames.begin(), List::kNames.end(), text);
     return found == List::kNames.end() ? std::nullopt : std::optional<std::string>(*found);
+  }
+  static std::string text(const std::string& name) { return name; }
+};
+
+/// A norm, kept by the name that equal choices share; or none.
+struct NormName {
+  static inline const std::string kAccepted = norm_names();
+  static std::optional<std::string> parse(std::string_view text) {
+    if (text.empty()) return "";
+    const Result<ChosenNorm> norm = find_norm(text);
+    return norm ? std::optional(norm->name()) : std::nullopt;
   }
   static std::string text(const std::string& name) { return name; }
 };

@@ -101,12 +101,13 @@ std::vector<SettingKey> make_table() {
   add(Path{}, "BatchPath", "", "", MEMBER(batch_path), "Folder with the layouts and accelerations of a batch.");
   add(NotNegative{}, "DropThreshold", "m", "0.05", MEMBER(screening.drop_threshold),
       "A box has fallen when its centre of mass is lower than at the start by more than this.");
-  add(NotNegative{}, "ContainerFriction", "", "0.70710678118654757", MEMBER(container.friction),
+  add(ContainerFactor{}, "ContainerFriction", "", "0.70710678118654757", MEMBER(container.friction),
       "Friction coefficient of floor, walls and roof; the coefficient of a contact is the product of its two sides.");
-  add(NotNegative{}, "GroundFriction", "", "0.6", MEMBER(container.ground_friction),
+  add(ContainerFactor{}, "GroundFriction", "", "0.6", MEMBER(container.ground_friction),
       "Friction coefficient of the ground under a free container, one factor of a product.");
-  add(NotNegative{}, "BoxFriction", "", "0.70710678118654757", MEMBER(box_friction),
-      "Friction coefficient of a box; by default a pair of boxes has 0.5, cardboard on cardboard in the CTU Code.");
+  add(NamedFriction<OfBox>{}, "BoxFriction", "", "0.70710678118654757", MEMBER(box_friction),
+      "Friction coefficient of a box, one factor of a product: a named pair gives its square root, so that two such "
+      "boxes have its coefficient; by default 0.5, that of cardboard-cardboard in the CTU Code.");
 
   section = "Container";
   add(Centimetres<Positive>{}, "Length", "cm", "587", MEMBER(container.size.x()),
@@ -128,19 +129,19 @@ std::vector<SettingKey> make_table() {
       "Coefficient of restitution of every contact whose material does not have its own.");
   add(OneOf<FrictionModels>{}, "FrictionModel", "", "product", MEMBER(contact.friction_model),
       "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair.");
-  add(NotNegative{}, "BoxBox", "", "0.5", MEMBER(contact.box_box),
+  add(NamedFriction<OfPair>{}, "BoxBox", "", "0.5", MEMBER(contact.box_box),
       "Friction coefficient between two boxes when FrictionModel is `pairs`.");
-  add(NotNegative{}, "BoxFloor", "", "0.5", MEMBER(contact.box_floor),
+  add(NamedFriction<OfPair>{}, "BoxFloor", "", "0.5", MEMBER(contact.box_floor),
       "Friction coefficient between box and floor when FrictionModel is `pairs`.");
-  add(NotNegative{}, "BoxWall", "", "0.5", MEMBER(contact.box_wall),
+  add(NamedFriction<OfPair>{}, "BoxWall", "", "0.5", MEMBER(contact.box_wall),
       "Friction coefficient between box and wall or roof when FrictionModel is `pairs`.");
 
   section = kMaterialSection;
   add(Positive{}, "Density", "kg/m³", "", OF_MATERIAL(density),
       "Density of boxes of material N; when absent, DensityValue.");
   add(Positive{}, "Mass", "kg", "", OF_MATERIAL(mass), "Mass of each box of material N, instead of a density.");
-  add(NotNegative{}, "Friction", "", "", OF_MATERIAL(friction),
-      "Friction coefficient of boxes of material N, one factor of a product; when absent, BoxFriction.");
+  add(NamedFriction<OfBox>{}, "Friction", "", "", OF_MATERIAL(friction),
+      "Friction coefficient of boxes of material N, one factor of a product as BoxFriction; when absent, BoxFriction.");
   add(Share{}, "Restitution", "", "", OF_MATERIAL(restitution),
       "Coefficient of restitution of boxes of material N; when absent, that of [Contact].");
   add(CentimetreVector{}, "CentreOfMass", "cm", "0 0 0", OF_MATERIAL(centre_of_mass),
@@ -151,6 +152,8 @@ std::vector<SettingKey> make_table() {
   add(Path{}, "Layout", "", "", MEMBER(screening.layout), "Layout file of `holdfast run` for a single pair.");
   add(Path{}, "Acceleration", "", "", MEMBER(screening.acceleration),
       "Acceleration file of `holdfast run` for a single pair.");
+  add(NormName{}, "Norm", "", "", MEMBER(screening.norm),
+      "Norm whose accelerations a run has, before those of files; `holdfast norms` lists norms and their numbers.");
   add(Name<Engines>{}, "Engine", "", "native", MEMBER(screening.engine),
       "The engine that simulates the boxes; `holdfast engines` lists those that are available.");
   add(Whole<ThreadRange>{}, "Threads", "", "0", MEMBER(screening.threads),

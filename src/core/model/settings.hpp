@@ -69,6 +69,7 @@ struct MaterialSettings {
 struct ScreeningSettings {
   std::string layout;        ///< path for `holdfast run` on a single pair
   std::string acceleration;  ///< path for `holdfast run` on a single pair
+  std::string norm;          ///< name for `find_norm`, whose accelerations come first; empty: none
   std::string engine = "native";
   int threads = 0;  ///< 0: one per core
   Scheduler scheduler = Scheduler::tbb;

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "core/model/setting_kinds.hpp"
 #include "core/model/setting_table.hpp"
+#include "core/model/wrapped_text.hpp"
 
 namespace holdfast::internal {
 
@@ -76,23 +76,6 @@ std::string section_note(std::string_view section) {
 }
 
 std::string code(std::string_view text) { return text.empty() ? "" : '`' + std::string(text) + '`'; }
-
-/// Appends `text`, indented, with line breaks between words.
-void append_wrapped(std::string& page, std::string_view text, std::size_t indent) {
-  constexpr std::size_t kWidth = 100;
-  const std::string margin(indent, ' ');
-  std::size_t used = 0;
-  for (const std::string_view word : setting_kinds::words_of(text, " ")) {
-    if (used > 0 && used + 1 + word.size() > kWidth) {
-      page += '\n';
-      used = 0;
-    }
-    page += used == 0 ? margin : " ";
-    used += (used == 0 ? indent : 1) + word.size();
-    page += word;
-  }
-  page += '\n';
-}
 
 }  // namespace
 

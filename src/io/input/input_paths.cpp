@@ -211,7 +211,7 @@ Result<std::vector<std::string>> acceleration_paths(std::span<const std::string>
   return paths_of(find(InputKind::acceleration, paths, list, warnings));
 }
 
-Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error>& warnings) {
+Result<BatchFolder> read_batch_folder(const std::string& path, bool needs_accelerations, std::vector<Error>& warnings) {
   std::error_code error;
   if (!fs::is_directory(path, error))
     return Error{.file = path,
@@ -228,7 +228,8 @@ Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error
     if (file.kind == InputKind::acceleration) folder.accelerations.push_back(file.path);
   }
   if (folder.layouts.empty()) return Error{.file = path, .what = "the folder has no layouts"};
-  if (folder.accelerations.empty()) return Error{.file = path, .what = "the folder has no accelerations"};
+  if (needs_accelerations && folder.accelerations.empty())
+    return Error{.file = path, .what = "the folder has no accelerations"};
   return folder;
 }
 

@@ -49,7 +49,7 @@ struct BatchFolder {
   std::vector<std::string> accelerations;
 };
 
-/// Searches a batch folder. An error if it is not a folder, or has no layout or no acceleration.
-Result<BatchFolder> read_batch_folder(const std::string& path, std::vector<Error>& warnings);
+/// Searches a batch folder. An error if it is not a folder, or has no layout, or no acceleration although it needs one.
+Result<BatchFolder> read_batch_folder(const std::string& path, bool needs_accelerations, std::vector<Error>& warnings);
 
 }  // namespace holdfast::internal

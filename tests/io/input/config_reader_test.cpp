@@ -88,8 +88,14 @@ TEST_CASE("config_reader: materials", "[io][config_reader]") {
 }
 
 TEST_CASE("config_reader: a wrong value names its column and what is accepted", "[io][config_reader]") {
-  CHECK(errors_of("[Simulation Settings]\n  BoxFriction =  1,5 ; comma\n") ==
-        Messages{"in/c.ini:2:18: BoxFriction has a wrong value: 1,5; a number from 0 to 1000000"});
+  CHECK(
+      errors_of("[Simulation Settings]\n  SleepingThreshold =  1,5 ; comma\n") ==
+      Messages{"in/c.ini:2:24: SleepingThreshold has a wrong value: 1,5; a number from 0 to 1000000 (m/s and rad/s)"});
+  CHECK(errors_of("[Simulation Settings]\nBoxFriction = cardboard-pallet\n") ==
+        Messages{
+            "in/c.ini:2:15: BoxFriction has a wrong value: cardboard-pallet; a number from 0 to 1000000, or a pair of "
+            "one material with itself, such as cardboard-cardboard; other pairs are for BoxBox, BoxFloor and "
+            "BoxWall with FrictionModel = pairs"});
   CHECK(errors_of("[Simulation Settings]\nTimeoutInSeconds=nan\n") ==
         Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number from 1e-12 to 1000000 (s)"});
   CHECK(errors_of("[Container]\nLength = 0x10\nWidth = inf\nHeight=-1\n") ==
@@ -160,9 +166,9 @@ TEST_CASE("config_reader: a line too long for the parser is an error, and is not
   const Result<Config> longest = parse(start + std::string(187, 'p') + "\n");
   REQUIRE(longest);
   CHECK(longest->settings.save_path == std::string(187, 'p'));
-  CHECK(errors_of(start + std::string(188, 'p') + "\n[Contact]\nBoxBox = x\n") ==
+  CHECK(errors_of(start + std::string(188, 'p') + "\n[Contact]\nRestitution = x\n") ==
         Messages{"in/c.ini:2:1: the line is too long: 199 bytes; at most 198",
-                 "in/c.ini:4:10: BoxBox has a wrong value: x; a number from 0 to 1000000"});
+                 "in/c.ini:4:15: Restitution has a wrong value: x; a number from 0 to 1"});
 }
 
 TEST_CASE("config_reader: a zero byte does not hide the rest of a line", "[io][config_reader]") {

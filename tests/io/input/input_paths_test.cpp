@@ -179,21 +179,21 @@ TEST_CASE("input_paths: a batch folder has both kinds", "[io][input_paths]") {
   folder.write("3", kAcceleration);
   folder.write("c.ini", kConfig);
   std::vector<Error> warnings;
-  const Result<BatchFolder> batch = read_batch_folder(folder.path(), warnings);
+  const Result<BatchFolder> batch = read_batch_folder(folder.path(), true, warnings);
   REQUIRE(batch);
   CHECK(batch->layouts == Messages{folder.path("1"), folder.path("2")});
   CHECK(batch->accelerations == Messages{folder.path("3")});
   CHECK(warnings.empty());
 
   const std::string accepted = "; a batch is a folder with layouts and accelerations";
-  CHECK(messages_of(read_batch_folder(folder.path("x"), warnings)) ==
+  CHECK(messages_of(read_batch_folder(folder.path("x"), true, warnings)) ==
         Messages{folder.path("x") + ": no such folder" + accepted});
-  CHECK(messages_of(read_batch_folder(folder.path("1"), warnings)) ==
+  CHECK(messages_of(read_batch_folder(folder.path("1"), true, warnings)) ==
         Messages{folder.path("1") + ": not a folder" + accepted});
   folder.write("half/1", kLayout);
-  CHECK(messages_of(read_batch_folder(folder.path("half"), warnings)) ==
+  CHECK(messages_of(read_batch_folder(folder.path("half"), true, warnings)) ==
         Messages{folder.path("half") + ": the folder has no accelerations"});
   folder.write("other/1", kAcceleration);
-  CHECK(messages_of(read_batch_folder(folder.path("other"), warnings)) ==
+  CHECK(messages_of(read_batch_folder(folder.path("other"), true, warnings)) ==
         Messages{folder.path("other") + ": the folder has no layouts"});
 }

@@ -1,0 +1,34 @@
+#include "core/model/norms_page.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "core/model/friction_pairs.hpp"
+#include "core/model/norms.hpp"
+
+using namespace holdfast::internal;
+
+TEST_CASE("norms_page: docs/norms.md is up to date", "[core][norms_page]") {
+  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/norms.md", std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  INFO("docs/norms.md differs from the tables; run: holdfast --norms-page > docs/norms.md");
+  CHECK((page == norms_page()));
+}
+
+TEST_CASE("norms_page: page and terminal have every norm and every pair", "[core][norms_page]") {
+  const std::string page = norms_page(), help = norms_help();
+  for (const Norm& norm : norms()) {
+    INFO(norm.name);
+    CHECK(page.find("| `" + std::string(norm.name)) != std::string::npos);
+    CHECK(page.find(numbers_of(norm)) != std::string::npos);
+    CHECK(help.find('\n' + std::string(norm.name)) != std::string::npos);
+    CHECK(help.find(norm.source) != std::string::npos);
+  }
+  for (const FrictionPair& pair : friction_pairs()) {
+    INFO(pair.name);
+    CHECK(page.find("| `" + std::string(pair.name) + "` |") != std::string::npos);
+    CHECK(help.find(std::string(pair.name) + '=') != std::string::npos);
+  }
+}
