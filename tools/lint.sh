@@ -10,7 +10,7 @@ folders=("${@:3}")
 cd "$(dirname "$0")/.."
 
 echo "Lint: format"
-git ls-files -z --cached --others --exclude-standard 'src/*.[ch]pp' 'tests/*.[ch]pp' 'tests/*.c' 'bench/*.[ch]pp' 'python/*.[ch]pp' 'include/*.h*' 'examples/*.c*' |
+git ls-files -z --cached --others --exclude-standard 'src/*.[ch]pp' 'tests/*.[ch]pp' 'tests/*.c' 'bench/*.[ch]pp' 'python/*.[ch]pp' 'include/*.h*' 'examples/*.[ch]*' |
   xargs -0 -r clang-format --dry-run -Werror
 
 echo "Lint: includes"

@@ -52,6 +52,9 @@ class InstalledTest(unittest.TestCase):
         self.assertIn("1.00 s: x = 1.2025 m", done(build / "replay").splitlines())
         self.check_plain(build / "plain")
 
+    def test_the_search_example_finds_the_package(self):
+        done("cmake", "-S", SOURCE / "examples/search", "-B", self.folder / "search", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+
     def check_plain(self, program):
         """The example of the C interface: the world of a screen, and the same in pieces, end with the same bits."""
         lines = done(program).splitlines()

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <holdfast/holdfast.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "decoder.hpp"
+
+/// What becomes of a loading.
+struct Stability {
+  bool holds = false;  ///< every box stays under every acceleration
+  int boxes_out_of_place =
+      0;  ///< how many fall, move, tilt or are unstable under the first acceleration that it does not hold
+};
+
+/// Asks holdfast which loadings hold.
+class DynamicCheck {
+ public:
+  /// Throws holdfast::Error.
+  /// @param accelerations paths of files
+  /// @param threads 0: one per core
+  DynamicCheck(const Extents& container, const std::vector<std::string>& accelerations, int threads);
+
+  /// One answer per loading, in their order.
+  std::vector<Stability> check(std::span<const Loading> loadings);
+
+  std::size_t checked() const { return checked_; }     ///< number of loadings so far
+  std::size_t held() const { return held_; }           ///< how many of these held
+  double cpu_seconds() const { return cpu_seconds_; }  ///< processor time of all simulations so far
+
+ private:
+  holdfast::Screen screen_;
+  std::size_t checked_ = 0, held_ = 0;
+  double cpu_seconds_ = 0;
+};
