@@ -16,7 +16,7 @@ from deap import algorithms, base, creator, tools
 
 import holdfast
 
-PENALTY = 0.05  # fill that a box out of place costs
+PENALTY = 0.02  # fill that a box out of place costs
 
 
 def read_instance(path, problem):

@@ -52,7 +52,7 @@ python_packages=(
   python3-setuptools # the build that pip starts
   python3-wheel      # what it makes
   mypy               # checks types and the stub
-  python3-deap       # a test fits the package into DEAP, a framework for evolutionary algorithms
+  python3-deap       # DEAP, evolutionary algorithms, in an example and its test
 )
 
 case "${1-}" in

@@ -34,7 +34,7 @@ class Search {
 
   /// Fill that a box out of place costs. Too little, and the search ends with full loadings of which one box still
   /// moves; too much, and it prefers a loading that is half empty to one of which two boxes move.
-  static constexpr double kPenalty = 0.05;
+  static constexpr double kPenalty = 0.02;
 
  private:
   /// The loadings of all newcomers.
