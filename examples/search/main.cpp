@@ -1,7 +1,7 @@
 // Searches for the fullest loading of a container that holds all accelerations: a biased random-key genetic algorithm
 // with holdfast in the loop, or after it. docs/search.md compares the two.
 //
-//     loading_search bench/instances.txt 10 configs/accelerations/road_*.txt --seconds 120
+//     loading_search bench/instances.txt 7 configs/accelerations/road_*.txt --seconds 120
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -15,8 +15,8 @@
 
 namespace {
 
-/// Share of the budget that goes to a search by fill alone. A loading is made in some ten microseconds and checked in
-/// some ten milliseconds: full ones to begin with are cheap. Checking afterwards, the other half goes to checks.
+/// Share of the budget that goes to a search by fill alone. Making a loading takes a hundredth of the time of a check
+/// or less, so that full ones to begin with are cheap. Checking afterwards, the other half goes to checks.
 constexpr double kByFillBeforeLoop = 0.03, kByFillBeforeChecks = 0.5;
 
 constexpr std::size_t kChecksAtOnce = 32;

@@ -35,7 +35,9 @@ def draw(axes, instance, runs):
         if not holding.empty:
             labels[check], = axes.step(holding["seconds"], holding["holds"], where="post", color=COLOURS[check])
             axes.plot(holding["seconds"].iloc[0], holding["holds"].iloc[0], "o", color=COLOURS[check])
-    axes.set(title=instance, xlabel="processor time (s)", ylabel="share of the container filled")
+    fullest = max(read(path)[0]["fill"].max() for _, path in runs)
+    axes.set(title=instance, xlabel="processor time (s)", ylabel="share of the container filled",
+             ylim=(fullest - 0.06, fullest + 0.005))  # not the steep beginning
     axes.legend(labels.values(), [LABELS.get(name, "fullest of a search by fill") for name in labels], loc="lower right")
 
 
