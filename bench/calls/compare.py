@@ -4,7 +4,7 @@
 All take turns on the same candidates, round after round, on one thread. Evaluations are counted per second of processor time, of
 all processes that take part, so that other work on the machine does not count: they are of layouts that a search might make,
 under an acceleration of the road. The overhead of a call is its wall time less the processor time of building and simulating,
-the median of a few hundred calls on the same layouts at rest, of which the best round is given. Then two threads against one, by
+the median of 200 calls on the same layouts at rest, of which the best round is given. Then two threads against one, by
 wall time, which needs a machine without other work; and the memory of a million calls.
 
 Build before: cmake --preset release -DHOLDFAST_PYTHON=ON
@@ -32,7 +32,8 @@ BRAKE = ROOT / "configs/accelerations/road_brake_0g8.txt"
 SHORT_BRAKE = ROOT / "bench/short_brake_2ms2.txt"
 CANDIDATES = {30: 12, 100: 6, 300: 2}  # layouts by their number of boxes
 POPULATION = 200  # layouts of 100 boxes for two threads against one
-CALLS_AT_REST = 400
+CALLS_AT_REST = 200
+ROUNDS_AT_REST = 5  # in each round: they are short, and one of them is likely to be undisturbed
 CALLS_OF_A_PROCESS = 10  # each takes milliseconds
 REST = "0 0.1 0 0 0\n"
 ONE_BOX = "1 1\n200 100 0 250 150 50 1\n"
@@ -147,10 +148,11 @@ def calls_table(ways, rounds, folder, rest):
     rates = {(way, boxes): [] for way in WAYS for boxes in layouts}
     overheads = {key: [] for key in rates}
     for _ in range(rounds):
-        for boxes, paths in layouts.items():
-            for way in WAYS:
-                rates[way, boxes].append(1 / ways.run(way, BRAKE, len(paths), paths)[0])
-                overheads[way, boxes].append(ways.run(way, rest, CALLS_AT_REST, paths)[1])
+        for (way, boxes), found in rates.items():
+            found.append(1 / ways.run(way, BRAKE, len(layouts[boxes]), layouts[boxes])[0])
+        for _ in range(ROUNDS_AT_REST):
+            for (way, boxes), found in overheads.items():
+                found.append(ways.run(way, rest, CALLS_AT_REST, layouts[boxes])[1])
     rows = []
     for way in WAYS:
         row = [way]
