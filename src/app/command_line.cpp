@@ -69,6 +69,7 @@ void add_norm_option(CLI::App& command, auto& options) {
 
 /// Adds the options of every command that writes a results file.
 void add_recording_options(CLI::App& command, RunOptions& options) {
+  add_norm_option(command, options);
   add_engine_options(command, options);
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
       ->type_name("NAME");
@@ -87,7 +88,6 @@ void add_recording_options(CLI::App& command, RunOptions& options) {
 
 /// Adds the options that `screen` and `run` share.
 void add_run_options(CLI::App& command, RunOptions& options) {
-  add_norm_option(command, options);
   add_recording_options(command, options);
   command.add_flag("--margins", options.margins,
                    "Also find how many g each layout stands, in four directions; stands in for [Screening] Margins");
@@ -144,9 +144,10 @@ void add_margins_command(CLI::App& program, ChosenCommand& chosen) {
   command->footer(
       "For the load pushed to the front, the rear, the left and the right: the largest constant acceleration under "
       "which\n"
-      "all boxes come to rest, displaced by less than 5 mm.\n\n"
+      "all boxes come to rest, displaced by less than 5 mm. With --norm, margins stand beside what the norm needs, and\n"
+      "its accelerations are simulated as well.\n\n"
       "Example:\n"
-      "  holdfast margins --layouts configs/layouts -o margins.h5");
+      "  holdfast margins --layouts configs/layouts --norm road -o margins.h5");
   auto options = std::make_shared<MarginOptions>();
   command->add_option("-c,--config", options->config_path, "Configuration; see `holdfast --help-config`")
       ->type_name("FILE");

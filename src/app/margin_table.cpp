@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <vector>
 
+#include "core/base/number_text.hpp"
 #include "core/engine/margin_search.hpp"
+#include "core/model/norms.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/results_reader.hpp"
 
@@ -17,30 +20,50 @@ namespace {
 
 constexpr std::size_t kLayoutsShown = 20;
 
-/// The direction in which a layout stands least; the first of several.
-std::size_t weakest(const LayoutMargins& margins) {
-  const auto& all = margins.margin;
-  return static_cast<std::size_t>(std::min_element(all.begin(), all.end()) - all.begin());
-}
+/// The margins of a layout beside what a norm needs, g; nothing is needed where that is 0.
+struct Judged {
+  const LayoutMargins& margins;
+  const std::array<double, kDirectionCount>& needed;
 
-double least(const LayoutMargins& margins) { return margins.margin.at(weakest(margins)); }
+  /// What share of what is needed the layout stands in a direction; without a norm, its margin.
+  double share(std::size_t direction) const {
+    const bool any = std::any_of(needed.begin(), needed.end(), [](double need) { return need > 0.0; });
+    const double need = any ? needed.at(direction) : 1.0;
+    return need > 0.0 ? margins.margin.at(direction) / need : std::numeric_limits<double>::infinity();
+  }
+
+  /// The direction of the least share; the first of several.
+  std::size_t weakest() const {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < kDirectionCount; ++i)
+      if (share(i) < share(least)) least = i;
+    return least;
+  }
+
+  double least() const { return share(weakest()); }
+};
 
 std::string size_text(double margin) {
   return margin < kLargestMargin ? fmt::format("{:.2f}", margin) : fmt::format("{:.2f}+", margin);
 }
 
-std::string verdict_of(const LayoutMargins& margins) {
-  const std::size_t direction = weakest(margins);
-  const std::uint32_t box = margins.critical_box.at(direction);
-  if (margins.margin.at(direction) < 0.0) return fmt::format("does not stand, box {}", box);
+std::string verdict_of(const Judged& layout) {
+  const std::size_t direction = layout.weakest();
+  const std::uint32_t box = layout.margins.critical_box.at(direction);
+  if (layout.margins.margin.at(direction) < 0.0) return fmt::format("does not stand, box {}", box);
   if (box == 0) return "-";
-  return fmt::format("{}, box {}", kMarginDirections.at(direction).name, box);
+  const double need = layout.needed.at(direction);
+  const std::string lack =
+      need > layout.margins.margin.at(direction) ? fmt::format("; needs {} g", number_text(need)) : "";
+  return fmt::format("{}, box {}{}", kMarginDirections.at(direction).name, box, lack);
 }
 
-std::string line_of(std::string_view layout, std::size_t width, const LayoutMargins& margins) {
-  std::string line = fmt::format("  {:<{}}", layout, width);
-  for (const double margin : margins.margin) line += fmt::format("  {:>6}", size_text(margin));
-  return line + "  " + verdict_of(margins) + "\n";
+std::string line_of(std::string_view name, std::size_t width, const std::array<double, kDirectionCount>& margins,
+                    std::string_view verdict) {
+  std::string line = fmt::format("  {:<{}}", name, width);
+  for (const double margin : margins) line += fmt::format("  {:>6}", size_text(margin));
+  if (!verdict.empty()) line += "  ";
+  return line.append(verdict) + '\n';
 }
 
 }  // namespace
@@ -53,21 +76,28 @@ Result<std::string> margin_table(const std::string& results_path) {
   const Result<std::vector<LayoutMargins>> margins = results->margins(0, info.layouts.size());
   if (!margins) return margins.errors();
 
+  const Result<ChosenNorm> norm = find_norm(info.norm);
+  const auto needed = norm ? norm->needed_margins() : std::array<double, kDirectionCount>{};
+
   std::vector<std::size_t> order;
+  const auto least = [&](std::size_t i) { return Judged{(*margins)[i], needed}.least(); };
   for (std::size_t i = 0; i < margins->size(); ++i)
-    if (!std::isnan(least((*margins)[i]))) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return least((*margins)[a]) < least((*margins)[b]); });
+    if (!std::isnan(least(i))) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return least(a) < least(b); });
   const std::size_t shown = std::min(order.size(), kLayoutsShown);
 
-  std::size_t width = std::string_view("layout").size();
+  const std::string needed_name = norm ? fmt::format("needed by {}", norm->name()) : "layout";
+  std::size_t width = needed_name.size();
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, printable(info.layouts[order[i]]).size());
   std::string text = "\nmargins: the largest constant acceleration that a layout stands, in g\n";
   text += fmt::format("  {:<{}}", "layout", width);
   for (const MarginDirection& direction : kMarginDirections) text += fmt::format("  {:>6}", direction.name);
   text += "  weakest\n";
-  for (std::size_t i = 0; i < shown; ++i)
-    text += line_of(printable(info.layouts[order[i]]), width, (*margins)[order[i]]);
+  if (norm) text += line_of(needed_name, width, needed, "");
+  for (std::size_t i = 0; i < shown; ++i) {
+    const LayoutMargins& layout = (*margins)[order[i]];
+    text += line_of(printable(info.layouts[order[i]]), width, layout.margin, verdict_of({layout, needed}));
+  }
   if (order.size() > shown) text += fmt::format("  and {} more that stand better\n", order.size() - shown);
   return text;
 }

@@ -84,6 +84,16 @@ class Margins(CliTest):
         self.assertNotIn("weakest", self.run_here("summary", "plain.h5").stdout)
         self.assertIn("right, box 77", self.run_here("summary", "both.h5").stdout)
 
+    def test_stand_beside_what_a_norm_needs(self):
+        done = self.run_here("margins", "--layouts", *BUNDLED, "--norm", "road", "--accuracy", "screening", "-o", "road.h5")
+        table = done.stdout[done.stdout.index("margins:"):].splitlines()
+        self.assertEqual(table[2].split(), "needed by road 0.80 0.50 0.50 0.50".split())
+        self.assertRegex(table[3], r"^  BR8_009_wall_h60.txt|^  BR15_077_wall.txt")
+        self.assertRegex(done.stdout, r"\n  seed_example\.txt +0\.50 +0\.37 +1\.50\+ +0\.28  right, box 3; needs 0\.5 g\n")
+        self.assertIn("\n".join(table[:6]), self.run_here("summary", "road.h5").stdout)
+        worlds = datasets(self.folder / "road.h5")["/worlds/acceleration"]
+        self.assertEqual(len(worlds), 4 * len(BUNDLED))
+
     def test_are_written_as_tables_and_json(self):
         data = self.margins(layouts=BUNDLED)
         self.run_here("summary", "margins.h5", "--csv", "tables")

@@ -131,6 +131,16 @@ std::string ChosenNorm::name() const {
 
 std::string ChosenNorm::numbers() const { return numbers_of(*norm, size ? number_text(*size) : "K"); }
 
+std::array<double, kDirectionCount> ChosenNorm::needed_margins() const {
+  std::array<double, kDirectionCount> needed = {};
+  for (const NormAcceleration& stated : norm->accelerations) {
+    if (stated.weight_share != 1.0) continue;
+    double& most = needed.at(static_cast<std::size_t>(stated.direction));
+    most = std::max(most, size.value_or(1.0) * stated.size);
+  }
+  return needed;
+}
+
 std::vector<Acceleration> ChosenNorm::accelerations() const {
   std::vector<Acceleration> accelerations;
   for (const NormAcceleration& stated : norm->accelerations) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "core/base/result.hpp"
 #include "core/model/acceleration.hpp"
+#include "core/model/margin.hpp"
 
 namespace holdfast::internal {
 
@@ -57,6 +59,9 @@ struct ChosenNorm {
   std::string name() const;
   /// Its accelerations in words.
   std::string numbers() const;
+  /// What it asks of a margin in each direction of `kMarginDirections`, g: its largest size there among the accelerations
+  /// that leave the load its full weight; 0 where there is none.
+  std::array<double, kDirectionCount> needed_margins() const;
   /// Its accelerations, with names such as `road-front-0g8` and without a hash.
   std::vector<Acceleration> accelerations() const;
 };

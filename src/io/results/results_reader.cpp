@@ -83,6 +83,9 @@ struct ResultsReader::State {
     // A file that is being assembled has all attributes except this one.
     if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
+    // Files of earlier versions have no such setting.
+    if (H5Aexists_by_name(file->id(), "/inputs/settings", "Screening/Norm", H5P_DEFAULT) > 0)
+      info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
     info.has_margins = h5::exists(*file, "/margins");
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);

@@ -24,6 +24,7 @@ struct ResultsInfo {
   std::string fingerprint;
   bool complete = false;           ///< false for a part
   Thresholds thresholds;           ///< of its summary
+  std::string norm;                ///< of the run; empty: none
   bool has_margins = false;        ///< whether the run was asked for margins
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
