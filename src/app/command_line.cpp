@@ -144,7 +144,8 @@ void add_margins_command(CLI::App& program, ChosenCommand& chosen) {
   command->footer(
       "For the load pushed to the front, the rear, the left and the right: the largest constant acceleration under "
       "which\n"
-      "all boxes come to rest, displaced by less than 5 mm. With --norm, margins stand beside what the norm needs, and\n"
+      "all boxes come to rest, displaced by less than 5 mm. With --norm, margins stand beside what the norm needs, "
+      "and\n"
       "its accelerations are simulated as well.\n\n"
       "Example:\n"
       "  holdfast margins --layouts configs/layouts --norm road -o margins.h5");
