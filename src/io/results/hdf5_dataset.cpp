@@ -106,7 +106,9 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
 
   const Id creation(H5Dget_create_plist(dataset.id_), H5Pclose);
   std::array<hsize_t, 2> chunk = {1, 1};
-  if (H5Pget_layout(creation) == H5D_CHUNKED) H5Pget_chunk(creation, rank, chunk.data());
+  // With chunks of another shape HDF5 may read for ever.
+  if (H5Pget_layout(creation) == H5D_CHUNKED && (H5Pget_chunk(creation, rank, chunk.data()) != rank || chunk[0] == 0))
+    dataset.fail("has a dataset of a wrong chunk size");
   dataset.chunk_entries_ = chunk[0];
   // A damaged file may claim billions of entries that it does not contain; no memory is allocated for these.
   const std::uint64_t most_entries = H5Dget_storage_size(dataset.id_) * kMostInflation / dataset.entry_bytes();
