@@ -180,6 +180,16 @@ struct Series {
   std::vector<std::array<float, 3>> angular_velocity;  ///< per sample and box, rad/s
 };
 
+/// What the boxes did to a side of the container: docs/walls.md. Forces are outwards.
+struct WallForce {
+  double peak_force = 0;                  ///< largest mean over a step, N
+  double peak_time = 0;                   ///< start of that step, s
+  std::array<double, 3> peak_point = {};  ///< centre of pressure then, m; not a number where nothing presses
+  double lasting_force = 0;               ///< largest mean over 0.05 s, N
+  double limit = 0;                       ///< test force of the norm `Walls`, N; not a number where there is none
+  std::array<double, 3> impulse = {};     ///< from t = 0 to the end, N s
+};
+
 /// What became of a world: one layout under one acceleration.
 struct WorldOutcome {
   std::size_t layout = 0;        ///< index into the layouts of the call
@@ -206,7 +216,9 @@ struct WorldOutcome {
   double cpu_seconds = 0;                ///< processor time of building and simulating, s
   std::uint64_t state_hash = 0;          ///< of the final poses and velocities: equal bits, equal hash
   std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
-  Series series;                         ///< with `ScreenOptions::keep_series`, else empty
+  /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty.
+  std::vector<WallForce> walls;
+  Series series;  ///< with `ScreenOptions::keep_series`, else empty
 };
 
 /// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and

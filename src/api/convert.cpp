@@ -130,6 +130,16 @@ static_assert(holdfast::status::capacity == static_cast<std::uint32_t>(Status::c
 static_assert(holdfast::status::not_needed == static_cast<std::uint32_t>(Status::not_needed));
 static_assert(holdfast::status::too_large == static_cast<std::uint32_t>(Status::too_large));
 
+holdfast::WallForce wall_of(const WallForces& walls, std::size_t side) {
+  const auto array = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
+  return {.peak_force = walls.peak_force.at(side),
+          .peak_time = walls.peak_time.at(side),
+          .peak_point = array(walls.peak_point.at(side)),
+          .lasting_force = walls.lasting_force.at(side),
+          .limit = walls.limit.at(side),
+          .impulse = array(walls.impulse.at(side))};
+}
+
 }  // namespace
 
 holdfast::Problem problem_of(const Error& error) {
@@ -259,6 +269,9 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   world.max_penetration = outcome.counters.max_penetration;
   world.cpu_seconds = record.cpu_seconds;
   world.state_hash = record.state_hash;
+  world.walls.clear();
+  for (std::size_t side = 0; record.walls.known() && side < kSideCount; ++side)
+    world.walls.push_back(wall_of(record.walls, side));
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));

@@ -47,6 +47,8 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
       entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
   if (engine && settings.screening.margins)
     if (const auto error = why_no_margins(**engine)) return *error;
+  if (engine && settings.screening.measures_walls())
+    if (const auto error = why_no_wall_forces(**engine)) return *error;
   return engine;
 }
 
@@ -55,6 +57,13 @@ std::optional<Error> why_no_margins(const Engine& engine) {
   return Error{.what = "this engine cannot find margins, since its worlds cannot go back in time",
                .value = engine.traits().name,
                .accepted = "leave margins out, or take the engine native"};
+}
+
+std::optional<Error> why_no_wall_forces(const Engine& engine) {
+  if (engine.traits().measures_walls) return std::nullopt;
+  return Error{.what = "wall forces are not measured by this engine, or not with this motion of the container",
+               .value = engine.traits().name,
+               .accepted = "leave wall forces out, or take native, bullet or bullet-f64 with Motion = prescribed"};
 }
 
 std::optional<Error> why_not_loadable(const EngineEntry& entry) {

@@ -91,6 +91,15 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_recording_options(command, options);
   command.add_flag("--margins", options.margins,
                    "Also find how many g each layout stands, in four directions; stands in for [Screening] Margins");
+  command.add_flag("--wall-forces", options.wall_forces,
+                   "Also record the forces on the sides of the container; stands in for [Screening] WallForces");
+  command
+      .add_option(
+          "--walls", options.walls,
+          "The same, and compare them with a norm: en12642-l, en12642-xl, en283 or iso-container; stands in for "
+          "[Screening] Walls")
+      ->check(as_in_config("Screening", "Walls"))
+      ->type_name("NAME");
   command
       .add_option(
           "--stop-when", options.stop_when,
@@ -196,7 +205,10 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
       ->check(as_in_config("Screening", "MoveThreshold"));
   command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
       ->check(as_in_config("Screening", "TiltThreshold"));
-  command->add_option("--csv", options->csv_folder, "Write worlds.csv and boxes.csv into this folder")
+  command
+      ->add_option(
+          "--csv", options->csv_folder,
+          "Write worlds.csv and boxes.csv, and margins.csv and walls.csv where there are such, into this folder")
       ->type_name("DIR");
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
       ->type_name("FILE");

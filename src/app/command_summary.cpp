@@ -8,6 +8,7 @@
 #include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
 #include "app/report.hpp"
+#include "app/wall_table.hpp"
 #include "core/model/setting_table.hpp"
 #include "io/results/results_reader.hpp"
 #include "io/results/summary.hpp"
@@ -41,8 +42,10 @@ ExitCode summarise(const SummaryOptions& options) {
   if (!table) return fail(ExitCode::some_failed, table.error());
   const Result<std::string> margins = margin_table(options.results_path);
   if (!margins) return fail(ExitCode::some_failed, margins.error());
-  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}", thresholds.drop, thresholds.move,
-           thresholds.tilt, table->text, *margins);
+  const Result<std::string> walls = wall_table(options.results_path);
+  if (!walls) return fail(ExitCode::some_failed, walls.error());
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text, *margins, *walls);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

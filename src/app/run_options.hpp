@@ -19,6 +19,8 @@ struct RunOptions {
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
   bool margins = false;
+  bool wall_forces = false;
+  std::optional<std::string> walls;
   bool first_failure = false;
   bool no_series = false;
   bool resume = false;

@@ -14,6 +14,7 @@
 #include "app/stage_costs_file.hpp"
 #include "app/stop_signal.hpp"
 #include "app/terminal_observer.hpp"
+#include "app/wall_table.hpp"
 #include "core/engine/simulate.hpp"
 #include "io/export/text_export.hpp"
 #include "io/input/layout_files.hpp"
@@ -81,7 +82,10 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
   if (!table) return fail(ExitCode::some_failed, table.error());
   const auto margins = margin_table(job.results_path);
   if (!margins) return fail(ExitCode::some_failed, margins.error());
-  if (!job.json && !job.quiet) print_to(stdout, "{}{}\nresults: {}\n", table->text, *margins, job.results_path);
+  const auto walls = wall_table(job.results_path);
+  if (!walls) return fail(ExitCode::some_failed, walls.error());
+  if (!job.json && !job.quiet)
+    print_to(stdout, "{}{}{}\nresults: {}\n", table->text, *margins, *walls, job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 

@@ -4,9 +4,27 @@
 #include <nlohmann/json.hpp>
 
 #include "api/convert.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/model/status.hpp"
 
 namespace holdfast::internal {
+
+namespace {
+
+void append_walls(nlohmann::ordered_json& json, const std::vector<holdfast::WallForce>& walls) {
+  for (std::size_t side = 0; side < walls.size(); ++side) {
+    const holdfast::WallForce& wall = walls[side];
+    nlohmann::ordered_json& of_side = json[std::string(kContainerSides.at(side).name)];
+    of_side["peak_force_N"] = wall.peak_force;
+    of_side["peak_time_s"] = wall.peak_time;
+    of_side["peak_point_m"] = wall.peak_point;
+    of_side["lasting_force_N"] = wall.lasting_force;
+    of_side["limit_N"] = wall.limit;
+    of_side["impulse_Ns"] = wall.impulse;
+  }
+}
+
+}  // namespace
 
 void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world,
                     const std::string& acceleration) {
@@ -37,6 +55,7 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
   json["residual_scale"] = world.residual_scale;
   json["max_penetration_m"] = world.max_penetration;
   json["cpu_seconds"] = world.cpu_seconds;
+  if (!world.walls.empty()) append_walls(json["walls"], world.walls);
   json["state_hash"] = fmt::format("{:016x}", world.state_hash);
 }
 

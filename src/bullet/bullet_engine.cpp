@@ -16,6 +16,7 @@ class BulletSimulation final : public SteppedSimulation {
   }
 
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
+  SideImpulses side_impulses(std::size_t world) const override { return worlds_[world]->side_impulses(); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
 
  private:
@@ -29,6 +30,7 @@ class BulletSimulation final : public SteppedSimulation {
 BulletEngine::BulletEngine(std::string_view name, const Settings& settings)
     : settings_(settings), preset_(bullet_preset(name, settings)) {
   traits_.name = name;
+  traits_.measures_walls = settings.container.motion == ContainerMotion::prescribed;
   install_contact_laws();
 }
 

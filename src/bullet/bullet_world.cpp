@@ -95,6 +95,27 @@ void BulletWorld::set_acceleration(const Vec3& acceleration) {
   }
 }
 
+/// Sums the impulses that the solver has applied in the step, as it leaves them at the contact points. Those that push
+/// bodies apart without changing velocities are not among them.
+void BulletWorld::measure_sides() {
+  side_impulses_ = {};
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+    const bool side_is_first = manifold.getBody0()->getUserIndex() >= 0;
+    const btCollisionObject& side = side_is_first ? *manifold.getBody0() : *manifold.getBody1();
+    if (side.getUserIndex() < 0) continue;
+    for (int j = 0; j < manifold.getNumContacts(); ++j) {
+      const btManifoldPoint& point = manifold.getContactPoint(j);
+      const btVector3 on_first = point.m_appliedImpulse * point.m_normalWorldOnB +
+                                 point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
+                                 point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
+      add_contact(side_impulses_, static_cast<std::size_t>(side.getUserIndex()),
+                  from_bullet(side_is_first ? on_first : -on_first),
+                  from_bullet(side_is_first ? point.getPositionWorldOnA() : point.getPositionWorldOnB()));
+    }
+  }
+}
+
 double BulletWorld::advance(const Phase& phase) {
   if (!phase_set_ || phase.begin != phase_begin_) {
     if (!phase_set_ || phase.acceleration != acceleration_) set_acceleration(phase.acceleration);
@@ -106,6 +127,8 @@ double BulletWorld::advance(const Phase& phase) {
   const StepPlan plan(phase, preset_.steps_per_second);
   container_->push();
   dynamics_.stepSimulation(to_bullet(plan.step()), 0);
+
+  if (settings_.screening.measures_walls()) measure_sides();
 
   ++counters_.steps;
   counters_.solve_iterations = solver_.iterations();

@@ -36,6 +36,10 @@ class BulletWorld {
 
   const Counters& counters() const { return counters_; }
 
+  /// Of the boxes on the sides in the last step, where the settings ask for wall forces and the container does not
+  /// move.
+  const SideImpulses& side_impulses() const { return side_impulses_; }
+
  private:
   struct BoxBody {
     BodySurface surface;
@@ -47,6 +51,7 @@ class BulletWorld {
   };
 
   void add_box(const WorldBatch& batch, std::size_t box);
+  void measure_sides();
   void set_acceleration(const Vec3& acceleration);
 
   const World& world_;
@@ -65,6 +70,7 @@ class BulletWorld {
   std::uint64_t phase_step_ = 0;  ///< steps taken in that phase
   bool phase_set_ = false;
   Vec3 acceleration_ = Vec3::Zero();
+  SideImpulses side_impulses_;
   Counters counters_;
 };
 

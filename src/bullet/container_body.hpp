@@ -35,8 +35,9 @@ class ContainerBody {
   virtual Frame frame() const { return {}; }
 };
 
-/// The container at rest in its own frame: a static box for each side that is not open, thick enough that no box passes
-/// through it in a step. Boxes feel the effective gravity g − a(t).
+/// The container at rest in its own frame: a static box for each side that is not open, with the side's index in
+/// `kContainerSides` as its user index, thick enough that no box passes through it in a step. Boxes feel the effective
+/// gravity g − a(t).
 std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings);
 
 /// The container of StableCargo (Ramos et al.): one free compound body of six panels on a ground with friction. The

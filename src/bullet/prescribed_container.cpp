@@ -25,6 +25,7 @@ class PrescribedContainer final : public ContainerBody {
       side.body = std::make_unique<btRigidBody>(btScalar(0), nullptr, side.shape.get());
       side.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), to_bullet(panel.centre)));
       side.body->setUserPointer(&side.surface);
+      side.body->setUserIndex(static_cast<int>(panel.side));
       world_.addRigidBody(side.body.get());
     }
   }

@@ -62,6 +62,25 @@ TEST_CASE("screen: results depend neither on threads, nor on the batch, nor on e
   }
 }
 
+TEST_CASE("screen: forces on the sides are there on request, with the limits of a norm", "[api][screen][walls]") {
+  const std::vector<Layout> layouts = {one_box()};
+  CHECK(Screen({constant(4.0)}).evaluate(layouts)[0].walls.empty());
+  Screen screen({constant(4.0)}, {.settings = {{"Screening", "Walls", "en283"}}});
+  const std::vector<holdfast::WallForce> walls = screen.evaluate(layouts)[0].walls;
+  REQUIRE(walls.size() == 6);
+  const double weight = 250.0 * 0.125 * 9.81;
+  CHECK(walls[0].peak_force == Approx(weight));
+  CHECK(walls[0].lasting_force == Approx(weight));
+  CHECK(walls[0].peak_point[2] == Approx(0.0).margin(1e-9));
+  CHECK(std::isnan(walls[0].limit));
+  CHECK(walls[0].impulse[0] == Approx(-weight / 9.81 * 4.0));
+  CHECK(walls[1].peak_force == 0.0);
+  CHECK(walls[1].limit == Approx(0.4 * weight));
+  CHECK_THROWS_WITH(
+      Screen({constant(4.0)}, {.settings = {{"Screening", "WallForces", "yes"}}, .engine = "native-plain"}),
+      Catch::Contains("wall forces are not measured by this engine"));
+}
+
 TEST_CASE("screen: boxes and series are there on request, and agree with the verdict", "[api][screen]") {
   Screen screen({constant(7.0)}, {.keep_boxes = true, .keep_series = true});
   const std::vector<Layout> layouts = {sample()};

@@ -21,7 +21,7 @@ def documented_datasets(everything=True):
             group = line[4:] if line.startswith("### /") else ""
         if line.startswith("Only in files of runs with") and not everything:
             group = ""
-        row = re.match(r"\| `(\w+)` \| (\w+) \| ([A-Z])(?: × (\d))? \| (\S+) \|", line)
+        row = re.match(r"\| `(\w+)` \| (\w+) \| ([A-Z])(?: × (\d+))? \| (\S+) \|", line)
         if group and row:
             name, kind, axis, columns, units = row.groups()
             found.append((f"{group}/{name}", kind, axis, int(columns or 1), units))
@@ -55,7 +55,7 @@ class Contents(CliTest):
     def test_is_as_documented(self):
         documented = documented_datasets()
         self.assertGreater(len(documented), 60)
-        path, _ = self.screen("--engine", "native", "--margins", output="everything.h5")
+        path, _ = self.screen("--engine", "native", "--margins", "--wall-forces", output="everything.h5")
         file = h5py.File(path)
         self.addCleanup(file.close)
         lengths = {}

@@ -9,6 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/model/acceleration.hpp"
 #include "core/model/settings.hpp"
+#include "core/model/side_impulse.hpp"
 #include "core/model/status.hpp"
 #include "core/model/world.hpp"
 
@@ -51,6 +52,8 @@ struct EngineTraits {
   bool all_together = false;
   /// True when worlds can go back to where they were: `Simulation::mark` and `rewind`.
   bool rewinds = false;
+  /// True when `Simulation::side_impulses` is measured, where the settings ask for wall forces.
+  bool measures_walls = false;
 };
 
 /// A request to advance one world within its current phase, and the answer.
@@ -86,6 +89,10 @@ class Simulation {
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;
+
+  /// The impulses of the boxes on the sides of the container between the times of the last two `advance`, or since the
+  /// start. For engines with `EngineTraits::measures_walls`, where the settings ask for wall forces.
+  virtual SideImpulses side_impulses(std::size_t /*world*/) const { return {}; }
 
   /// The counters of the world up to its current time.
   virtual Counters counters(std::size_t world) const = 0;

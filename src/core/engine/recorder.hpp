@@ -14,6 +14,8 @@ struct Step {
   Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
   StateView before;                  ///< at `begin`
   StateView after;                   ///< at `end`
+  /// Of the boxes on the sides of the container; null where the settings do not ask for wall forces.
+  const SideImpulses* side_impulses = nullptr;
 };
 
 /// How a world ended.

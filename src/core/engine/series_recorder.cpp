@@ -25,7 +25,9 @@ RecordingPlan recording_plan(const Settings& settings, bool series) {
           .reference_pose = screening.reference_pose,
           .external_force = settings.container.motion == ContainerMotion::prescribed,
           .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold},
-          .stop_when = screening.stop_when};
+          .stop_when = screening.stop_when,
+          .wall_forces = screening.measures_walls(),
+          .wall_norm = screening.walls};
 }
 
 void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const StateView& settled) {
@@ -35,6 +37,8 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
   reference_position_.assign(reference.position.begin(), reference.position.end());
   reference_orientation_.assign(reference.orientation.begin(), reference.orientation.end());
   last_linear_acceleration_.assign(count, Vec3::Zero());
+
+  if (plan_.wall_forces) walls_.emplace(plan_.wall_norm, boxes);
 
   BoxTable& table = record_.boxes;
   EndTable& end = record_.end;
@@ -59,6 +63,7 @@ void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
   series.container_acceleration.reserve(samples);
   series.total_kinetic_energy.reserve(samples);
   series.fallen_count.reserve(samples);
+  if (walls_) series.side_force.reserve(samples);
   const std::size_t rows = samples * boxes;
   series.displacement.reserve(rows);
   series.orientation.reserve(rows);
@@ -79,6 +84,7 @@ void SeriesRecorder::step(const Step& step) {
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
   update_peaks(step.after);
+  if (walls_) walls_->step(step);
   decided_ = decides(step.after);
   while (output_time() <= step.end + kSameInstant) {
     const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
@@ -97,6 +103,7 @@ void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
     record_.end.kinetic_energy.push_back(
         static_cast<float>(kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
   }
+  if (walls_) record_.walls = walls_->forces();
   record_.state_hash = state_hash(end);
   record_.outcome = outcome;
 }
@@ -131,6 +138,7 @@ void SeriesRecorder::add_sample(const Instant& instant) {
   series.container_acceleration.push_back(to_float(step.acceleration));
   series.total_kinetic_energy.push_back(static_cast<float>(total_energy));
   series.fallen_count.push_back(fallen);
+  if (walls_) series.side_force.push_back(walls_->force_now());
 }
 
 void SeriesRecorder::update_peaks(const StateView& state) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/engine/recorder.hpp"
+#include "core/engine/wall_recorder.hpp"
 #include "core/engine/world_record.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/verdict.hpp"
@@ -19,6 +21,8 @@ struct RecordingPlan {
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
   StopWhen stop_when = StopWhen::end;  ///< what decides the world
+  bool wall_forces = false;            ///< record the forces on the sides; steps then have their impulses
+  std::optional<WallNorm> wall_norm;   ///< whose limits they are compared with
 };
 RecordingPlan recording_plan(const Settings& settings, bool series);
 
@@ -66,6 +70,7 @@ class SeriesRecorder final : public Recorder {
   bool decided_ = false;
   Vec3 last_acceleration_ = Vec3::Zero();       ///< of the container in the last step, m/s²
   std::vector<Vec3> last_linear_acceleration_;  ///< of the boxes in the last step, m/s²
+  std::optional<WallRecorder> walls_;
   WorldRecord record_;
 };
 

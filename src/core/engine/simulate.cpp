@@ -128,7 +128,13 @@ class Group {
       return true;
     }
     const StateView after = state_of(batch_.state, world);
-    recorders_[world]->step({clock.begin, clock.time, clock.now().acceleration, state_of(before_, world), after});
+    Step step{clock.begin, clock.time, clock.now().acceleration, state_of(before_, world), after};
+    SideImpulses impulses;
+    if (settings_.screening.measures_walls()) {
+      impulses = simulation_.side_impulses(world);
+      step.side_impulses = &impulses;
+    }
+    recorders_[world]->step(step);
 
     if (settings_.stopping_condition == StoppingCondition::sleeping) {
       if (!is_quiet(after, settings_.sleeping_threshold)) clock.quiet_since = clock.time;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/engine/recorder.hpp"
+#include "core/model/wall_forces.hpp"
 
 namespace holdfast::internal {
 
@@ -24,6 +26,8 @@ struct Series {
   std::vector<Float3> container_acceleration;  ///< m/s²; at a breakpoint the value before it
   std::vector<float> total_kinetic_energy;     ///< J
   std::vector<std::uint32_t> fallen_count;  ///< boxes lower than in the reference pose by more than the drop threshold
+  /// Outward force on each side, mean over the step that the sample lies in, N; empty where not asked for.
+  std::vector<std::array<float, kSideCount>> side_force;
 
   std::vector<Float3> displacement;         ///< of the centre of mass from the reference pose, m
   std::vector<Float4> orientation;          ///< container_from_body
@@ -64,6 +68,7 @@ struct WorldRecord {
   std::uint64_t state_hash = 0;            ///< of the final state, see `state_hash`
   BoxTable boxes;
   EndTable end;
+  WallForces walls;
   Series series;  ///< empty when not recorded
 };
 

@@ -25,7 +25,7 @@ std::vector<Panel> container_panels(const ContainerSettings& container, double t
     Vec3 high = to;
     low[side.axis] = side.far ? container.size[side.axis] : -thickness;
     high[side.axis] = side.far ? container.size[side.axis] + thickness : 0.0;
-    panels.push_back({0.5 * (low + high), 0.5 * (high - low), side.kind});
+    panels.push_back({side.index, 0.5 * (low + high), 0.5 * (high - low), side.kind});
   }
   return panels;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/model/contact_law.hpp"
@@ -9,8 +10,9 @@ namespace holdfast::internal {
 
 /// A side of the container as a solid box outside its inner faces; container frame.
 struct Panel {
-  Vec3 centre;        ///< m
-  Vec3 half_extents;  ///< m
+  std::size_t side = 0;  ///< in `kContainerSides`
+  Vec3 centre;           ///< m
+  Vec3 half_extents;     ///< m
   SurfaceKind kind = SurfaceKind::wall;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct ContainerSide {
   int axis = 0;      ///< 0, 1, 2: x, y, z, perpendicular to the side
   bool far = false;  ///< at the inner size along the axis, not at 0
   SurfaceKind kind = SurfaceKind::wall;
+  std::size_t index = 0;  ///< in `kContainerSides`
 };
 
 /// Least clearance that every box has to every side except the floor when a world starts, m. It prevents a box that
@@ -27,12 +29,12 @@ inline constexpr double kLeastPlay = 1e-5;
 double side_play(SurfaceKind kind, double gap);
 
 /// All sides: the one table of them. The floor is first, and is never open.
-inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, false, SurfaceKind::floor},
-                                                                  {"front", 0, false, SurfaceKind::wall},
-                                                                  {"rear", 0, true, SurfaceKind::wall},
-                                                                  {"left", 1, false, SurfaceKind::wall},
-                                                                  {"right", 1, true, SurfaceKind::wall},
-                                                                  {"roof", 2, true, SurfaceKind::wall}}};
+inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, false, SurfaceKind::floor, 0},
+                                                                  {"front", 0, false, SurfaceKind::wall, 1},
+                                                                  {"rear", 0, true, SurfaceKind::wall, 2},
+                                                                  {"left", 1, false, SurfaceKind::wall, 3},
+                                                                  {"right", 1, true, SurfaceKind::wall, 4},
+                                                                  {"roof", 2, true, SurfaceKind::wall, 5}}};
 
 /// Whether a side has that name and may be open.
 bool can_be_open(std::string_view side);

@@ -234,6 +234,11 @@ struct StopConditions {
   static constexpr std::array kWords{Word{"end", StopWhen::end}, Word{"moved", StopWhen::moved},
                                      Word{"fallen", StopWhen::fallen}};
 };
+struct WallNorms {
+  static constexpr std::string_view kAccepted = "en12642-l, en12642-xl, en283 or iso-container";
+  static constexpr std::array kWords{Word{"en12642-l", WallNorm::en12642_l}, Word{"en12642-xl", WallNorm::en12642_xl},
+                                     Word{"en283", WallNorm::en283}, Word{"iso-container", WallNorm::iso_container}};
+};
 struct Accuracies {
   static constexpr std::string_view kAccepted = "screening, standard or reference";
   static constexpr std::array kWords{Word{"screening", Accuracy::screening}, Word{"standard", Accuracy::standard},

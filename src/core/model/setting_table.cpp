@@ -177,6 +177,10 @@ std::vector<SettingKey> make_table() {
       "Whether the largest constant acceleration that each layout stands is found as well, towards the front, the "
       "rear, "
       "the left and the right; docs/margins.md says what it means.");
+  add(Truth{}, "WallForces", "", "false", MEMBER(screening.wall_forces),
+      "Whether the forces of the boxes on the sides of the container are recorded; docs/walls.md says what they mean.");
+  add(OneOf<WallNorms>{}, "Walls", "", "", MEMBER(screening.walls),
+      "The norm whose test forces the forces on the sides are compared with; they are then recorded as well.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";

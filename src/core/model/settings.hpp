@@ -65,6 +65,9 @@ struct MaterialSettings {
   Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the centroid, axes of the container at the layout's pose, m
 };
 
+/// A norm that tests the sides of vehicle bodies or containers.
+enum class WallNorm { en12642_l, en12642_xl, en283, iso_container };
+
 /// Which worlds to run, and how their results are judged; `[Screening]` and `[Simulation Settings]`.
 struct ScreeningSettings {
   std::string layout;        ///< path for `holdfast run` on a single pair
@@ -79,8 +82,12 @@ struct ScreeningSettings {
   double move_threshold = 0.10;  ///< m
   double tilt_threshold = 10.0;  ///< degrees
   StopWhen stop_when = StopWhen::end;
-  bool margins = false;        ///< also find how many g each layout stands
-  bool first_failure = false;  ///< leave out the accelerations of a layout that has failed one
+  bool margins = false;           ///< also find how many g each layout stands
+  bool first_failure = false;     ///< leave out the accelerations of a layout that has failed one
+  bool wall_forces = false;       ///< also record the forces on the sides of the container
+  std::optional<WallNorm> walls;  ///< the same, and compare them with the limits of a norm
+
+  bool measures_walls() const { return wall_forces || walls; }
 };
 
 /// Bullet's solver; `[Bullet]`. Absent values come from the engine's preset (`bullet`, `bullet-stock`).

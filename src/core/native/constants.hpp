@@ -280,6 +280,12 @@ inline constexpr double kRestRelaxation = 1.6;
 /// Half and twice: insensitive.
 inline constexpr int kWarmRestIterations = 30;
 
+/// Where wall forces are asked for: iterations to find the forces of a load at rest with all friction of the floor
+/// mobilised, at most, and speed of any point up to which they count as a balance, over |g − a| h. More iterations find
+/// them in larger islands; a larger speed takes forces that balance less well. They change no motion.
+inline constexpr int kMobilisedIterations = 1000;
+inline constexpr double kMobilisedMotion = 1e-6;
+
 /// Normal force that a proof of rest may use at a wall or the roof, over that with which the body pressed against it in
 /// the last step: what is pushed into it and no more, but for the tolerance of the step.
 /// 1.005 and 1.02: insensitive.

@@ -80,6 +80,7 @@ void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, cons
     // In units of its own velocities, as that of other solves.
     if (!propagated) report.residual = std::max(report.residual, terms.velocity_unit / unit * result.residual);
   }
+  if (scene.notes_pushes) prepared_.add_pushes(scene, 1.0, scene.pushes);
   for (const std::uint32_t body : island.bodies) {
     bodies.state.velocity[body] = linear(prepared_.solution(body));
     bodies.state.angular_velocity[body] = angular(prepared_.solution(body));

@@ -293,4 +293,45 @@ void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, 
   }
 }
 
+/// The impulse on b that the velocities of the solution follow from: y + R (z − u), which is y once the solve has
+/// converged. Momentum changes by it, to rounding, however far the solve has come.
+Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
+  const ContactConstraint& constraint = problem.constraints[p];
+  const auto velocity = [&](std::int32_t row, const std::array<Lanes, 3>& arm) -> Vec3 {
+    const BodyVector& v = problem.velocity[at(row)];
+    return linear(v) + angular(v).cross(Vec3(arm[0][lane], arm[1][lane], arm[2][lane]));
+  };
+  const Vec3 relative = velocity(constraint.b, constraint.arms.b) - velocity(constraint.a, constraint.arms.a);
+  Vec3 impulse = Vec3::Zero();
+  for (std::size_t d = 0; d < 3; ++d) {
+    const Vec3 direction(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
+    const double u = relative.dot(direction) + constraint.velocity_bias.row[d][lane];
+    const double z = constraint.contact_velocity.row[d][lane];
+    impulse += (constraint.impulse.row[d][lane] + constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u)) * direction;
+  }
+  return impulse;
+}
+
+void IslandProblem::mobilise_floor_friction(const Scene& scene, const StepTerms& terms) {
+  const Vec3 drive(terms.effective_gravity.x(), terms.effective_gravity.y(), 0.0);
+  if (drive == Vec3::Zero()) return;
+  const Vec3 slip = terms.velocity_unit * drive.normalized();
+  for (std::size_t p = 0; p < sources.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[sources[p].manifold];
+    if (!manifold.with_side() || scene.sides[side_of(manifold)].surface.kind != SurfaceKind::floor) continue;
+    const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
+    for (std::size_t d = 1; d < 3; ++d) problem.constraints[p].velocity_bias.row[d].fill(slip.dot(directions[d]));
+  }
+}
+
+void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const {
+  for (std::size_t p = 0; p < sources.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[sources[p].manifold];
+    if (!manifold.with_side()) continue;
+    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
+      pushes.push_back({static_cast<std::uint32_t>(manifold.b), scene.sides[side_of(manifold)].index,
+                        -factor * acting_impulse(p, lane), manifold.contact.points[sources[p].point[lane]].on_a});
+  }
+}
+
 }  // namespace holdfast::internal::native

@@ -60,6 +60,13 @@ class IslandProblem {
   void store_step_impulses(Scene& scene, const IslandView& island, double step) const;
   void store_rest_impulses(Scene& scene, const IslandView& island, double step) const;
 
+  /// Turns the problem of `prepare_rest` into that of a floor that slides away under the load, from where the effective
+  /// gravity drives it: friction there holds all it can.
+  void mobilise_floor_friction(const Scene& scene, const StepTerms& terms);
+
+  /// Adds the impulses on the sides of the container that the solution follows from, times a factor.
+  void add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const;
+
   /// Index of a body of the island in the problem.
   std::size_t row(std::uint32_t body) const { return row_[body]; }
 
@@ -83,6 +90,7 @@ class IslandProblem {
   template <class AddManifold>
   void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
   void store_impulse(std::size_t constraint, std::size_t lane, double step, CachedImpulse& cached) const;
+  Vec3 acting_impulse(std::size_t constraint, std::size_t lane) const;
   void set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
                 std::array<Lanes, 3> Arms::*side);
   std::uint32_t row_or_fixed(const Bodies& bodies, std::int32_t body) const;

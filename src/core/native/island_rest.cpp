@@ -83,4 +83,33 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   return false;
 }
 
+void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  const auto is_pressed_wall = [&](std::uint32_t index) {
+    const Manifold& manifold = scene.manifolds[index];
+    return manifold.with_side() && manifold.active && is_wall(scene.bodies, manifold);
+  };
+  if (std::any_of(island.manifolds.begin(), island.manifolds.end(), is_pressed_wall)) {
+    IslandReport not_counted;
+    effort_ = options_.effort(island.bodies.size());
+    prepared_.prepare_rest(scene, island, terms, *solver_);
+    prepared_.mobilise_floor_friction(scene, terms);
+    SolveLimits limits = limits_after_reset();
+    limits.iterations = kMobilisedIterations;
+    limits.tolerance = std::min(limits.tolerance, 0.1 * kMobilisedMotion);
+    const SolveResult result = solve(limits, terms, terms.step, not_counted);
+    if (result.residual <= kMobilisedMotion * terms.velocity_unit &&
+        largest_speed(prepared_.problem) <= kMobilisedMotion * terms.velocity_unit) {
+      prepared_.add_pushes(scene, 1.0 / terms.step, scene.resting_pushes);
+      return;
+    }
+  }
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (!manifold.with_side() || !manifold.active) continue;
+    for (std::size_t i = 0; i < at(manifold.contact.count); ++i)
+      scene.resting_pushes.push_back({static_cast<std::uint32_t>(manifold.b), scene.sides[side_of(manifold)].index,
+                                      -manifold.cached[i].force, manifold.contact.points[i].on_a});
+  }
+}
+
 }  // namespace holdfast::internal::native

@@ -40,6 +40,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     prepared_.store_step_impulses(scene, island, part.length);
     const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
+    if (scene.notes_pushes) prepared_.add_pushes(scene, share, scene.pushes);
     integrate(scene, island, terms, part.length, share);
     if (share == 1.0 && part.length == remaining) return;
     if (update_manifolds(scene, island, terms)) report.missed_contact = true;

@@ -32,6 +32,11 @@ class IslandStepper {
   ///              they begin to move by Coulomb's law
   bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans, IslandReport& report);
 
+  /// Adds the forces with which the island, which rests, presses the sides to `scene.resting_pushes`. Statics leaves
+  /// open how floor and walls share them: the floor holds all that its friction can, where that is a balance, and else
+  /// what it does in the forces that prove rest. Changes nothing else.
+  void find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms);
+
   /// Takes the island a step forward, cut at its events. Activates manifolds that the bodies would overlap at.
   void advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
 

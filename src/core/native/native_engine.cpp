@@ -16,6 +16,7 @@ class NativeSimulation final : public SteppedSimulation {
   void mark(std::size_t world) override { worlds_[world]->mark(); }
   void rewind(std::size_t world) override { worlds_[world]->rewind(); }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
+  SideImpulses side_impulses(std::size_t world) const override { return worlds_[world]->side_impulses(); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
   Status status(std::size_t world) const override { return worlds_[world]->status(); }
 
@@ -30,6 +31,7 @@ class NativeSimulation final : public SteppedSimulation {
 NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), options_(native::native_options(settings)) {
   traits_.name = "native";
   traits_.rewinds = true;
+  traits_.measures_walls = true;
 }
 
 std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {

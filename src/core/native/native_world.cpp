@@ -23,6 +23,7 @@ std::vector<Side> sides_of(const ContainerSettings& container, const std::vector
     Vec3 normal = Vec3::Zero();
     normal[side.axis] = side.far ? -1.0 : 1.0;
     Side& made = sides.emplace_back();
+    made.index = side.index;
     made.space = {normal, side.far ? -container.size[side.axis] : 0.0};
     made.surface = {side.kind, container.friction, 0.0};
     made.play.assign(boxes.size(), 0.0);
@@ -45,6 +46,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
       stepper_(options, std::move(solver)) {
   scene_.bodies = bodies_of(batch, world);
   scene_.sides = sides_of(settings.container, scene_.bodies.shape);
+  scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
   scene_.manifolds.reserve(kLikelyManifolds * count);
   resting_.assign(count, 0);
@@ -194,6 +196,7 @@ bool NativeWorld::merge_overlapping() {
     manifold = copy->second;
     manifold.active = active;
   }
+  std::erase_if(scene_.pushes, [&](const SidePush& push) { return restored_[push.body] != 0; });
   std::erase_if(scene_.undo, [&](const auto& copy) { return has_end_in(scene_.manifolds[copy.first], restored_); });
   // Islands that are merged move.
   for (std::size_t i = 0; i < bodies.count(); ++i)
@@ -203,6 +206,7 @@ bool NativeWorld::merge_overlapping() {
 
 double NativeWorld::step_islands() {
   scene_.undo.clear();
+  scene_.pushes.clear();
   for (std::size_t i = 0; i < connectivity_.size(); ++i) {
     if (moving_[connectivity_[i].bodies.front()] != 0) save(connectivity_[i]);
   }
@@ -260,6 +264,8 @@ void NativeWorld::take_step(double step, int halvings) {
   if ((!missed_contact_ && residual <= kWorstResidual) || halvings == kHalvings) {
     counters_.note_residual(residual * whole_step_unit_, whole_step_unit_);
     if (residual > kWorstResidual) status_ = status_ | Status::not_converged;
+    add_moving_pushes();
+    add_resting_pushes(step);
     finish_step();
     return;
   }
@@ -269,6 +275,17 @@ void NativeWorld::take_step(double step, int halvings) {
   find_contacts(moving_);
   take_step(0.5 * step, halvings + 1);
   take_step(0.5 * step, halvings + 1);
+}
+
+/// Adds what moving bodies have done to the sides in a step that counts.
+void NativeWorld::add_moving_pushes() {
+  for (const SidePush& push : scene_.pushes) add_contact(side_impulses_, push.side, push.impulse, push.point);
+}
+
+/// Adds what resting bodies do to the sides.
+void NativeWorld::add_resting_pushes(double duration) {
+  for (const SidePush& push : scene_.resting_pushes)
+    if (resting_[push.body] != 0) add_contact(side_impulses_, push.side, duration * push.impulse, push.point);
 }
 
 void NativeWorld::finish_step() {
@@ -293,6 +310,7 @@ double NativeWorld::advance(const Phase& phase) {
 }
 
 double NativeWorld::take_next_step(const Phase& phase) {
+  side_impulses_ = {};
   begin_phase(phase);
   const StepPlan plan(phase, options_.steps_per_second);
   terms_.step = plan.step();
@@ -301,6 +319,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   const bool any_moving = find_moving();
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;
+    add_resting_pushes(plan.step() * static_cast<double>(left));
     counters_.steps += left;
     counters_.steps_skipped += left;
     phase_step_ = plan.step_count();
@@ -308,6 +327,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
     return phase.end;
   }
   if (any_moving) take_step(plan.step(), 0);
+  if (!any_moving) add_resting_pushes(plan.step());
   terms_.reset_warm_start = false;
   ++counters_.steps;
   if (!any_moving) ++counters_.steps_skipped;

@@ -30,6 +30,9 @@ class NativeWorld {
   /// Writes the world's range of the columns.
   void read_back(StateColumns& state) const;
 
+  /// Of the boxes on the sides in the last `advance`, where the settings ask for wall forces.
+  const SideImpulses& side_impulses() const { return side_impulses_; }
+
   /// The world as `broken_invariants` checks it, which debug builds do after every step.
   WorldView view() const { return {scene_, pairs_, connectivity_, resting_}; }
 
@@ -47,6 +50,7 @@ class NativeWorld {
   bool prove_rest(const IslandView& island, bool leans);
   bool activate_leaning();
   void set_at_rest(const IslandView& island);
+  void find_resting_pushes(const IslandView& island);
   void save(const IslandView& island);
   void restore(std::size_t body);
   bool activate_predicted();
@@ -57,6 +61,8 @@ class NativeWorld {
   double take_next_step(const Phase& phase);
   void take_step(double step, int halvings);
   void finish_step();
+  void add_moving_pushes();
+  void add_resting_pushes(double duration);
 
   const World& world_;
   NativeOptions options_;
@@ -97,6 +103,7 @@ class NativeWorld {
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
   std::uint64_t phase_step_ = 0;
+  SideImpulses side_impulses_;
   Counters counters_;
   Status status_ = Status::ok;
 };

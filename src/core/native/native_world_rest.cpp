@@ -22,6 +22,7 @@ bool NativeWorld::find_moving() {
       const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(), marked(resting_));
       const bool rests = known || (is_slow(view) && (round > 0 || is_due(view)) && prove_rest(view, round > 0));
       if (rests) set_at_rest(view);
+      if (rests && !known && scene_.notes_pushes) find_resting_pushes(view);
       for (const std::uint32_t body : view.bodies) {
         moving_[body] = rests ? 0 : 1;
         if (!rests) resting_[body] = 0;
@@ -91,6 +92,13 @@ bool NativeWorld::activate_leaning() {
     }
   }
   return any;
+}
+
+void NativeWorld::find_resting_pushes(const IslandView& island) {
+  std::erase_if(scene_.resting_pushes, [&](const SidePush& push) {
+    return std::find(island.bodies.begin(), island.bodies.end(), push.body) != island.bodies.end();
+  });
+  stepper_.find_resting_pushes(scene_, island, terms_);
 }
 
 void NativeWorld::set_at_rest(const IslandView& island) {

@@ -10,6 +10,14 @@
 
 namespace holdfast::internal::native {
 
+/// An impulse of a body on a side of the container.
+struct SidePush {
+  std::uint32_t body = 0;
+  std::size_t side = 0;  ///< in `kContainerSides`
+  Vec3 impulse;          ///< on the side, N s; of a body at rest, in a second
+  Vec3 point;            ///< m
+};
+
 /// Everything that islands of a world share.
 struct Scene {
   Bodies bodies;
@@ -17,6 +25,9 @@ struct Scene {
   std::vector<Manifold> manifolds;
   /// Manifolds as they were before an event within the step updated them, to take the step again.
   std::vector<std::pair<std::uint32_t, Manifold>> undo;
+  bool notes_pushes = false;             ///< wall forces are asked for
+  std::vector<SidePush> pushes;          ///< of the step that is being taken, in its parts and impacts
+  std::vector<SidePush> resting_pushes;  ///< of bodies at rest
 };
 
 /// Bodies that are solved together, with the manifolds inside: those whose ends are among the bodies or fixed.

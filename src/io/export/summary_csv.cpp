@@ -87,6 +87,7 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
     worlds.close();
     boxes.close();
     if (results->info().has_margins) write_margin_csv(*results, folder + "/margins.csv");
+    if (results->info().has_walls) write_wall_csv(*results, folder + "/walls.csv");
   });
 }
 

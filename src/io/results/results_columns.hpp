@@ -22,6 +22,7 @@ void visit_series(Visit&& visit, SeriesLike& s) {
   visit("/series/container_acceleration", s.container_acceleration);
   visit("/series/total_kinetic_energy", s.total_kinetic_energy);
   visit("/series/fallen_count", s.fallen_count);
+  visit("/walls/force", s.side_force);
   visit("/series/displacement", s.displacement);
   visit("/series/orientation", s.orientation);
   visit("/series/angular_velocity", s.angular_velocity);
@@ -110,6 +111,16 @@ void visit_margins(Visit&& visit) {
   visit("/margins/cpu_seconds", &LayoutMargins::cpu_seconds);
 }
 
+template <class Visit>
+void visit_walls(Visit&& visit) {
+  visit("/walls/peak_force", &WallForces::peak_force);
+  visit("/walls/peak_time", &WallForces::peak_time);
+  visit("/walls/peak_point", &WallForces::peak_point);
+  visit("/walls/lasting_force", &WallForces::lasting_force);
+  visit("/walls/limit", &WallForces::limit);
+  visit("/walls/impulse", &WallForces::impulse);
+}
+
 /// Entries of one dataset, collected in memory: bytes in their stored form, or texts before their common length is
 /// known.
 class Column {
@@ -118,7 +129,8 @@ class Column {
 
   template <class T>
   void append(std::span<const T> values) {
-    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3>);
+    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3> ||
+                  std::is_same_v<T, std::array<Vec3, kSideCount>>);
     assert(spec_->type == element_type_of<T>() && spec_->width * size_of(spec_->type) == sizeof(T));
     const auto raw = std::as_bytes(values);
     bytes_.insert(bytes_.end(), raw.begin(), raw.end());

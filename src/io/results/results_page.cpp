@@ -30,7 +30,7 @@ The row of a world says where its entries begin:
 | entries of a world | first | number |
 | --- | --- | --- |
 | rows of `/boxes` and `/summary/boxes` | `box_begin` | `box_count` |
-| samples of `/series/time`, `container_acceleration`, `total_kinetic_energy`, `fallen_count` | `sample_begin` | `sample_count` |
+| samples of `/series/time`, `container_acceleration`, `total_kinetic_energy`, `fallen_count`, `/walls/force` | `sample_begin` | `sample_count` |
 | rows of the other `/series` datasets | `row_begin` | `sample_count * box_count` |
 
 Within a world, rows are sorted by sample, then by box: `row = row_begin + sample * box_count + box`.
@@ -139,7 +139,15 @@ std::string length_of(const DatasetSpec& spec) {
 
 /// What has to be asked for so that a dataset is there.
 std::string_view asked_by(Analysis analysis) {
-  return analysis == Analysis::margins ? "\nOnly in files of runs with `Margins`, see [margins.md](margins.md).\n" : "";
+  switch (analysis) {
+    case Analysis::verdicts:
+      break;
+    case Analysis::margins:
+      return "\nOnly in files of runs with `Margins`, see [margins.md](margins.md).\n";
+    case Analysis::wall_forces:
+      return "\nOnly in files of runs with `WallForces` or `Walls`, see [walls.md](walls.md).\n";
+  }
+  return "";
 }
 
 std::string_view folder_of(std::string_view path) { return path.substr(0, path.rfind('/')); }

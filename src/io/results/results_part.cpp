@@ -19,7 +19,9 @@ namespace {
 
 /// A dataset that every part has, and whose length is that of the axis.
 const DatasetSpec& representative(Axis axis) {
-  return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) { return spec.axis == axis; });
+  return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) {
+    return spec.axis == axis && spec.analysis == Analysis::verdicts;
+  });
 }
 
 std::string attribute_of(Axis axis) { return std::string(to_string(axis)) + "_begin"; }

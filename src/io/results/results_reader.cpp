@@ -69,6 +69,14 @@ struct ResultsReader::State {
     values = values_of<T>(dataset(path).read(begin, count));
   }
 
+  /// Reads one dataset into that member of the rows, which stand for its entries from `begin` on.
+  template <class Row, class Entry>
+  void read_member(std::string_view path, std::uint64_t begin, Entry Row::*member, std::vector<Row>& rows) {
+    std::vector<Entry> column;
+    read(path, begin, rows.size(), column);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column[i];
+  }
+
   void read_info() {
     version = check_format(*file);
     info.path = file->path();
@@ -87,6 +95,7 @@ struct ResultsReader::State {
     if (H5Aexists_by_name(file->id(), "/inputs/settings", "Screening/Norm", H5P_DEFAULT) > 0)
       info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
     info.has_margins = h5::exists(*file, "/margins");
+    info.has_walls = h5::exists(*file, "/walls");
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);
     info.layout_begin = at(before, Axis::layouts);
@@ -157,13 +166,15 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
 Result<std::vector<LayoutMargins>> ResultsReader::margins(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     std::vector<LayoutMargins> rows(count);
-    const auto take = [&](std::string_view path, auto member) {
-      using Entry = std::decay_t<decltype(LayoutMargins{}.*member)>;
-      std::vector<Entry> column;
-      state_->read(path, begin, count, column);
-      for (std::size_t i = 0; i < count; ++i) rows[i].*member = column[i];
-    };
-    visit_margins(take);
+    visit_margins([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
+    return rows;
+  });
+}
+
+Result<std::vector<WallForces>> ResultsReader::walls(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<WallForces> rows(count);
+    visit_walls([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
     return rows;
   });
 }
@@ -190,6 +201,7 @@ Result<Series> ResultsReader::series(const WorldRow& world) {
     Series series;
     visit_series(
         [&](std::string_view path, auto& column) {
+          if (!state_->info.has_walls && dataset_spec(path).analysis == Analysis::wall_forces) return;
           const bool of_samples = dataset_spec(path).axis == Axis::samples;
           state_->read(path, of_samples ? world.sample_begin : world.row_begin, of_samples ? world.sample_count : rows,
                        column);

@@ -26,6 +26,7 @@ struct ResultsInfo {
   Thresholds thresholds;           ///< of its summary
   std::string norm;                ///< of the run; empty: none
   bool has_margins = false;        ///< whether the run was asked for margins
+  bool has_walls = false;          ///< whether the run was asked for wall forces
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;
@@ -83,6 +84,9 @@ class ResultsReader {
 
   /// Rows [begin, begin + count) of /margins, of a file that has them: one per layout, from the file's first one on.
   Result<std::vector<LayoutMargins>> margins(std::uint64_t begin, std::uint64_t count);
+
+  /// Rows [begin, begin + count) of /walls, of a file that has them.
+  Result<std::vector<WallForces>> walls(std::uint64_t begin, std::uint64_t count);
 
   /// Rows [begin, begin + count) of /boxes: properties and end values of boxes.
   Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);

@@ -83,10 +83,19 @@ void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
     const auto rows = results->worlds(begin, std::min(kSlice, count - begin));
     if (!rows) throw h5::Failure(rows.error());
-    for (const WorldRow& row : *rows) {
+    std::vector<WallForces> walls(rows->size());
+    if (results->info().has_walls) {
+      Result<std::vector<WallForces>> read = results->walls(begin, rows->size());
+      if (!read) throw h5::Failure(read.error());
+      walls = std::move(*read);
+    }
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      const WorldRow& row = (*rows)[i];
       Result<EndTable> end = results->ends(row.box_begin, row.box_count);
       if (!end) throw h5::Failure(end.error());
-      visitor.world(record_of(row, std::move(*end)));
+      WorldRecord world = record_of(row, std::move(*end));
+      world.walls = walls[i];
+      visitor.world(world);
     }
   }
 }

@@ -120,6 +120,26 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     {"/series/force", ElementType::f32, 3, Axis::rows, "N",
      "external force x, y, z: minus mass times the container's acceleration; zero in a free container"},
     {"/series/kinetic_energy", ElementType::f32, 1, Axis::rows, "J", "kinetic energy in the container's frame"},
+    // walls: one row per world or sample; one column or vector per side
+    {"/walls/peak_force", ElementType::f64, kSideCount, Axis::worlds, "N",
+     "largest outward force of the boxes on the floor, front, rear, left, right and roof, mean over a step; NaN in a "
+     "world that was not simulated",
+     Origin::recorded, Analysis::wall_forces},
+    {"/walls/peak_time", ElementType::f64, kSideCount, Axis::worlds, "s", "start of the step with that force",
+     Origin::recorded, Analysis::wall_forces},
+    {"/walls/peak_point", ElementType::f64, 3 * kSideCount, Axis::worlds, "m",
+     "x, y, z of the centre of pressure in that step, side by side; NaN where nothing pressed the side",
+     Origin::recorded, Analysis::wall_forces},
+    {"/walls/lasting_force", ElementType::f64, kSideCount, Axis::worlds, "N",
+     "largest outward force, mean over 0.05 s: what counts against a limit", Origin::recorded, Analysis::wall_forces},
+    {"/walls/limit", ElementType::f64, kSideCount, Axis::worlds, "N",
+     "test force of the norm that the run was asked for; NaN where there is none", Origin::recorded,
+     Analysis::wall_forces},
+    {"/walls/impulse", ElementType::f64, 3 * kSideCount, Axis::worlds, "N*s",
+     "x, y, z of the impulse of the boxes on the side from t = 0 to the end, side by side", Origin::recorded,
+     Analysis::wall_forces},
+    {"/walls/force", ElementType::f32, kSideCount, Axis::samples, "N",
+     "outward force, mean over the step that the sample lies in; 0 at t = 0", Origin::recorded, Analysis::wall_forces},
     // summary: derived from the tables above with the thresholds in the attributes of /summary
     {"/summary/worlds/verdict", ElementType::u8, 1, Axis::worlds, "1",
      "the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 gave_way "

@@ -83,7 +83,7 @@ inline constexpr std::uint64_t kFormatVersion = 2;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 82;
+inline constexpr std::size_t kDatasetCount = 89;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all use this table.
@@ -101,8 +101,13 @@ inline bool is_long(const DatasetSpec& spec) {
 }
 
 /// Indices in `kSchema` of the long datasets, in increasing order.
-inline constexpr std::size_t kLongDatasets = 36;
+inline constexpr std::size_t kLongDatasets = 37;
 const std::array<std::size_t, kLongDatasets>& long_datasets();
+
+template <class T>
+inline constexpr bool kIsArray = false;
+template <class T, std::size_t N>
+inline constexpr bool kIsArray<std::array<T, N>> = true;
 
 /// Element type and width as which a C++ type is stored.
 template <class T>
@@ -111,15 +116,15 @@ constexpr ElementType element_type_of() {
     return element_type_of<std::underlying_type_t<T>>();
   } else if constexpr (std::is_same_v<T, std::uint8_t>) {
     return ElementType::u8;
-  } else if constexpr (std::is_same_v<T, std::uint32_t> ||
-                       std::is_same_v<T, std::array<std::uint32_t, kDirectionCount>>) {
+  } else if constexpr (kIsArray<T>) {
+    return element_type_of<typename T::value_type>();
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
     return ElementType::u32;
   } else if constexpr (std::is_same_v<T, std::uint64_t>) {
     return ElementType::u64;
   } else if constexpr (std::is_same_v<T, std::int32_t>) {
     return ElementType::i32;
-  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3> ||
-                       std::is_same_v<T, std::array<double, kDirectionCount>>) {
+  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3>) {
     return ElementType::f64;
   } else {
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, Float3> || std::is_same_v<T, Float4>);

@@ -67,8 +67,12 @@ std::optional<Error> write_summary(const std::string& results_path, const Thresh
 /// direction. For src/io only; throws `h5::Failure`.
 void write_margin_csv(ResultsReader& results, const std::string& path);
 
-/// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv` where the run was asked for margins. The
-/// folder is created if it is missing; existing files are replaced.
+/// Writes the forces on the sides of a file that has them, one line per world that was simulated and side. For src/io
+/// only; throws `h5::Failure`.
+void write_wall_csv(ResultsReader& results, const std::string& path);
+
+/// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv` and `walls.csv` where the run was asked for
+/// them. The folder is created if it is missing; existing files are replaced.
 /// RFC 4180, one header line, units at the end of the names (`drop_m`). pandas.read_csv needs no options.
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);

@@ -46,6 +46,8 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
   const auto append = [&](std::string_view path, const auto& values) { columns[path].append(values); };
   const WorldRow row = row_of(world, run, end);
   visit_world(append, row);
+  if (includes(run.analyses, Analysis::wall_forces))
+    visit_walls([&](std::string_view path, auto member) { append(path, world.walls.*member); });
   visit_boxes(append, world.boxes);
   visit_ends(append, world.end);
   columns["/boxes/world"].append(std::vector<std::uint64_t>(box_count, at(end, Axis::worlds)));

@@ -99,6 +99,21 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
   return world;
 }
 
+/// Adds forces on the walls, and their series.
+inline void add_walls(std::mt19937& random, WorldRecord& world) {
+  std::uniform_real_distribution<double> uniform(0, 1e5);
+  for (std::size_t side = 0; side < kSideCount; ++side) {
+    world.walls.peak_force.at(side) = uniform(random);
+    world.walls.peak_time.at(side) = uniform(random);
+    world.walls.peak_point.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
+    world.walls.lasting_force.at(side) = uniform(random);
+    world.walls.limit.at(side) = uniform(random);
+    world.walls.impulse.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
+  }
+  for (std::size_t sample = 0; sample < world.series.time.size(); ++sample)
+    for (float& force : world.series.side_force.emplace_back()) force = static_cast<float>(uniform(random));
+}
+
 /// A run with one unit per layout, each with two accelerations.
 inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
                     std::vector<Analysis> analyses = {Analysis::verdicts}) {
@@ -134,6 +149,7 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
     unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), margins});
     for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
       unit.worlds.push_back(make_world(random, layout, acceleration, shape));
+      if (includes(about.analyses, Analysis::wall_forces)) add_walls(random, unit.worlds.back());
       if (!series) unit.worlds.back().series = {};
     }
     run.units.push_back(unit);

@@ -90,3 +90,33 @@ TEST_CASE("results_reader: margins are read as they were found, over parts too",
     CHECK(margins[i].critical_box == run.units[i].layouts.front().margins.critical_box);
   }
 }
+
+TEST_CASE("results_reader: wall forces are read as they were found, over parts too", "[io][results]") {
+  const Run run = make_run({{3, 4}, {2, 20000}, {1, 1}}, true, {Analysis::verdicts, Analysis::wall_forces});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  REQUIRE(results.info().has_walls);
+  const std::vector<WorldRow> rows = require_value(results.worlds(0, 6));
+  const std::vector<WallForces> walls = require_value(results.walls(0, 6));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const WorldRecord& world = run.units[i / 2].worlds[i % 2];
+    CHECK(walls[i].peak_force == world.walls.peak_force);
+    CHECK(walls[i].peak_point == world.walls.peak_point);
+    CHECK(walls[i].lasting_force == world.walls.lasting_force);
+    CHECK(walls[i].impulse == world.walls.impulse);
+    CHECK(require_value(results.series(rows[i])).side_force == world.series.side_force);
+  }
+}
+
+TEST_CASE("results_reader: a series is read without wall forces where they were not asked for", "[io][results]") {
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, make_run({{3, 4}}), never());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  CHECK_FALSE(results.info().has_walls);
+  const Series series = require_value(results.series(require_value(results.worlds(0, 1)).front()));
+  CHECK(series.time.size() == 4);
+  CHECK(series.side_force.empty());
+}

@@ -11,6 +11,7 @@ namespace holdfast::internal::native {
 
 /// A side of the container as a body that does not move.
 struct Side {
+  std::size_t index = 0;  ///< in `kContainerSides`
   HalfSpace space;
   Surface surface;
   std::vector<double> play;  ///< a body: how far the side stands back for it, m
@@ -45,6 +46,9 @@ struct Manifold {
 
   bool with_side() const { return a < 0; }
 };
+
+/// Which of the scene's sides a manifold with one is at.
+inline std::size_t side_of(const Manifold& manifold) { return static_cast<std::size_t>(-1 - manifold.a); }
 
 /// Whether a body of the manifold is among the marked ones. Fixed bodies never are.
 inline bool has_end_in(const Manifold& manifold, const std::vector<std::uint8_t>& marked) {
