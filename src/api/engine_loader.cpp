@@ -45,9 +45,11 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
   if (entry == nullptr) return unknown_engine(name);
   Result<std::unique_ptr<Engine>> engine =
       entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
-  if (engine && settings.screening.margins)
+  if (!engine) return engine;
+  if (const auto error = why_unsupported(**engine, settings)) return *error;
+  if (settings.screening.margins)
     if (const auto error = why_no_margins(**engine)) return *error;
-  if (engine && settings.screening.measures_walls())
+  if (settings.screening.measures_walls())
     if (const auto error = why_no_wall_forces(**engine)) return *error;
   return engine;
 }

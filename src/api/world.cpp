@@ -25,7 +25,9 @@ std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) 
     throw internal::exception_of({{.what = "a single world cannot be simulated by a plug-in",
                                    .value = settings.screening.engine,
                                    .accepted = "native or native-plain"}});
-  return value_or_throw(entry->make(settings));
+  std::unique_ptr<internal::Engine> engine = value_or_throw(entry->make(settings));
+  if (const auto error = internal::why_unsupported(*engine, settings)) throw internal::exception_of({*error});
+  return engine;
 }
 
 }  // namespace

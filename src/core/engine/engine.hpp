@@ -54,6 +54,8 @@ struct EngineTraits {
   bool rewinds = false;
   /// True when `Simulation::side_impulses` is measured, where the settings ask for wall forces.
   bool measures_walls = false;
+  /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
+  bool has_kinetic_friction = false;
 };
 
 /// A request to advance one world within its current phase, and the answer.

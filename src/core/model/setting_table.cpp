@@ -136,6 +136,10 @@ std::vector<SettingKey> make_table() {
   add(NamedFriction<OfPair>{}, "BoxWall", "", "0.5", MEMBER(contact.box_wall),
       "Friction coefficient between box and wall or roof when FrictionModel is `pairs`.");
 
+  add(Share{}, "KineticFriction", "", "1", MEMBER(contact.kinetic_friction),
+      "Kinetic friction over static friction, of every pair: surfaces that slide have this share of their coefficient; "
+      "the CTU Code takes 0.75. An engine that cannot model it reports an error.");
+
   section = kMaterialSection;
   add(Positive{}, "Density", "kg/m³", "", OF_MATERIAL(density),
       "Density of boxes of material N; when absent, DensityValue.");

@@ -51,9 +51,10 @@ struct ContainerSettings {
 struct ContactSettings {
   double restitution = 0.0;  ///< of every pair, unless a material has its own
   FrictionModel friction_model = FrictionModel::product;
-  double box_box = 0.5;    ///< friction coefficient of two boxes, model `pairs`
-  double box_floor = 0.5;  ///< friction coefficient of box and floor, model `pairs`
-  double box_wall = 0.5;   ///< friction coefficient of box and wall or roof, model `pairs`
+  double box_box = 0.5;           ///< friction coefficient of two boxes, model `pairs`
+  double box_floor = 0.5;         ///< friction coefficient of box and floor, model `pairs`
+  double box_wall = 0.5;          ///< friction coefficient of box and wall or roof, model `pairs`
+  double kinetic_friction = 1.0;  ///< of surfaces that slide, over the coefficients above, which are static
 };
 
 /// Properties of the boxes of one material id; `[Material N]`. Absent values come from the common keys.

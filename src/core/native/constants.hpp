@@ -112,6 +112,11 @@ inline constexpr double kJumpShare = 0.1;
 /// Half and twice: insensitive.
 inline constexpr double kSlipShare = 1e-3;
 
+/// Slip above this share of |g − a| h makes friction kinetic, and more where a solve may leave more of it: what sticks
+/// shows some slip until its solve has converged.
+/// MEASURE
+inline constexpr double kKineticSlip = 0.02;
+
 /// Slip above this many |g − a| h does not end within the step: friction opposes its mean over the step.
 /// Half: insensitive; twice: case `braking_in_a_corner_mu_0.45` fails.
 inline constexpr double kLastingSlip = 3.0;

@@ -9,6 +9,15 @@
 
 namespace holdfast::internal::native {
 
+namespace {
+
+/// The part of a velocity that is along the contact's surfaces.
+Vec3 tangential(const Manifold& manifold, const Vec3& velocity) {
+  return velocity - manifold.contact.normal * manifold.contact.normal.dot(velocity);
+}
+
+}  // namespace
+
 /// Which contacts are solved: those that are closed, those that close slower than what is located in time, and, once
 /// nothing more is located, all that close.
 PointFilter IslandStepper::point_filter(const StepTerms& terms, double step) const {
@@ -172,6 +181,46 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
   return event;
 }
 
+/// Slip from which friction is kinetic, m/s.
+double IslandStepper::kinetic_slip(const StepTerms& terms) const {
+  return std::max(kKineticSlip, effort_.mean_residual) * terms.velocity_unit;
+}
+
+/// Finds the manifolds of the island whose surfaces slide now: their friction is kinetic, that of the others static.
+void IslandStepper::find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms) const {
+  const double slow = kinetic_slip(terms);
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    manifold.slides = false;
+    if (manifold.kinetic_friction == manifold.friction) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.slides; ++i) {
+      const Vec3 velocity = relative_velocity(scene.bodies, manifold, manifold.contact.points[at(i)]);
+      manifold.slides = tangential(manifold, velocity).norm() > slow;
+    }
+  }
+}
+
+/// Finds the manifolds that the solve took as sticking, and that slide at its end with all the friction that they may
+/// have. True where there are any: friction gives way within the step, and the step is solved again with less of it.
+bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms) const {
+  const double slow = kinetic_slip(terms);
+  bool any = false;
+  for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
+    Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
+    if (manifold.slides || manifold.kinetic_friction == manifold.friction) continue;
+    const ContactConstraint& constraint = prepared_.problem.constraints[p];
+    const auto& y = constraint.impulse.row;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count) && !manifold.slides; ++lane) {
+      const double most = kSlidingShare * constraint.friction * y[0][lane];
+      if (!(y[0][lane] > 0.0) || y[1][lane] * y[1][lane] + y[2][lane] * y[2][lane] < most * most) continue;
+      const ContactPoint& point = manifold.contact.points[prepared_.sources[p].point[lane]];
+      manifold.slides = tangential(manifold, end_velocity(scene.bodies, manifold, point)).norm() > slow;
+    }
+    any = any || manifold.slides;
+  }
+  return any;
+}
+
 /// Time until the first slip ends or reverses within the step, by the acceleration of the last step; `step` where none
 /// does.
 double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms, double step) const {
@@ -185,18 +234,17 @@ double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms,
   for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
     if (manifold.friction == 0.0) continue;
-    const Vec3& normal = manifold.contact.normal;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(prepared_.problem.constraints[p].count); ++lane) {
       if (!(prepared_.problem.constraints[p].impulse.row[0][lane] > 0.0)) continue;
       const ContactPoint& point = manifold.contact.points[prepared_.sources[p].point[lane]];
-      const auto tangential = [&](const Vec3& v) -> Vec3 { return v - normal * normal.dot(v); };
-      const Vec3 slip = tangential(relative_velocity(bodies, manifold, point));
+      const Vec3 slip = tangential(manifold, relative_velocity(bodies, manifold, point));
       const double speed = slip.norm();
       if (speed <= kSlipShare * terms.velocity_unit) continue;
-      const Vec3 end = tangential(end_velocity(bodies, manifold, point));
+      const Vec3 end = tangential(manifold, end_velocity(bodies, manifold, point));
       // A slip that keeps some speed in its direction goes on.
       if (end.dot(slip) > kSlipShare * speed * speed) continue;
-      const double slowing = -slip.dot(tangential(rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
+      const double slowing =
+          -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
       if (slowing > 0.0) first = std::min(first, speed / slowing);
     }
   }

@@ -138,7 +138,7 @@ void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, dou
       ContactConstraint& made = problem.constraints.emplace_back();
       for (std::size_t d = 0; d < 3; ++d)
         made.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
-      made.friction = manifold.friction;
+      made.friction = manifold.friction_now();
       made.a = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.a));
       made.b = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.b));
       problem.mid_arms.emplace_back();

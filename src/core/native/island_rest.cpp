@@ -10,6 +10,7 @@ namespace holdfast::internal::native {
 
 bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
                           IslandReport& report) {
+  for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
   prepared_.prepare_rest(scene, island, terms, *solver_);
   if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
   bool rests = !leans && find_balance(terms, report);

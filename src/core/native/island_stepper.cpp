@@ -34,6 +34,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   impact_cuts_ = slip_end_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
     locates_impacts_ = impact_cuts_ < effort_.impact_cuts;
+    find_sliding(scene, island, terms);
     resolve_impacts(scene, island, terms, remaining, report);
     const Part part = solve_part(scene, island, terms, limits, remaining, report);
     report.residual = std::max(report.residual, part.result.residual);
@@ -49,8 +50,8 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   }
 }
 
-/// Prepares, solves and looks for events, until the step brings no overlap that the solve did not know of. The part
-/// ends where a slip does.
+/// Prepares, solves and looks for events, until the step brings no overlap, and no slip, that the solve did not know
+/// of. The part ends where a slip does.
 IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& island, const StepTerms& terms,
                                               const SolveLimits& limits, double remaining, IslandReport& report) {
   Part part{.length = remaining, .impact_time = std::numeric_limits<double>::infinity()};
@@ -63,6 +64,10 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
     if (event.activated) {
       prepared_.store_step_impulses(scene, island, part.length);
       ++round;
+      continue;
+    }
+    if (find_begun_slips(scene, terms)) {
+      prepared_.store_step_impulses(scene, island, part.length);
       continue;
     }
     if (slip_end_cuts_ >= effort_.slip_end_cuts || part.length != remaining) break;

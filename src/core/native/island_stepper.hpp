@@ -78,6 +78,9 @@ class IslandStepper {
   bool propagate_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
+  double kinetic_slip(const StepTerms& terms) const;
+  void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms) const;
+  bool find_begun_slips(Scene& scene, const StepTerms& terms) const;
   double first_slip_end(const Scene& scene, const StepTerms& terms, double step) const;
 
   // Proof of rest.

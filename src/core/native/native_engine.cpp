@@ -32,6 +32,7 @@ NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), opti
   traits_.name = "native";
   traits_.rewinds = true;
   traits_.measures_walls = true;
+  traits_.has_kinetic_friction = true;
 }
 
 std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {

@@ -47,6 +47,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     manifold.a = a;
     manifold.b = b;
     manifold.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
+    manifold.kinetic_friction = contact_.kinetic_friction * manifold.friction;
     manifold.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
     update_contact(manifold, contact, bodies);
   }

@@ -8,13 +8,13 @@ namespace holdfast::internal {
 namespace {
 
 /// Moves the block through an interval of constant acceleration, from stop to stop.
-void slide(SlidingBlock& block, double acceleration, double duration, double friction) {
+void slide(SlidingBlock& block, double acceleration, double duration, const FrictionDeceleration& friction) {
   double left = duration;
   while (left > 0.0) {
     const bool at_rest = block.velocity == 0.0;
-    if (at_rest && std::abs(acceleration) <= friction) return;
+    if (at_rest && std::abs(acceleration) <= friction.at_rest) return;
     const double heading = at_rest ? -std::copysign(1.0, acceleration) : std::copysign(1.0, block.velocity);
-    const double rate = -acceleration - heading * friction;
+    const double rate = -acceleration - heading * friction.sliding;
     // A decelerating block stops after |v| / |rate|, unless the interval ends before.
     const bool slows = !at_rest && rate * heading < 0.0;
     const double until_stop = slows ? -block.velocity / rate : left;
@@ -30,10 +30,10 @@ void slide(SlidingBlock& block, double acceleration, double duration, double fri
 
 }  // namespace
 
-SlidingBlock slide_along_x(const Acceleration& acceleration, double friction_deceleration) {
+SlidingBlock slide_along_x(const Acceleration& acceleration, const FrictionDeceleration& friction) {
   SlidingBlock block;
   for (const Phase& phase : phases_of(acceleration, acceleration.end_time()))
-    slide(block, phase.acceleration.x(), phase.end - phase.begin, friction_deceleration);
+    slide(block, phase.acceleration.x(), phase.end - phase.begin, friction);
   return block;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "validate/answers/sliding_block.hpp"
 #include "validate/laboratory/case.hpp"
@@ -173,6 +175,65 @@ std::vector<Measurement> slide_pulse(Laboratory& laboratory, double wait, double
           scaled("creep in the second after the stop (m)", later - stopped, 0.0, 1.0, ToleranceClass::exact)};
 }
 
+/// The end of a run along x, m and m/s; nothing where the engine cannot model the scene.
+struct EndAlongX {
+  double displacement = 0.0;
+  double velocity = 0.0;
+};
+
+std::optional<EndAlongX> end_along_x(Laboratory& laboratory, const Scene& scene) {
+  EndAlongX end;
+  const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
+    end = {moment.state.position[0].x() - scene.boxes[0].position.x(), moment.state.velocity[0].x()};
+    return true;
+  });
+  return outcome.stop_reason == StopReason::failed ? std::nullopt : std::optional(end);
+}
+
+constexpr double kKineticShare = 0.75;
+
+/// A box with static friction 0.5 and three quarters of it while it slides.
+Scene kinetic_box() {
+  Scene scene = flat_box();
+  scene.settings.contact.kinetic_friction = kKineticShare;
+  return scene;
+}
+
+/// It rests at 0.99 μ_s g, more than kinetic friction could hold; at 1.2 μ_s g it gains a − μ_k g. Engines with one
+/// coefficient are not measured.
+std::vector<Measurement> kinetic_start(Laboratory& laboratory) {
+  const double limit = 0.5 * kinetic_box().settings.gravity;
+  Scene held = kinetic_box();
+  held.then(1.0, {0.99 * limit, 0, 0});
+  Scene pushed = kinetic_box();
+  pushed.then(1.0, {1.2 * limit, 0, 0});
+  const auto rest = end_along_x(laboratory, held);
+  const auto end = end_along_x(laboratory, pushed);
+  if (!rest || !end) return {};
+  const double excess = (1.2 - kKineticShare) * limit;
+  return {scaled("creep below the static limit (m)", rest->displacement, 0.0, 1.0, ToleranceClass::exact),
+          relative("displacement above it (m)", end->displacement, -0.5 * excess, ToleranceClass::exact),
+          relative("velocity (m/s)", end->velocity, -excess, ToleranceClass::exact)};
+}
+
+/// It starts at 1.2 μ_s g, goes on at 0.85 μ_s g, which would not have moved it and which it gains from while it
+/// slides, stops, holds at 0.9 μ_s g, and starts again the other way. Engines with one coefficient are not measured.
+std::vector<Measurement> kinetic_stops_and_holds(Laboratory& laboratory) {
+  Scene scene = kinetic_box();
+  const double limit = 0.5 * scene.settings.gravity;
+  for (const auto& [duration, share] : {std::pair(0.3, 1.2), {0.3, 0.85}, {0.5, 0.0}, {0.5, 0.9}})
+    scene.then(duration, {share * limit, 0, 0});
+  const SlidingBlock stopped = slide_along_x(scene.acceleration, {limit, kKineticShare * limit});
+  const auto held = end_along_x(laboratory, scene);
+  scene.then(0.4, {-1.1 * limit, 0, 0});
+  const SlidingBlock again = slide_along_x(scene.acceleration, {limit, kKineticShare * limit});
+  const auto end = end_along_x(laboratory, scene);
+  if (!held || !end) return {};
+  return {relative("displacement after the stop (m)", held->displacement, stopped.displacement, ToleranceClass::fine),
+          scaled("velocity after the stop (m/s)", held->velocity, 0.0, 1.0, ToleranceClass::exact),
+          relative("displacement at the end (m)", end->displacement, again.displacement, ToleranceClass::fine)};
+}
+
 /// Vibration of 1 kHz, +A +A −A −A at 4 kHz, with A = 0.99 μg: always below the limit, so that the box is at rest.
 std::vector<Measurement> slide_vibration(Laboratory& laboratory) {
   Scene scene = flat_box();
@@ -286,6 +347,11 @@ std::vector<Case> slide_cases() {
        "the same, when the pulse begins and ends and the box stops between ends of steps",
        "steps that contain the start or end of the pulse", true,
        [](Laboratory& laboratory) { return slide_pulse(laboratory, 0.1037, 0.4321); }},
+      {"slide", "kinetic_start", "rest below the static limit, and sliding above it with less friction",
+       "one coefficient for both", true, kinetic_start},
+      {"slide", "kinetic_stops_and_holds",
+       "a box that slides on where it would not have started, stops and holds again", "one coefficient for both", true,
+       kinetic_stops_and_holds},
       {"slide", "slide_vibration", "rest under vibration of 1 kHz just below the limit",
        "friction of the last step in the warm start", false, slide_vibration},
       {"slide", "newmark_block", "no drift under a symmetric sine above the limit", "a bias towards one direction",

@@ -32,8 +32,10 @@ struct Manifold {
   /// The pair is part of a solve. A pair that merely touches is not, as long as the solution without it keeps the two
   /// apart: islands stay small, and no pair carries a force that nothing pushes into it.
   bool active = false;
-  int idle_steps = 0;  ///< solved steps since it last carried a force
-  double friction = 0.0;
+  bool slides = false;    ///< in the part of the step that is solved: friction is kinetic
+  int idle_steps = 0;     ///< solved steps since it last carried a force
+  double friction = 0.0;  ///< static
+  double kinetic_friction = 0.0;
   double restitution = 0.0;
   ContactSet contact;
   std::array<CachedImpulse, 8> cached;
@@ -45,6 +47,9 @@ struct Manifold {
   }
 
   bool with_side() const { return a < 0; }
+
+  /// Coefficient of friction, as it sticks or slides.
+  double friction_now() const { return slides ? kinetic_friction : friction; }
 };
 
 /// Which of the scene's sides a manifold with one is at.
