@@ -47,8 +47,9 @@ BulletWorld::BulletWorld(const WorldBatch& batch, const World& world, const Sett
   double cargo_mass = 0.0;
   for (const double mass : view(batch.boxes, world).mass)
     if (std::isfinite(mass)) cargo_mass += mass;
-  container_ = settings.container.motion == ContainerMotion::free ? make_free_container(dynamics_, settings, cargo_mass)
-                                                                  : make_prescribed_container(dynamics_, settings);
+  container_ = settings.container.motion == ContainerMotion::free
+                   ? make_free_container(dynamics_, settings, world, cargo_mass)
+                   : make_prescribed_container(dynamics_, settings, world);
   boxes_.reserve(world.box_count);
   for (std::size_t i = 0; i < world.box_count; ++i) add_box(batch, world.box_begin + i);
 }
@@ -59,7 +60,7 @@ BulletWorld::~BulletWorld() {
 
 void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   BoxBody& box = boxes_.emplace_back();
-  box.surface = {{SurfaceKind::box, batch.boxes.friction[i], batch.boxes.restitution[i]}, &settings_.contact};
+  box.surface = {{SurfaceKind::box, batch.boxes.friction[i], batch.boxes.restitution[i]}, &world_.contact};
   box.shape = std::make_unique<btBoxShape>(to_bullet(batch.boxes.half_extents[i]));
   btCollisionShape* shape = box.shape.get();
   const Vec3& centre_of_mass = batch.boxes.centre_of_mass[i];

@@ -8,6 +8,7 @@
 
 #include "bullet/surface.hpp"
 #include "core/model/settings.hpp"
+#include "core/model/world.hpp"
 
 namespace holdfast::internal {
 
@@ -38,12 +39,15 @@ class ContainerBody {
 /// The container at rest in its own frame: a static box for each side that is not open, with the side's index in
 /// `kContainerSides` as its user index, thick enough that no box passes through it in a step. Boxes feel the effective
 /// gravity g − a(t).
-std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings);
+/// @param load has the friction of the container's surfaces; it must outlive the container
+std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings,
+                                                         const World& load);
 
 /// The container of StableCargo (Ramos et al.): one free compound body of six panels on a ground with friction. The
 /// force (container + cargo mass) a(t) acts at its centre of mass; no other force drives the boxes.
+/// @param load       as above
 /// @param cargo_mass of all boxes, kg
 std::unique_ptr<ContainerBody> make_free_container(btDiscreteDynamicsWorld& world, const Settings& settings,
-                                                   double cargo_mass);
+                                                   const World& load, double cargo_mass);
 
 }  // namespace holdfast::internal

@@ -19,12 +19,12 @@ constexpr double kGroundThickness = 10.0;
 
 class FreeContainer final : public ContainerBody {
  public:
-  FreeContainer(btDiscreteDynamicsWorld& world, const Settings& settings, double cargo_mass)
+  FreeContainer(btDiscreteDynamicsWorld& world, const Settings& settings, const World& load, double cargo_mass)
       : world_(world),
         gravity_(0.0, 0.0, -settings.gravity),
         driven_mass_(settings.container.mass + cargo_mass),
-        surface_{{SurfaceKind::floor, settings.container.friction, 0.0}, &settings.contact},
-        ground_surface_{{SurfaceKind::ground, settings.container.ground_friction, 0.0}, &settings.contact},
+        surface_{{SurfaceKind::floor, load.container_friction, 0.0}, &load.contact},
+        ground_surface_{{SurfaceKind::ground, settings.container.ground_friction, 0.0}, &load.contact},
         ground_shape_(btVector3(to_bullet(kGroundReach), to_bullet(kGroundReach), to_bullet(0.5 * kGroundThickness))) {
     add_ground();
     add_shell(settings.container);
@@ -106,8 +106,8 @@ class FreeContainer final : public ContainerBody {
 }  // namespace
 
 std::unique_ptr<ContainerBody> make_free_container(btDiscreteDynamicsWorld& world, const Settings& settings,
-                                                   double cargo_mass) {
-  return std::make_unique<FreeContainer>(world, settings, cargo_mass);
+                                                   const World& load, double cargo_mass) {
+  return std::make_unique<FreeContainer>(world, settings, load, cargo_mass);
 }
 
 }  // namespace holdfast::internal

@@ -14,13 +14,13 @@ constexpr double kWallThickness = 1.0;
 
 class PrescribedContainer final : public ContainerBody {
  public:
-  PrescribedContainer(btDiscreteDynamicsWorld& world, const Settings& settings)
+  PrescribedContainer(btDiscreteDynamicsWorld& world, const Settings& settings, const World& load)
       : world_(world), gravity_(0.0, 0.0, -settings.gravity) {
     const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
     sides_.reserve(panels.size());
     for (const Panel& panel : panels) {
       Side& side = sides_.emplace_back();
-      side.surface = {{panel.kind, settings.container.friction, 0.0}, &settings.contact};
+      side.surface = {{panel.kind, load.container_friction, 0.0}, &load.contact};
       side.shape = std::make_unique<btBoxShape>(to_bullet(panel.half_extents));
       side.body = std::make_unique<btRigidBody>(btScalar(0), nullptr, side.shape.get());
       side.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), to_bullet(panel.centre)));
@@ -48,8 +48,9 @@ class PrescribedContainer final : public ContainerBody {
 
 }  // namespace
 
-std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings) {
-  return std::make_unique<PrescribedContainer>(world, settings);
+std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings,
+                                                         const World& load) {
+  return std::make_unique<PrescribedContainer>(world, settings, load);
 }
 
 }  // namespace holdfast::internal

@@ -45,15 +45,17 @@ void for_each_number(const StateView& state, Visit visit) {
 
 }  // namespace
 
+void append_world(WorldBatch& batch, const Layout& layout, const Acceleration& acceleration, const Settings& settings) {
+  batch.worlds.push_back({&layout, &acceleration, batch.state.position.size(), layout.boxes.size(), settings.contact,
+                          settings.container.friction});
+  for (const Box& box : layout.boxes) append_box(batch, box, settings);
+}
+
 WorldBatch make_batch(std::span<const Layout* const> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings) {
   WorldBatch batch;
-  for (const Layout* layout : layouts) {
-    for (const Acceleration* acceleration : accelerations) {
-      batch.worlds.push_back({layout, acceleration, batch.state.position.size(), layout->boxes.size()});
-      for (const Box& box : layout->boxes) append_box(batch, box, settings);
-    }
-  }
+  for (const Layout* layout : layouts)
+    for (const Acceleration* acceleration : accelerations) append_world(batch, *layout, *acceleration, settings);
   return batch;
 }
 

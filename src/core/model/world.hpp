@@ -52,12 +52,15 @@ void for_each_state_column(Visit&& visit, Columns&&... c) {
 }
 
 /// A layout under an acceleration: a range of the columns of its batch. The layout and the acceleration belong to the
-/// caller.
+/// caller. Worlds of one batch may differ in everything that is here and in the columns; engines take it from here, and
+/// only what all worlds share from the settings.
 struct World {
   const Layout* layout = nullptr;
   const Acceleration* acceleration = nullptr;
   std::size_t box_begin = 0;
   std::size_t box_count = 0;
+  ContactSettings contact;
+  double container_friction = 0.0;  ///< of floor, walls and roof, one factor of a product
 };
 
 /// Worlds that an engine gets together: one set of columns; each world is a range of it.
@@ -67,9 +70,11 @@ struct WorldBatch {
   std::vector<World> worlds;
 };
 
-/// One world per pair of `layouts` and `accelerations`, with the acceleration as the faster index; all boxes are at
-/// rest in the layout's pose. Masses and surfaces come from `settings`; moments of inertia are those of a uniform box,
-/// I = m/12 (b² + c²), about the centre of mass.
+/// Adds a world: all boxes are at rest in the layout's pose. Masses and surfaces come from `settings`; moments of
+/// inertia are those of a uniform box, I = m/12 (b² + c²), about the centre of mass.
+void append_world(WorldBatch& batch, const Layout& layout, const Acceleration& acceleration, const Settings& settings);
+
+/// One world per pair of `layouts` and `accelerations`, with the acceleration as the faster index.
 WorldBatch make_batch(std::span<const Layout* const> layouts, std::span<const Acceleration* const> accelerations,
                       const Settings& settings);
 

@@ -17,7 +17,7 @@ namespace {
 /// grows.
 constexpr std::size_t kLikelyManifolds = 8;
 
-std::vector<Side> sides_of(const ContainerSettings& container, const std::vector<OrientedBox>& boxes) {
+std::vector<Side> sides_of(const ContainerSettings& container, double friction, const std::vector<OrientedBox>& boxes) {
   std::vector<Side> sides;
   for (const ContainerSide& side : closed_sides(container)) {
     Vec3 normal = Vec3::Zero();
@@ -25,7 +25,7 @@ std::vector<Side> sides_of(const ContainerSettings& container, const std::vector
     Side& made = sides.emplace_back();
     made.index = side.index;
     made.space = {normal, side.far ? -container.size[side.axis] : 0.0};
-    made.surface = {side.kind, container.friction, 0.0};
+    made.surface = {side.kind, friction, 0.0};
     made.play.assign(boxes.size(), 0.0);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const ContactSet contact = contact_of(made.space, boxes[i], kLeastPlay);
@@ -42,10 +42,10 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
     : world_(world),
       options_(options),
       gravity_(0.0, 0.0, -settings.gravity),
-      contact_(settings.contact),
+      contact_(world.contact),
       stepper_(options, std::move(solver)) {
   scene_.bodies = bodies_of(batch, world);
-  scene_.sides = sides_of(settings.container, scene_.bodies.shape);
+  scene_.sides = sides_of(settings.container, world.container_friction, scene_.bodies.shape);
   scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
   scene_.manifolds.reserve(kLikelyManifolds * count);

@@ -77,7 +77,7 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
     const double offset = side.far ? -settings.container.size[side.axis] : 0.0;
     Side& made = sides_.emplace_back();
     made.half_space = {normal, offset};
-    made.surface = {side.kind, settings.container.friction, 0.0};
+    made.surface = {side.kind, world.container_friction, 0.0};
     for (const Body& body : bodies_) {
       double gap = std::numeric_limits<double>::infinity();
       for (const ContactPoint& point : contact_points(made.half_space, body.block(), kLeastPlay))
@@ -125,7 +125,7 @@ PlainWorld::Touch PlainWorld::touch_at(const ContactPoint& point, std::size_t a,
     return i < bodies_.size() ? Vec3(point.position - bodies_[i].position) : Vec3::Zero();
   };
   const Surface& second = bodies_[b].surface;
-  return {.law = {a, b, arm(a), arm(b), point.normal, 0.0, friction_of_pair(settings_.contact, first, second)},
+  return {.law = {a, b, arm(a), arm(b), point.normal, 0.0, friction_of_pair(world_.contact, first, second)},
           .gap = point.gap,
           .restitution = restitution_of_pair(first, second)};
 }

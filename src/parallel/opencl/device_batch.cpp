@@ -98,12 +98,12 @@ void append(DeviceBatch& device, ShapeNumbers& shapes, const Body& body, std::si
 DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps) {
   DeviceBatch device;
   ShapeNumbers shapes(device.shapes);
-  const FrictionSides friction(settings.contact);
   const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
     const std::size_t begin = device.bodies.size();
-    const std::size_t first = batch.worlds[world].box_begin;
-    for (std::size_t i = first; i < first + batch.worlds[world].box_count; ++i) {
+    const World& load = batch.worlds[world];
+    const FrictionSides friction(load.contact);
+    for (std::size_t i = load.box_begin; i < load.box_begin + load.box_count; ++i) {
       append(device, shapes,
              {.position = batch.state.position[i],
               .orientation = batch.state.orientation[i],
@@ -122,7 +122,7 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
       append(device, shapes,
              {.position = panel.centre,
               .half_extents = panel.half_extents,
-              .friction = friction.of(panel.kind, settings.container.friction),
+              .friction = friction.of(panel.kind, load.container_friction),
               .restitution = 1.0},
              world, sweeps);
     }

@@ -43,7 +43,8 @@ void Scene::append_to(WorldBatch& batch) const {
     batch.state.velocity.push_back(box.velocity);
     batch.state.angular_velocity.push_back(box.angular_velocity);
   }
-  batch.worlds.push_back({&kNoLayout, &acceleration, begin, boxes.size()});
+  batch.worlds.push_back(
+      {&kNoLayout, &acceleration, begin, boxes.size(), settings.contact, settings.container.friction});
 }
 
 Scene empty_scene(const Vec3& container_size, double friction, double restitution) {
