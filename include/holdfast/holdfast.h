@@ -253,6 +253,30 @@ typedef struct holdfast_box_outcome {
 HOLDFAST_API int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes,
                                        size_t capacity);
 
+/* What the replicas of a world say of it. */
+enum {
+  HOLDFAST_REPLICAS_NONE = 0,     /* there are no replicas */
+  HOLDFAST_REPLICAS_HOLD = 1,     /* the share that fails is surely below 1/8 */
+  HOLDFAST_REPLICAS_FAIL = 2,     /* it is surely above 1/2 */
+  HOLDFAST_REPLICAS_UNCERTAIN = 3 /* neither */
+};
+
+/* What became of the replicas of a world, see docs/confidence.md. */
+typedef struct holdfast_replicas {
+  int32_t verdict;   /* HOLDFAST_REPLICAS_NONE, ... */
+  uint32_t count;    /* of the replicas whose end is known */
+  uint32_t failed;   /* of these, those in which a box fell, moved or tilted, or was unstable */
+  double share;      /* failed / count; not a number without replicas, as the next two */
+  double wilson_low; /* ends of the interval in which the share is at 95 % */
+  double wilson_high;
+  double cpu_seconds; /* processor time for all of them, s */
+} holdfast_replicas;
+
+/* What became of the replicas of a world; settings with [Screening] Replicas ask for them.
+ * index:    into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll
+ * replicas: set to it */
+HOLDFAST_API int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_replicas* replicas);
+
 /* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
  * the right. */
 typedef struct holdfast_margins {

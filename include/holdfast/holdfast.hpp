@@ -190,6 +190,26 @@ struct WallForce {
   std::array<double, 3> impulse = {};     ///< from t = 0 to the end, N s
 };
 
+/// What the replicas of a world say of it.
+enum class ReplicaVerdict : std::uint8_t {
+  none = 0,       ///< there are no replicas
+  holds = 1,      ///< the share that fails is surely below 1/8
+  fails = 2,      ///< it is surely above 1/2
+  uncertain = 3,  ///< neither
+};
+
+/// What became of the replicas of a world, with [Screening] Replicas: docs/confidence.md.
+struct ReplicaOutcome {
+  ReplicaVerdict verdict = ReplicaVerdict::none;
+  std::uint32_t count = 0;   ///< of the replicas whose end is known
+  std::uint32_t failed = 0;  ///< of these, those in which a box fell, moved or tilted, or was unstable
+  double share = 0;          ///< failed / count; not a number without replicas, as the next two
+  double wilson_low = 0;     ///< ends of the interval in which the share is at 95 %
+  double wilson_high = 0;
+  double cpu_seconds = 0;        ///< processor time for all of them, s
+  std::vector<float> box_share;  ///< per box, share of the replicas in which it did, with `ScreenOptions::keep_boxes`
+};
+
 /// What became of a world: one layout under one acceleration.
 struct WorldOutcome {
   std::size_t layout = 0;        ///< index into the layouts of the call
@@ -219,6 +239,7 @@ struct WorldOutcome {
   /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty.
   std::vector<WallForce> walls;
   Series series;  ///< with `ScreenOptions::keep_series`, else empty
+  ReplicaOutcome replicas;
 };
 
 /// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and

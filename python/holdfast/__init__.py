@@ -24,7 +24,7 @@ Units are SI, unless stated.
 
 from ._core import version as _version
 from .accelerations import Acceleration, norm_accelerations, read_acceleration
-from .codes import Status, StopReason, Verdict
+from .codes import ReplicaVerdict, Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
 from .margins import Margins
@@ -41,6 +41,7 @@ __all__ = [
     "Margins",
     "Problem",
     "Replay",
+    "ReplicaVerdict",
     "Screen",
     "Status",
     "StopReason",

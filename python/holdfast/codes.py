@@ -15,6 +15,15 @@ class Verdict(enum.IntEnum):
     NOT_NEEDED = 6  #: with ``FirstFailure``: the layout failed another acceleration; not simulated
 
 
+class ReplicaVerdict(enum.IntEnum):
+    """What the replicas of a world say of it, with ``Replicas`` in the config."""
+
+    NONE = 0  #: there are no replicas
+    HOLDS = 1  #: the share that fails is surely below 1/8
+    FAILS = 2  #: it is surely above 1/2
+    UNCERTAIN = 3  #: neither
+
+
 class StopReason(enum.IntEnum):
     """Why a world ended."""
 

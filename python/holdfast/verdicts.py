@@ -85,6 +85,11 @@ class Verdicts:
     max_penetration = _Column("Deepest overlap of any step, m; 0 where the engine does not measure it.")
     cpu_seconds = _Column("Processor time of building and simulating the world, s.")
     state_hash = _Column("Of the final poses and velocities: equal bits, equal hash.")
+    replica_verdict = _Column("What the replicas of the world say, see :class:`ReplicaVerdict`.")
+    replicas = _Column("Number of replicas whose end is known; 0 without ``Replicas``.")
+    replicas_failed = _Column("Of these, those in which a box fell, moved or tilted, or was unstable.")
+    wilson_low = _Column("Low end of the interval in which the share of failing replicas is at 95 %; NaN without.")
+    wilson_high = _Column("High end of the interval.")
 
     @property
     def holds(self) -> npt.NDArray[np.bool_]:

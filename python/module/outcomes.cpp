@@ -21,6 +21,9 @@ struct WorldRow {
   std::uint64_t steps, steps_skipped;
   double max_residual, residual_scale, max_penetration, cpu_seconds;
   std::uint64_t state_hash;
+  std::uint8_t replica_verdict;
+  std::uint32_t replicas, replicas_failed;
+  double wilson_low, wilson_high;
 };
 
 /// A row of the table of a layout's boxes.
@@ -52,7 +55,12 @@ WorldRow row_of(const WorldOutcome& world) {
           .residual_scale = world.residual_scale,
           .max_penetration = world.max_penetration,
           .cpu_seconds = world.cpu_seconds,
-          .state_hash = world.state_hash};
+          .state_hash = world.state_hash,
+          .replica_verdict = static_cast<std::uint8_t>(world.replicas.verdict),
+          .replicas = world.replicas.count,
+          .replicas_failed = world.replicas.failed,
+          .wilson_low = world.replicas.wilson_low,
+          .wilson_high = world.replicas.wilson_high};
 }
 
 BoxRow row_of(const BoxOutcome& box) {
@@ -83,7 +91,7 @@ void declare_row_types() {
   PYBIND11_NUMPY_DTYPE(WorldRow, layout, acceleration, verdict, stop_reason, status, boxes, fallen, moved, tilted,
                        unstable, max_displacement, peak_displacement, total_kinetic_energy, peak_kinetic_energy,
                        end_time, steps, steps_skipped, max_residual, residual_scale, max_penetration, cpu_seconds,
-                       state_hash);
+                       state_hash, replica_verdict, replicas, replicas_failed, wilson_low, wilson_high);
   PYBIND11_NUMPY_DTYPE(BoxRow, displacement, tilt, kinetic_energy, peak_displacement, peak_kinetic_energy, fallen,
                        moved, tilted, unstable);
 }

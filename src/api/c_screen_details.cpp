@@ -18,6 +18,14 @@ Result read_of(const holdfast_screen* screen, Result otherwise, Read&& read) noe
   return lock ? read(*object) : otherwise;
 }
 
+/// An outcome of the last call.
+const holdfast::WorldOutcome& outcome_at(const CScreen& object, size_t index) {
+  if (index >= object.last->size())
+    throw BadArgument{"index is " + std::to_string(index) + ", and the last call gave " +
+                      std::to_string(object.last->size()) + " outcomes"};
+  return (*object.last)[index];
+}
+
 }  // namespace
 
 const char* holdfast_screen_message(const holdfast_screen* screen) { return message_of<CScreen>(screen); }
@@ -58,12 +66,24 @@ int holdfast_screen_error(const holdfast_screen* screen, size_t index, holdfast_
   return HOLDFAST_OK;
 }
 
+int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_replicas* replicas) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const holdfast::ReplicaOutcome& found = outcome_at(object, index).replicas;
+    required(replicas, "replicas");
+    *replicas = {.verdict = static_cast<int32_t>(found.verdict),
+                 .count = found.count,
+                 .failed = found.failed,
+                 .share = found.share,
+                 .wilson_low = found.wilson_low,
+                 .wilson_high = found.wilson_high,
+                 .cpu_seconds = found.cpu_seconds};
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes, size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
-    if (index >= object.last->size())
-      throw BadArgument{"index is " + std::to_string(index) + ", and the last call gave " +
-                        std::to_string(object.last->size()) + " outcomes"};
-    const holdfast::WorldOutcome& world = (*object.last)[index];
+    const holdfast::WorldOutcome& world = outcome_at(object, index);
     if (world.box_outcomes.size() < world.boxes) throw BadArgument{"the screen was made without keep_boxes"};
     require_room(capacity, world.box_outcomes.size(), "boxes");
     if (world.boxes > 0) required(boxes, "boxes");

@@ -113,6 +113,18 @@ holdfast::BoxOutcome outcome_of(const EndTable& end, std::size_t i, const Thresh
           .unstable = verdict.unstable};
 }
 
+holdfast::ReplicaOutcome public_replicas(const ReplicaOutcome& found, bool keep_boxes) {
+  return {.verdict = static_cast<holdfast::ReplicaVerdict>(found.verdict),
+          .count = found.count,
+          .failed = found.failed,
+          .share = found.share,
+          .wilson_low = found.wilson_low,
+          .wilson_high = found.wilson_high,
+          .cpu_seconds = found.cpu_seconds,
+          .box_share = keep_boxes ? found.box_share : std::vector<float>()};
+}
+
+static_assert(static_cast<int>(holdfast::ReplicaVerdict::uncertain) == static_cast<int>(ReplicaVerdict::uncertain));
 static_assert(static_cast<int>(holdfast::Verdict::failed) == static_cast<int>(Verdict::failed));
 static_assert(static_cast<int>(holdfast::Verdict::not_needed) == static_cast<int>(Verdict::not_needed));
 static_assert(static_cast<int>(holdfast::Verdict::gave_way) == static_cast<int>(Verdict::gave_way));
@@ -275,6 +287,7 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
+  world.replicas = public_replicas(record.replicas, keep_boxes);
 }
 
 void mark_cancelled(holdfast::WorldOutcome& world) {

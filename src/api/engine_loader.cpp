@@ -51,6 +51,10 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
     if (const auto error = why_no_margins(**engine)) return *error;
   if (settings.screening.measures_walls())
     if (const auto error = why_no_wall_forces(**engine)) return *error;
+  const ScreeningSettings& screening = settings.screening;
+  if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0)
+    return Error{.what = "replicas are all the same where neither friction nor acceleration varies",
+                 .accepted = "leave Replicas out, or give FrictionSpread or AccelerationSpread"};
   return engine;
 }
 

@@ -41,8 +41,10 @@ std::vector<LayoutMargins> Screen::State::margins(std::vector<internal::ReadLayo
   internal::MemoryLayouts source(std::move(layouts));
   MarginSink sink(margins);
   const std::vector<internal::ReadAcceleration> gravity = {{internal::gravity_alone(), ""}};
-  const internal::ScreeningEnd end =
-      internal::screen_worlds({*engine, settings, *workers, source, gravity, false, true}, sink, observer, stop, costs);
+  internal::Settings margins_alone = settings;
+  margins_alone.screening.replicas = 0;
+  const internal::ScreeningEnd end = internal::screen_worlds(
+      {*engine, margins_alone, *workers, source, gravity, false, true}, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});
   return margins;
 }

@@ -101,6 +101,12 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->check(as_in_config("Screening", "Walls"))
       ->type_name("NAME");
   command
+      .add_option("--replicas", options.replicas,
+                  "Also simulate each world so many times with friction that is not known exactly, 32 for instance; "
+                  "stands in for [Screening] Replicas")
+      ->check(as_in_config("Screening", "Replicas"))
+      ->type_name("N");
+  command
       .add_option(
           "--stop-when", options.stop_when,
           "End a world early: moved, as soon as a box is beyond a threshold, fallen, as soon as one has fallen, "

@@ -7,6 +7,7 @@
 #include "app/crash_guard.hpp"
 #include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
+#include "app/replica_table.hpp"
 #include "app/report.hpp"
 #include "app/wall_table.hpp"
 #include "core/model/setting_table.hpp"
@@ -44,8 +45,10 @@ ExitCode summarise(const SummaryOptions& options) {
   if (!margins) return fail(ExitCode::some_failed, margins.error());
   const Result<std::string> walls = wall_table(options.results_path);
   if (!walls) return fail(ExitCode::some_failed, walls.error());
-  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}", thresholds.drop, thresholds.move,
-           thresholds.tilt, table->text, *margins, *walls);
+  const Result<std::string> replicas = replica_table(options.results_path);
+  if (!replicas) return fail(ExitCode::some_failed, replicas.error());
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text, *replicas, *margins, *walls);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

@@ -24,6 +24,7 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   // The command line has checked it.
   if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, 0, *stop_when));
   if (walls) static_cast<void>(find_setting("Screening", "Walls")->set(job.settings, 0, *walls));
+  if (replicas) static_cast<void>(find_setting("Screening", "Replicas")->set(job.settings, 0, *replicas));
   if (margins) screening.margins = true;
   if (wall_forces) screening.wall_forces = true;
   if (first_failure) screening.first_failure = true;

@@ -18,6 +18,7 @@ struct RunOptions {
   std::optional<std::string> stop_when;
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
+  std::optional<std::string> replicas;
   bool margins = false;
   bool wall_forces = false;
   std::optional<std::string> walls;

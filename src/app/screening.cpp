@@ -9,6 +9,7 @@
 #include "app/crash_guard.hpp"
 #include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
+#include "app/replica_table.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/stage_costs_file.hpp"
@@ -84,8 +85,10 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
   if (!margins) return fail(ExitCode::some_failed, margins.error());
   const auto walls = wall_table(job.results_path);
   if (!walls) return fail(ExitCode::some_failed, walls.error());
+  const auto replicas = replica_table(job.results_path);
+  if (!replicas) return fail(ExitCode::some_failed, replicas.error());
   if (!job.json && !job.quiet)
-    print_to(stdout, "{}{}{}\nresults: {}\n", table->text, *margins, *walls, job.results_path);
+    print_to(stdout, "{}{}{}{}\nresults: {}\n", table->text, *replicas, *margins, *walls, job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 

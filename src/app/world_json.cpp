@@ -57,6 +57,13 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
   json["cpu_seconds"] = world.cpu_seconds;
   if (!world.walls.empty()) append_walls(json["walls"], world.walls);
   json["state_hash"] = fmt::format("{:016x}", world.state_hash);
+  if (world.replicas.count == 0) return;
+  json["replicas"] = {{"verdict", to_string(static_cast<ReplicaVerdict>(world.replicas.verdict))},
+                      {"count", world.replicas.count},
+                      {"failed", world.replicas.failed},
+                      {"share", world.replicas.share},
+                      {"wilson_95", {world.replicas.wilson_low, world.replicas.wilson_high}},
+                      {"cpu_seconds", world.replicas.cpu_seconds}};
 }
 
 std::string one_line(const nlohmann::ordered_json& json) {

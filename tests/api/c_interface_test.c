@@ -23,6 +23,7 @@ static const double kBoxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0,  /**/
                                 1.0, 1.0, 0.5, 1.5, 1.5, 1.0, 1.0}; /**/
 static const size_t kOffsets[] = {0, 1, 1, 3};
 static const double kWeak[] = {0.0, 1.0, 4.8, 0.0, 0.0};
+static const double kGentle[] = {0.0, 1.0, 2.0, 0.0, 0.0};
 static const double kStrong[] = {0.0, 1.0, 7.0, 0.0, 0.0};
 
 static holdfast_layouts layouts(void) {
@@ -100,6 +101,29 @@ static void takes_a_norm(void) {
   CHECK(holdfast_screen_new(NULL, &wrong, &screen) == HOLDFAST_ERROR);
   CHECK(strstr(holdfast_screen_message(screen), "did you mean road?") != NULL);
   holdfast_screen_free(screen);
+}
+
+static void tells_what_replicas_say(void) {
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  holdfast_replicas replicas;
+  holdfast_settings* settings = holdfast_settings_new();
+  holdfast_screen* screen = NULL;
+  CHECK(holdfast_settings_set(settings, "Screening", "Replicas", "32") == HOLDFAST_OK);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, "gentle", kGentle, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kStrong, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  CHECK(holdfast_screen_replicas(screen, 0, &replicas) == HOLDFAST_OK);
+  CHECK(replicas.verdict == HOLDFAST_REPLICAS_HOLD && replicas.count == 32 && replicas.failed == 0);
+  CHECK(replicas.share == 0.0 && replicas.wilson_low == 0.0 && replicas.wilson_high < 0.11);
+  CHECK(holdfast_screen_replicas(screen, 1, &replicas) == HOLDFAST_OK);
+  CHECK(replicas.verdict == HOLDFAST_REPLICAS_FAIL && replicas.count == 8 && replicas.failed == 8);
+  CHECK(replicas.cpu_seconds > 0.0);
+  CHECK(holdfast_screen_replicas(screen, world_count, &replicas) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_replicas(screen, 0, NULL) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_screen_free(screen);
+  holdfast_settings_free(settings);
 }
 
 static void submits_and_polls(void) {
@@ -233,6 +257,7 @@ static void survives_abuse(void) {
   holdfast_settings* settings = holdfast_settings_new();
   holdfast_layouts all = layouts();
   holdfast_margins margins[layout_count];
+  holdfast_replicas replicas;
   holdfast_outcome outcomes[world_count];
   struct {
     holdfast_screen_options known;
@@ -251,6 +276,7 @@ static void survives_abuse(void) {
   CHECK(holdfast_screen_margins(screen, &all, margins, all.layout_count) == HOLDFAST_OK);
   CHECK(margins[0].margin[0] > 0.49 && margins[0].margin[0] <= 0.5001 && margins[0].critical_box[0] == 0);
   CHECK(margins[0].trials > 4 && margins[0].cpu_seconds > 0.0);
+  CHECK(holdfast_screen_replicas(screen, 0, &replicas) == HOLDFAST_BAD_ARGUMENT); /* nothing is evaluated */
   CHECK(holdfast_screen_margins(screen, &all, margins, all.layout_count - 1) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_screen_margins(screen, &all, NULL, all.layout_count) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_BAD_ARGUMENT);
@@ -320,6 +346,7 @@ int main(void) {
   evaluates();
   ends_early();
   takes_a_norm();
+  tells_what_replicas_say();
   submits_and_polls();
   settles_settings();
   takes_a_world_forward();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/recorder.hpp"
+#include "core/model/replica_verdict.hpp"
 #include "core/model/wall_forces.hpp"
 
 namespace holdfast::internal {
@@ -69,7 +70,8 @@ struct WorldRecord {
   BoxTable boxes;
   EndTable end;
   WallForces walls;
-  Series series;  ///< empty when not recorded
+  Series series;            ///< empty when not recorded
+  ReplicaOutcome replicas;  ///< empty when not asked for
 };
 
 }  // namespace holdfast::internal

@@ -9,13 +9,14 @@
 namespace holdfast::internal {
 
 /// What a run finds out. Everything but the verdicts is found, stored and printed only when it is asked for.
-enum class Analysis : std::uint8_t { verdicts, margins, wall_forces };
+enum class Analysis : std::uint8_t { verdicts, margins, wall_forces, replicas };
 
 /// What the settings ask for, in the order above.
 inline std::vector<Analysis> analyses_of(const Settings& settings) {
   std::vector<Analysis> analyses = {Analysis::verdicts};
   if (settings.screening.margins) analyses.push_back(Analysis::margins);
   if (settings.screening.measures_walls()) analyses.push_back(Analysis::wall_forces);
+  if (settings.screening.replicas > 0) analyses.push_back(Analysis::replicas);
   return analyses;
 }
 

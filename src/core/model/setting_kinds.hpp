@@ -14,6 +14,7 @@
 #include "core/model/container_sides.hpp"
 #include "core/model/friction_pairs.hpp"
 #include "core/model/norms.hpp"
+#include "core/model/replica_verdict.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/wrapped_text.hpp"
 
@@ -56,6 +57,10 @@ struct RateRange {
   static constexpr std::string_view kAccepted = "a number from 1 to 1000000";
   static bool holds(double number) { return number >= 1.0 && number <= 1e6; }
 };
+struct SpreadRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 0.3";
+  static bool holds(double number) { return number >= 0.0 && number <= 0.3; }
+};
 struct IntervalRange {
   static constexpr std::string_view kAccepted = "a number from 0.000001 to 1000000";
   static bool holds(double number) { return number >= 1e-6 && number <= 1e6; }
@@ -67,6 +72,7 @@ using NotNegative = Number<NotNegativeRange>;
 using Share = Number<ShareRange>;
 using Angle = Number<AngleRange>;
 using Rate = Number<RateRange>;
+using Spread = Number<SpreadRange>;
 using Interval = Number<IntervalRange>;
 
 /// The number of centimetres that gives exactly these metres when it is divided by 100, where there is one.
@@ -166,6 +172,15 @@ struct BatchRange {
 struct DirectionRange {
   static constexpr std::string_view kAccepted = "1 or 2";
   static constexpr int kMin = 1, kMax = 2;
+};
+
+/// A number of replicas: none, or as many as can tell that a world holds.
+struct ReplicaCount : Whole<CutRange> {
+  static constexpr std::string_view kAccepted = "0 or a whole number from 27 to 1000";
+  static std::optional<int> parse(std::string_view text) {
+    const std::optional<int> number = Whole<CutRange>::parse(text);
+    return number && (*number == 0 || *number >= kFewestReplicas) ? number : std::nullopt;
+  }
 };
 
 /// true or false, in the usual spellings.

@@ -185,6 +185,14 @@ std::vector<SettingKey> make_table() {
       "Whether the forces of the boxes on the sides of the container are recorded; docs/walls.md says what they mean.");
   add(OneOf<WallNorms>{}, "Walls", "", "", MEMBER(screening.walls),
       "The norm whose test forces the forces on the sides are compared with; they are then recorded as well.");
+  add(ReplicaCount{}, "Replicas", "", "0", MEMBER(screening.replicas),
+      "How often each world is simulated again with friction that is not known exactly; docs/confidence.md says what "
+      "is "
+      "told. Drawing ends early where the answer is clear.");
+  add(Spread{}, "FrictionSpread", "", "0.1", MEMBER(screening.friction_spread),
+      "Standard deviation of a friction coefficient in replicas, divided by its mean.");
+  add(Spread{}, "AccelerationSpread", "", "0", MEMBER(screening.acceleration_spread),
+      "The same of a factor that scales a replica's acceleration.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";

@@ -1,6 +1,6 @@
 #include "core/model/world.hpp"
 
-#include <cstring>
+#include "core/base/byte_hash.hpp"
 
 namespace holdfast::internal {
 
@@ -71,13 +71,9 @@ BoxView view(const BoxColumns& boxes, const World& world) {
 }
 
 std::uint64_t state_hash(const StateView& state) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for_each_number(state, [&](double number) {
-    unsigned char bytes[sizeof number];
-    std::memcpy(bytes, &number, sizeof number);
-    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3ULL;
-  });
-  return hash;
+  ByteHash hash;
+  for_each_number(state, [&](double number) { hash.add(&number, sizeof number); });
+  return hash.value();
 }
 
 bool is_finite(const StateView& state) {

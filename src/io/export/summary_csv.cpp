@@ -88,6 +88,7 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
     boxes.close();
     if (results->info().has_margins) write_margin_csv(*results, folder + "/margins.csv");
     if (results->info().has_walls) write_wall_csv(*results, folder + "/walls.csv");
+    if (results->info().has_replicas) write_replica_csv(*results, folder + "/replicas.csv");
   });
 }
 

@@ -121,6 +121,18 @@ void visit_walls(Visit&& visit) {
   visit("/walls/impulse", &WallForces::impulse);
 }
 
+template <class Visit>
+void visit_replicas(Visit&& visit) {
+  visit("/replicas/count", &ReplicaOutcome::count);
+  visit("/replicas/failed", &ReplicaOutcome::failed);
+  visit("/replicas/share", &ReplicaOutcome::share);
+  visit("/replicas/wilson_low", &ReplicaOutcome::wilson_low);
+  visit("/replicas/wilson_high", &ReplicaOutcome::wilson_high);
+  visit("/replicas/verdict", &ReplicaOutcome::verdict);
+  visit("/replicas/simulated", &ReplicaOutcome::simulated);
+  visit("/replicas/cpu_seconds", &ReplicaOutcome::cpu_seconds);
+}
+
 /// Entries of one dataset, collected in memory: bytes in their stored form, or texts before their common length is
 /// known.
 class Column {

@@ -146,6 +146,8 @@ std::string_view asked_by(Analysis analysis) {
       return "\nOnly in files of runs with `Margins`, see [margins.md](margins.md).\n";
     case Analysis::wall_forces:
       return "\nOnly in files of runs with `WallForces` or `Walls`, see [walls.md](walls.md).\n";
+    case Analysis::replicas:
+      return "\nOnly in files of runs with `Replicas`, see [confidence.md](confidence.md).\n";
   }
   return "";
 }

@@ -96,6 +96,7 @@ struct ResultsReader::State {
       info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
     info.has_margins = h5::exists(*file, "/margins");
     info.has_walls = h5::exists(*file, "/walls");
+    info.has_replicas = h5::exists(*file, "/replicas");
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);
     info.layout_begin = at(before, Axis::layouts);
@@ -175,6 +176,14 @@ Result<std::vector<WallForces>> ResultsReader::walls(std::uint64_t begin, std::u
   return h5::caught_result(state_->file->path(), [&] {
     std::vector<WallForces> rows(count);
     visit_walls([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
+    return rows;
+  });
+}
+
+Result<std::vector<ReplicaOutcome>> ResultsReader::replicas(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<ReplicaOutcome> rows(count);
+    visit_replicas([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
     return rows;
   });
 }

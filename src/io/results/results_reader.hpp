@@ -27,6 +27,7 @@ struct ResultsInfo {
   std::string norm;                ///< of the run; empty: none
   bool has_margins = false;        ///< whether the run was asked for margins
   bool has_walls = false;          ///< whether the run was asked for wall forces
+  bool has_replicas = false;       ///< whether it was asked for replicas
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;
@@ -87,6 +88,8 @@ class ResultsReader {
 
   /// Rows [begin, begin + count) of /walls, of a file that has them.
   Result<std::vector<WallForces>> walls(std::uint64_t begin, std::uint64_t count);
+  /// Rows [begin, begin + count) of /replicas, of a file that has them: one per world, without shares of boxes.
+  Result<std::vector<ReplicaOutcome>> replicas(std::uint64_t begin, std::uint64_t count);
 
   /// Rows [begin, begin + count) of /boxes: properties and end values of boxes.
   Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);

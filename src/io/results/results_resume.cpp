@@ -89,12 +89,19 @@ void visit_file(const std::string& path, const FinishedVisitor& visitor) {
       if (!read) throw h5::Failure(read.error());
       walls = std::move(*read);
     }
+    std::vector<ReplicaOutcome> replicas(rows->size());
+    if (results->info().has_replicas) {
+      auto read = results->replicas(begin, rows->size());
+      if (!read) throw h5::Failure(read.error());
+      replicas = std::move(*read);
+    }
     for (std::size_t i = 0; i < rows->size(); ++i) {
       const WorldRow& row = (*rows)[i];
       Result<EndTable> end = results->ends(row.box_begin, row.box_count);
       if (!end) throw h5::Failure(end.error());
       WorldRecord world = record_of(row, std::move(*end));
       world.walls = walls[i];
+      world.replicas = std::move(replicas[i]);
       visitor.world(world);
     }
   }

@@ -71,9 +71,12 @@ void write_margin_csv(ResultsReader& results, const std::string& path);
 /// only; throws `h5::Failure`.
 void write_wall_csv(ResultsReader& results, const std::string& path);
 
-/// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv` and `walls.csv` where the run was asked for
-/// them. The folder is created if it is missing; existing files are replaced.
-/// RFC 4180, one header line, units at the end of the names (`drop_m`). pandas.read_csv needs no options.
+/// Writes the replicas of a file that has them, one line per world. For src/io only; throws `h5::Failure`.
+void write_replica_csv(ResultsReader& results, const std::string& path);
+
+/// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv`, `walls.csv` and `replicas.csv` where the run
+/// was asked for these. The folder is created if it is missing; existing files are replaced. RFC 4180, one header line,
+/// units at the end of the names (`drop_m`). pandas.read_csv needs no options.
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);
 

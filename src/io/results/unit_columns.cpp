@@ -56,6 +56,11 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
   append_summary(world, run.thresholds, worlds, boxes);
   visit_world_summary(append, worlds);
   visit_box_summary(append, boxes);
+  if (includes(run.analyses, Analysis::replicas)) {
+    assert(world.replicas.box_share.size() == box_count);
+    visit_replicas([&](std::string_view path, auto member) { append(path, world.replicas.*member); });
+    append("/replicas/box_share", world.replicas.box_share);
+  }
   // Column by column, so that at most one of them is in memory twice.
   visit_series(
       [&](std::string_view path, auto& values) {

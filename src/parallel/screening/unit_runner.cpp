@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/engine/margin_search.hpp"
+#include "core/engine/replica_run.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
@@ -57,8 +58,25 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   for (WorldRecord& world : record.worlds)
     if (world.outcome.stop_reason != StopReason::not_run)
       world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
+  if (settings_.screening.replicas > 0 && !add_replicas(unit, layouts, record.worlds)) return std::nullopt;
   if (margins_ && !add_margins(record.layouts)) return std::nullopt;
   return record;
+}
+
+bool UnitRunner::add_replicas(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                              std::vector<WorldRecord>& worlds) const {
+  const StageTimer timer(costs_, Stage::simulate);
+  for (WorldRecord& world : worlds) {
+    if (world.outcome.stop_reason == StopReason::not_run) continue;
+    const double cpu_begin = processor_seconds();
+    std::optional<ReplicaOutcome> replicas =
+        run_replicas(engine_, layouts[world.layout - unit.layout_begin]->layout,
+                     accelerations_[world.acceleration].acceleration, settings_, abort_);
+    if (!replicas) return false;
+    world.replicas = std::move(*replicas);
+    world.replicas.cpu_seconds = processor_seconds() - cpu_begin;
+  }
+  return true;
 }
 
 bool UnitRunner::add_margins(std::vector<LayoutRecord>& layouts) const {

@@ -58,6 +58,10 @@ class UnitRunner {
                                      const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                                      std::span<const std::size_t> order, std::vector<WorldRecord>& worlds) const;
 
+  /// Simulates the replicas of a unit's worlds that were simulated. False when aborted.
+  bool add_replicas(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                    std::vector<WorldRecord>& worlds) const;
+
   /// Finds the margins of layouts that can be used. False when aborted.
   bool add_margins(std::vector<LayoutRecord>& layouts) const;
 

@@ -118,7 +118,7 @@ TEST_CASE("config_reader: a misspelt key or section is named with a suggestion",
         Messages{"in/c.ini:2:1: unknown key in [Contact]: BoxFriction; it belongs to [Simulation Settings]"});
   CHECK(errors_of("[Contact]\nColour = red\n") ==
         Messages{"in/c.ini:2:1: unknown key in [Contact]: Colour; one of Restitution, FrictionModel, BoxBox, BoxFloor, "
-                 "BoxWall"});
+                 "BoxWall, KineticFriction"});
   CHECK(errors_of(" [Contacts]\nBoxBox = 0.5\nanything = 0\n") ==
         Messages{"in/c.ini:1:2: unknown section: [Contacts]; did you mean [Contact]?"});
   CHECK(errors_of("[material 3]\nMass = 1\n") ==

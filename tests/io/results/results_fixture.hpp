@@ -80,6 +80,17 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
     world.end.peak_kinetic_energy.push_back(2);
     world.end.settling_displacement.push_back(vector());
   }
+  world.replicas = {.count = 32,
+                    .failed = static_cast<std::uint32_t>(layout),
+                    .share = static_cast<double>(layout) / 32.0,
+                    .wilson_low = 0.125,
+                    .wilson_high = 0.25 * static_cast<double>(acceleration),
+                    .verdict = ReplicaVerdict::uncertain,
+                    .simulated = 33,
+                    .cpu_seconds = 0.5,
+                    .box_share = {}};
+  for (std::size_t box = 0; box < shape.boxes; ++box)
+    world.replicas.box_share.push_back(static_cast<float>(box) / 1024.0F);
   Series& series = world.series;
   for (std::size_t sample = 0; sample < shape.samples; ++sample) {
     series.time.push_back(0.1 * static_cast<double>(sample));

@@ -120,3 +120,20 @@ TEST_CASE("results_reader: a series is read without wall forces where they were 
   CHECK(series.time.size() == 4);
   CHECK(series.side_force.empty());
 }
+
+TEST_CASE("results_reader: replicas are read as they were found, over parts too", "[io][results]") {
+  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}}, true, {Analysis::verdicts, Analysis::replicas});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  REQUIRE(results.info().has_replicas);
+  const std::vector<ReplicaOutcome> replicas = require_value(results.replicas(0, 6));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ReplicaOutcome& expected = run.units[i / 2].worlds[i % 2].replicas;
+    CHECK(replicas[i].failed == expected.failed);
+    CHECK(replicas[i].share == expected.share);
+    CHECK(replicas[i].wilson_high == expected.wilson_high);
+    CHECK(replicas[i].verdict == expected.verdict);
+  }
+}

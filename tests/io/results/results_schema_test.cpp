@@ -11,7 +11,7 @@ using namespace results_fixture;
 
 namespace {
 
-const std::vector<Analysis> kAll = {Analysis::verdicts, Analysis::margins, Analysis::wall_forces};
+const std::vector<Analysis> kAll = {Analysis::verdicts, Analysis::margins, Analysis::wall_forces, Analysis::replicas};
 
 }  // namespace
 
@@ -60,7 +60,8 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
     const bool of_layout_boxes =
         path.ends_with("/corner_min") || path.ends_with("/corner_max") || path == "/inputs/layouts/material";
     const bool expected = path.starts_with("/series/") || path.starts_with("/boxes/") ||
-                          path.starts_with("/summary/boxes/") || path == "/walls/force" || of_layout_boxes;
+                          path == "/replicas/box_share" || path.starts_with("/summary/boxes/") ||
+                          path == "/walls/force" || of_layout_boxes;
     CHECK(is_long(kSchema[i]) == expected);
     CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
     CHECK_FALSE((expected && kSchema[i].type == ElementType::text));
