@@ -362,6 +362,12 @@ HOLDFAST_API int holdfast_world_times(holdfast_world* world, double* time, doubl
  * y, z, container from body capacity: number of rows that the array has room for: at least the number of boxes */
 HOLDFAST_API int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity);
 
+/* Forces of the boxes on the sides of the container, mean over the last step, container frame, N.
+ * forces:   set to six rows of three numbers: floor, front, rear, left, right, roof
+ * capacity: number of rows that the array has room for: at least six
+ * HOLDFAST_BAD_ARGUMENT also without the setting WallForces or Walls of [Screening]; the engine is native. */
+HOLDFAST_API int holdfast_world_side_forces(holdfast_world* world, double* forces, size_t capacity);
+
 /* Of poses and velocities at the last step end: equal bits, equal hash. */
 HOLDFAST_API int holdfast_world_hash(holdfast_world* world, uint64_t* hash);
 

@@ -433,6 +433,10 @@ class HOLDFAST_API World {
   /// Where the boxes are at `time()`, in the order of the layout: interpolated between the steps around it.
   std::vector<Pose> poses() const;
 
+  /// Forces of the boxes on floor, front, rear, left, right and roof, mean over the last step, container frame, N.
+  /// Empty without the setting `WallForces` or `Walls`, or where the engine does not measure them.
+  std::vector<std::array<double, 3>> side_forces() const;
+
   /// Of poses and velocities at the last step end: equal bits, equal hash.
   std::uint64_t state_hash() const;
 

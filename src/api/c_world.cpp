@@ -62,6 +62,18 @@ int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity) 
   });
 }
 
+int holdfast_world_side_forces(holdfast_world* world, double* forces, size_t capacity) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    const std::vector<std::array<double, 3>> all = object.made().side_forces();
+    if (all.empty())
+      throw BadArgument{"forces on sides are measured with the setting WallForces, by the engine native"};
+    require_room(capacity, all.size(), "forces");
+    double* next = required(forces, "forces");
+    for (const std::array<double, 3>& force : all) next = std::copy(force.begin(), force.end(), next);
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_world_hash(holdfast_world* world, uint64_t* hash) {
   return call_object<CWorld>(world, [&](CWorld& object) {
     *required(hash, "hash") = object.made().state_hash();

@@ -66,8 +66,11 @@ struct World::State {
     internal::AdvanceRequest request{0, now, output_time};
     simulation->advance({&request, 1});
     simulation->read_back(0, batch.state);
+    if (measures_sides()) impulses = simulation->side_impulses(0);
     return request.reached;
   }
+
+  bool measures_sides() const { return settings.screening.measures_walls() && engine->traits().measures_walls; }
 
   void advance(double wanted) {
     if (!(wanted > time)) return;
@@ -90,6 +93,7 @@ struct World::State {
   std::vector<internal::Phase> phases;
   std::size_t phase = 0;              ///< index of the phase that the next step is in
   double begin = 0.0, reached = 0.0;  ///< of the last step, s
+  internal::SideImpulses impulses;    ///< of the last step
   double time = 0.0, end = 0.0;       ///< that the caller sees, and at which all ends, s
 };
 
@@ -126,6 +130,18 @@ std::vector<Pose> World::poses() const {
     poses.push_back({{p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()}});
   }
   return poses;
+}
+
+std::vector<std::array<double, 3>> World::side_forces() const {
+  const State& state = *state_;
+  std::vector<std::array<double, 3>> forces;
+  if (!state.measures_sides()) return forces;
+  const double duration = state.reached - state.begin;
+  for (const internal::SideImpulse& side : state.impulses) {
+    const internal::Vec3 force = duration > 0.0 ? internal::Vec3(side.impulse / duration) : internal::Vec3::Zero();
+    forces.push_back({force.x(), force.y(), force.z()});
+  }
+  return forces;
 }
 
 std::uint64_t World::state_hash() const {

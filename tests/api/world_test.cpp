@@ -56,3 +56,21 @@ TEST_CASE("world: what cannot be used is an error", "[api][world]") {
   CHECK_THROWS_WITH(World({"out", {{{2.0, 1.0, 0.0}, {7.0, 1.5, 0.5}, 1}}}, kBrake), Catch::Contains("outside"));
   CHECK_THROWS_WITH(World(one_box(), {"none", {}}), Catch::Contains("no segments"));
 }
+
+TEST_CASE("world: the forces on the sides hold a box that is braked", "[api][world]") {
+  // 0.5 m along x, 0.5 m across, 0.4 m high: 25 kg at 250 kg/m3. Friction of 0.5 holds it.
+  const holdfast::Layout layout{"", {{{2.0, 1.0, 0.0}, {2.5, 1.5, 0.4}, 1}}};
+  const holdfast::Acceleration brake{"", {{0.0, 1.0, {2.0, 0.0, 0.0}}}};
+  const std::vector<holdfast::Setting> asked = {{"Screening", "WallForces", "true"}};
+  holdfast::World world(layout, brake, asked);
+  world.advance(0.5);
+  const std::vector<std::array<double, 3>> forces = world.side_forces();
+  REQUIRE(forces.size() == 6);
+  CHECK(forces[0][0] == Approx(-25.0 * 2.0));  // the box drags the floor along
+  CHECK(forces[0][2] == Approx(-25.0 * 9.81));
+  for (std::size_t side = 1; side < 6; ++side) CHECK(forces[side] == std::array<double, 3>{});
+  holdfast::World silent(layout, brake);
+  silent.advance(0.5);
+  CHECK(silent.side_forces().empty());
+  CHECK(silent.state_hash() == world.state_hash());
+}
