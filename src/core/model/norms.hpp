@@ -59,8 +59,8 @@ struct ChosenNorm {
   std::string name() const;
   /// Its accelerations in words.
   std::string numbers() const;
-  /// What it asks of a margin in each direction of `kMarginDirections`, g: its largest size there among the accelerations
-  /// that leave the load its full weight; 0 where there is none.
+  /// What it asks of a margin in each direction of `kMarginDirections`, g: its largest size there among the
+  /// accelerations that leave the load its full weight; 0 where there is none.
   std::array<double, kDirectionCount> needed_margins() const;
   /// Its accelerations, with names such as `road-front-0g8` and without a hash.
   std::vector<Acceleration> accelerations() const;
