@@ -1,7 +1,7 @@
 // Contact problems of real worlds, written to files and solved alone: how contact solvers are compared.
 //
 //   solver_bench dump LAYOUT ACCELERATION FOLDER [--accuracy NAME] [--every N]
-//   solver_bench solve FILES... [--solver admm] [--repeat N]
+//   solver_bench solve FILES... [--solver admm] [--repeat N] [--reference ITERATIONS]
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_file.hpp"
+#include "solver_error.hpp"
 
 namespace holdfast::internal::native {
 
@@ -132,12 +134,53 @@ void dump(const std::vector<std::string>& arguments, const Options& options) {
            abort);
 }
 
+/// Velocity errors of solves, against the same problems solved for long.
+class ErrorTable {
+ public:
+  explicit ErrorTable(int iterations) : iterations_(iterations) {}
+
+  /// The columns of a problem: mean and worst error, residual of the reference, and what two methods disagree by in the
+  /// mean, in units of the limits.
+  std::string add(const StoredProblem& stored, const ContactProblem& found) {
+    const double unit = stored.limits.velocity_unit;
+    const LongSolve reference = solve_for_long(stored.problem, stored.limits, iterations_);
+    const VelocityDifference error = velocity_difference(found, reference.problem);
+    means_.push_back(error.mean / unit);
+    worst_.push_back(error.worst / unit);
+    const auto methods = method_difference(stored.problem, stored.limits, iterations_);
+    if (methods) methods_.push_back(methods->mean / unit);
+    return fmt::format(" {:10.2e} {:10.2e} {:10.2e} {:>10}", means_.back(), worst_.back(),
+                       reference.result.residual / unit, methods ? fmt::format("{:.2e}", methods_.back()) : "-");
+  }
+
+  void print_summary() {
+    fmt::print("velocity error over unit, quartiles and largest of {} problems: mean {}, worst {}\n", means_.size(),
+               quartiles(means_), quartiles(worst_));
+    fmt::print("two methods, mean difference over unit, of {} problems that both can solve: {}\n", methods_.size(),
+               quartiles(methods_));
+  }
+
+ private:
+  static std::string quartiles(std::vector<double>& values) {
+    if (values.empty()) return "none";
+    std::sort(values.begin(), values.end());
+    const auto at = [&](std::size_t quarter) { return values[quarter * (values.size() - 1) / 4]; };
+    return fmt::format("{:.1e} {:.1e} {:.1e} {:.1e}", at(1), at(2), at(3), at(4));
+  }
+
+  int iterations_;
+  std::vector<double> means_, worst_, methods_;
+};
+
 void solve(const std::vector<std::string>& files, const Options& options) {
   if (files.empty()) fail("solve takes files of problems");
   if (options.at("--solver") != "admm") fail("no solver: " + options.at("--solver") + "; there is admm");
   const int repeat = whole_number(options.at("--repeat"));
-  fmt::print("{:>7} {:>7} {:>11} {:>10} {:>7} {:>12} {:>9} {:>10}  file\n", "bodies", "points", "constraints",
-             "iterations", "factors", "residual/unit", "converged", "time (us)");
+  std::optional<ErrorTable> errors;
+  if (options.at("--reference") != "none") errors.emplace(whole_number(options.at("--reference")));
+  fmt::print("{:>7} {:>7} {:>11} {:>10} {:>7} {:>12} {:>9} {:>10}{}  file\n", "bodies", "points", "constraints",
+             "iterations", "factors", "residual/unit", "converged", "time (us)",
+             errors ? fmt::format(" {:>10} {:>10} {:>10} {:>10}", "mean error", "worst", "reference", "methods") : "");
   long iterations = 0, factorisations = 0;
   double seconds = 0.0;
   AdmmSolver solver;
@@ -148,8 +191,9 @@ void solve(const std::vector<std::string>& files, const Options& options) {
     if (!read) fail(path + ": " + read.error().what);
     SolveResult result;
     double best = 0.0;
+    ContactProblem problem;
     for (int i = 0; i < repeat; ++i) {
-      ContactProblem problem = read->problem;
+      problem = read->problem;
       solver.order(problem.bodies.size(), problem.pairs);
       const auto start = std::chrono::steady_clock::now();
       result = solver.solve(problem, read->limits);
@@ -158,15 +202,17 @@ void solve(const std::vector<std::string>& files, const Options& options) {
     }
     int points = 0;
     for (const ContactConstraint& constraint : read->problem.constraints) points += constraint.count;
-    fmt::print("{:7} {:7} {:11} {:10} {:7} {:13.3e} {:>9} {:10.1f}  {}\n", read->problem.bodies.size(), points,
+    fmt::print("{:7} {:7} {:11} {:10} {:7} {:13.3e} {:>9} {:10.1f}{}  {}\n", read->problem.bodies.size(), points,
                read->problem.constraints.size(), result.iterations, result.factorisations,
-               result.residual / read->limits.velocity_unit, result.converged ? "yes" : "no", 1e6 * best, path);
+               result.residual / read->limits.velocity_unit, result.converged ? "yes" : "no", 1e6 * best,
+               errors ? errors->add(*read, problem) : "", path);
     iterations += result.iterations;
     factorisations += result.factorisations;
     seconds += best;
   }
   fmt::print("{} problems: {} iterations, {} factorisations, {:.3f} s\n", files.size(), iterations, factorisations,
              seconds);
+  if (errors) errors->print_summary();
 }
 
 }  // namespace
@@ -176,7 +222,8 @@ void solve(const std::vector<std::string>& files, const Options& options) {
 int main(int count, char** values) {
   using namespace holdfast::internal::native;
   const std::vector<std::string> words(values + 1, values + count);
-  Options options = {{"--accuracy", "screening"}, {"--every", "1"}, {"--solver", "admm"}, {"--repeat", "1"}};
+  Options options = {
+      {"--accuracy", "screening"}, {"--every", "1"}, {"--solver", "admm"}, {"--repeat", "1"}, {"--reference", "none"}};
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) {
@@ -190,7 +237,7 @@ int main(int count, char** values) {
   if (arguments.empty() || (arguments.front() != "dump" && arguments.front() != "solve"))
     fail(
         "dump LAYOUT ACCELERATION FOLDER [--accuracy NAME] [--every N], or solve FILES... [--solver admm] [--repeat "
-        "N]");
+        "N] [--reference ITERATIONS]");
   const bool dumps = arguments.front() == "dump";
   arguments.erase(arguments.begin());
   dumps ? dump(arguments, options) : solve(arguments, options);

@@ -1,13 +1,12 @@
-# What `cmake --install` puts where: the program with its plug-ins and page, the library with its header, and what lets
+# What `cmake --install` puts where: the program with its plug-ins and page, the library with its headers, and what lets
 # other projects find it.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS holdfast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS holdfast_library holdfast_core EXPORT holdfastTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.h ${PROJECT_SOURCE_DIR}/include/holdfast/holdfast.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/holdfast)
-foreach(plugin holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/holdfast DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+foreach(plugin holdfast-page-server holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
   if(TARGET ${plugin})
     install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   endif()

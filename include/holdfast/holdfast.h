@@ -277,6 +277,19 @@ typedef struct holdfast_replicas {
  * replicas: set to it */
 HOLDFAST_API int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_replicas* replicas);
 
+/* What impacts did to the boxes of a world, see docs/damage.md. */
+typedef struct holdfast_damage {
+  uint32_t boxes_beyond;   /* boxes beyond the damage boundary */
+  float peak_acceleration; /* largest of all boxes, mean over DamageWindow, m/s2 */
+  float velocity_change;   /* largest of all boxes in an impact, m/s */
+} holdfast_damage;
+
+/* What impacts did to the boxes of a world; settings with [Screening] Damage ask for it.
+ * index:  into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll
+ * damage: set to it
+ * HOLDFAST_BAD_ARGUMENT also where it was not asked for, or the world was not simulated. */
+HOLDFAST_API int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damage* damage);
+
 /* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
  * the right. */
 typedef struct holdfast_margins {
@@ -361,6 +374,33 @@ HOLDFAST_API int holdfast_world_times(holdfast_world* world, double* time, doubl
  * poses:    set to rows of seven numbers: x, y, z of the centre of mass (m), and the orientation as a quaternion w, x,
  * y, z, container from body capacity: number of rows that the array has room for: at least the number of boxes */
 HOLDFAST_API int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity);
+
+/* How the boxes move at that time, interpolated likewise.
+ * velocities: set to rows of six numbers: x, y, z of the velocity of the centre of mass (m/s), and x, y, z of the
+ * angular velocity, container frame (rad/s) capacity: number of rows that the array has room for: at least the number
+ * of boxes
+ */
+HOLDFAST_API int holdfast_world_velocities(holdfast_world* world, double* velocities, size_t capacity);
+
+/* The next three change what acts on the boxes from now on: from the end of the step that the time is in, or, where
+ * nothing moves, from the time itself. All boxes are awake then. A number that cannot be used is HOLDFAST_ERROR, and
+ * changes nothing. After the end they have no effect. */
+
+/* Gives the container a constant acceleration in place of what is left of its segments. The end stays where it is.
+ * acceleration: three numbers, container frame, m/s² */
+HOLDFAST_API int holdfast_world_set_acceleration(holdfast_world* world, const double* acceleration);
+
+/* Sets the coefficients of static friction of two boxes, of box and floor, and of box and wall or roof, whatever
+ * settings and materials say; the share that is kinetic stays. HOLDFAST_ERROR also when the engine is not native. */
+HOLDFAST_API int holdfast_world_set_friction(holdfast_world* world, double box_box, double box_floor, double box_wall);
+
+/* Pushes a box with a force until it is set again; zero takes it away. A box has one force.
+ * box:   index into the boxes of the layout
+ * force: three numbers, container frame, N
+ * point: where it acts: three numbers, container frame at this time, m; from then on it goes with the box. NULL: the
+ *        centre of mass
+ * HOLDFAST_ERROR also when the engine is not native. */
+HOLDFAST_API int holdfast_world_set_force(holdfast_world* world, size_t box, const double* force, const double* point);
 
 /* Forces of the boxes on the sides of the container, mean over the last step, container frame, N.
  * forces:   set to six rows of three numbers: floor, front, rear, left, right, roof

@@ -30,6 +30,8 @@
 #include <string_view>
 #include <vector>
 
+#include <holdfast/outcomes.hpp>
+
 /// Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch.
 #define HOLDFAST_VERSION 200
 
@@ -123,136 +125,6 @@ HOLDFAST_API Acceleration read_acceleration(const std::string& path);
 /// The accelerations of a norm, such as "road" or "eumos-40509:0.5" (docs/norms.md). Throws `Error`, which says what is
 /// accepted. May be called from any thread.
 HOLDFAST_API std::vector<Acceleration> norm_accelerations(const std::string& name);
-
-/// What became of a world as a whole, by the worst that happened in it.
-enum class Verdict : std::uint8_t {
-  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,       ///< a box moved or tilted at the end, and none fell
-  fell = 2,        ///< a box had fallen at the end
-  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and all stayed since
-  failed = 4,      ///< `WorldOutcome::status` is not 0: nothing can be said
-  gave_way = 5,    ///< with `ScreenOptions::stop_when`: a box left its place, and the world ended there
-  not_needed = 6,  ///< with `ScreenOptions::first_failure`: the layout failed another acceleration; not simulated
-};
-
-/// Bits of `WorldOutcome::status`: what went wrong with a world.
-namespace status {
-enum Bit : std::uint32_t {
-  ok = 0,
-  bad_layout = 1,        ///< the layout cannot be used; not simulated
-  bad_acceleration = 2,  ///< the acceleration cannot be used; not simulated
-  non_finite = 4,        ///< a state became infinite or undefined
-  not_converged = 8,     ///< the solver's residual stayed above its bound
-  capacity = 16,         ///< a device had no room for all contacts, or failed
-  too_large = 32,        ///< its series would take too much memory; not simulated
-  not_needed = 64,       ///< with `ScreenOptions::first_failure`: no problem, see `Verdict::not_needed`
-};
-}  // namespace status
-
-/// Why a world ended.
-enum class StopReason : std::uint8_t {
-  not_run = 0,   ///< it was not simulated: a bad input, or `Screen::cancel`
-  timeout = 1,   ///< the simulated time was up
-  sleeping = 2,  ///< all boxes had come to rest
-  failed = 3,    ///< the status says why
-  decided = 4,   ///< with `ScreenOptions::stop_when`: the verdict is `Verdict::gave_way`
-};
-
-/// How one box ended. The reference pose is that of the layout, or by `ReferencePose` the one after settling.
-struct BoxOutcome {
-  std::array<float, 3> displacement = {};  ///< of the centre of mass, from the reference pose, at the end, m
-  float tilt = 0;                          ///< angle of the rotation from the reference pose, at the end, degrees
-  float kinetic_energy = 0;                ///< at the end, J
-  float peak_displacement = 0;             ///< largest over all steps, m
-  float peak_kinetic_energy = 0;           ///< largest over all steps, J
-  bool fallen = false;                     ///< its centre of mass sank by more than `DropThreshold`
-  bool moved = false;                      ///< displaced by more than `MoveThreshold`
-  bool tilted = false;                     ///< rotated by more than `TiltThreshold`
-  bool unstable = false;                   ///< fell or moved while settling
-};
-
-/// Time series of a world, one sample every `ResultsIntervalInSeconds`, and at the end. Columns of boxes hold sample
-/// after sample: entry = sample * number of boxes + box.
-struct Series {
-  std::vector<double> time;                            ///< one per sample, s
-  std::vector<std::array<float, 3>> displacement;      ///< per sample and box, of the centre of mass, m
-  std::vector<std::array<float, 4>> orientation;       ///< per sample and box, quaternion w x y z, container from body
-  std::vector<std::array<float, 3>> angular_velocity;  ///< per sample and box, rad/s
-};
-
-/// What the boxes did to a side of the container: docs/walls.md. Forces are outwards.
-struct WallForce {
-  double peak_force = 0;                  ///< largest mean over a step, N
-  double peak_time = 0;                   ///< start of that step, s
-  std::array<double, 3> peak_point = {};  ///< centre of pressure then, m; not a number where nothing presses
-  double lasting_force = 0;               ///< largest mean over 0.05 s, N
-  double limit = 0;                       ///< test force of the norm `Walls`, N; not a number where there is none
-  std::array<double, 3> impulse = {};     ///< from t = 0 to the end, N s
-};
-
-/// What the replicas of a world say of it.
-enum class ReplicaVerdict : std::uint8_t {
-  none = 0,       ///< there are no replicas
-  holds = 1,      ///< the share that fails is surely below 1/8
-  fails = 2,      ///< it is surely above 1/2
-  uncertain = 3,  ///< neither
-};
-
-/// What became of the replicas of a world, with [Screening] Replicas: docs/confidence.md.
-struct ReplicaOutcome {
-  ReplicaVerdict verdict = ReplicaVerdict::none;
-  std::uint32_t count = 0;   ///< of the replicas whose end is known
-  std::uint32_t failed = 0;  ///< of these, those in which a box fell, moved or tilted, or was unstable
-  double share = 0;          ///< failed / count; not a number without replicas, as the next two
-  double wilson_low = 0;     ///< ends of the interval in which the share is at 95 %
-  double wilson_high = 0;
-  double cpu_seconds = 0;        ///< processor time for all of them, s
-  std::vector<float> box_share;  ///< per box, share of the replicas in which it did, with `ScreenOptions::keep_boxes`
-};
-
-/// What became of a world: one layout under one acceleration.
-struct WorldOutcome {
-  std::size_t layout = 0;        ///< index into the layouts of the call
-  std::size_t acceleration = 0;  ///< index into the accelerations of the screen
-  Verdict verdict = Verdict::failed;
-  std::uint32_t status = status::ok;  ///< bits, see `status`
-  std::string message;                ///< what the status means here, and what to do; empty when it is `ok`
-  StopReason stop_reason = StopReason::not_run;
-  std::uint32_t boxes = 0;   ///< number of boxes; 0 in a world that was not simulated, as are all that follow
-  std::uint32_t fallen = 0;  ///< number of boxes, as are the next three
-  std::uint32_t moved = 0;
-  std::uint32_t tilted = 0;
-  std::uint32_t unstable = 0;
-  float max_displacement = 0;            ///< largest of all boxes at the end, m
-  float peak_displacement = 0;           ///< largest of all boxes and steps, m
-  double total_kinetic_energy = 0;       ///< at the end, J
-  double peak_kinetic_energy = 0;        ///< of all boxes together, largest over all steps, J
-  double end_time = 0;                   ///< s
-  std::uint64_t steps = 0;               ///< steps that the simulated time was cut into
-  std::uint64_t steps_skipped = 0;       ///< of these, those in which nothing moves, which are not computed
-  double max_residual = 0;               ///< change of a contact velocity in a last iteration, worst step, m/s
-  double residual_scale = 0;             ///< velocity that the effective gravity adds in that step, m/s
-  double max_penetration = 0;            ///< deepest overlap of any step, m; 0 where the engine does not measure it
-  double cpu_seconds = 0;                ///< processor time of building and simulating, s
-  std::uint64_t state_hash = 0;          ///< of the final poses and velocities: equal bits, equal hash
-  std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
-  /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty.
-  std::vector<WallForce> walls;
-  Series series;  ///< with `ScreenOptions::keep_series`, else empty
-  ReplicaOutcome replicas;
-};
-
-/// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
-/// the right.
-struct LayoutMargins {
-  /// Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, up to 1.5 g;
-  /// negative where the layout does not stand under gravity alone, not a number where `Screen::cancel` came before.
-  std::array<double, 4> margin = {};
-  /// Index of the box that goes first above the margin; -1: none up to 1.5 g.
-  std::array<std::ptrdiff_t, 4> critical_box = {-1, -1, -1, -1};
-  std::uint32_t trials = 0;  ///< accelerations that were tried
-  double cpu_seconds = 0;    ///< processor time, s
-};
 
 /// Unit of the corners of boxes.
 enum class LengthUnit : std::uint8_t { metre, centimetre };
@@ -360,6 +232,11 @@ class HOLDFAST_API Screen {
   std::vector<LayoutMargins> margins(std::span<const Layout> layouts);
   std::vector<LayoutMargins> margins(std::span<const LayoutView> layouts);
 
+  /// What geometry alone says of each layout; nothing is simulated, and the accelerations play no part. Numbers are not
+  /// numbers where `BadLayouts::mark` lets a layout pass that cannot be used. Throws `Error`.
+  std::vector<LayoutIndicators> indicators(std::span<const Layout> layouts);
+  std::vector<LayoutIndicators> indicators(std::span<const LayoutView> layouts);
+
   /// The same as `evaluate` into a results file, as `holdfast screen` writes it, with everything that a later analysis
   /// needs. What is finished survives whatever ends the process. Throws `Error`, also when the file exists and
   /// `options` do not say what to do with it.
@@ -406,10 +283,16 @@ struct Pose {
   std::array<double, 4> orientation = {1, 0, 0, 0};  ///< quaternion w x y z, container from body
 };
 
+/// How a box moves.
+struct Velocity {
+  std::array<double, 3> linear = {};   ///< of the centre of mass, m/s
+  std::array<double, 3> angular = {};  ///< container frame, rad/s
+};
+
 /// One layout under one acceleration, taken forward as far as the caller wants: for pictures, and for analyses of one's
 /// own. It needs neither files nor threads, never ends early and is part of `holdfast::core` too, which has the engines
 /// that are no plug-ins. Objects are independent of each other; one is used by one thread at a time. At the end its
-/// hash is that of the same world of a `Screen`.
+/// hash is that of the same world of a `Screen`, unless a `set_` function has changed what acts on it.
 class HOLDFAST_API World {
  public:
   /// Throws `Error` when a setting, the layout or the acceleration cannot be used.
@@ -432,6 +315,29 @@ class HOLDFAST_API World {
 
   /// Where the boxes are at `time()`, in the order of the layout: interpolated between the steps around it.
   std::vector<Pose> poses() const;
+
+  /// How the boxes move at `time()`, in the order of the layout: interpolated as `poses`.
+  std::vector<Velocity> velocities() const;
+
+  /// The `set_` functions change what acts on the boxes from now on: from the end of the step that `time()` is in, or,
+  /// where nothing moves, from `time()` itself. All boxes are awake then. They throw `Error`, and change nothing, where
+  /// a number cannot be used; after `end_time()` they have no effect.
+
+  /// Gives the container a constant acceleration, container frame, m/s², in place of what is left of that which the
+  /// world was made with. The world ends when it would have ended ([Simulation Settings] Timeout).
+  void set_acceleration(const std::array<double, 3>& acceleration);
+
+  /// Sets the coefficients of static friction of two boxes, of box and floor, and of box and wall or roof, whatever the
+  /// settings and materials say; the share that is kinetic stays. For the engine native.
+  void set_friction(double box_box, double box_floor, double box_wall);
+
+  /// Pushes a box with a force, container frame, N, until it is set again; zero takes it away. A box has one force. For
+  /// the engine native.
+  /// @param box   index into the boxes of the layout
+  /// @param point where it acts, container frame at `time()`, m; from then on it goes with the box. Absent: the centre
+  ///              of mass
+  void set_force(std::size_t box, const std::array<double, 3>& force,
+                 const std::optional<std::array<double, 3>>& point = {});
 
   /// Forces of the boxes on floor, front, rear, left, right and roof, mean over the last step, container frame, N.
   /// Empty without the setting `WallForces` or `Walls`, or where the engine does not measure them.

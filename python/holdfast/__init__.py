@@ -27,6 +27,7 @@ from .accelerations import Acceleration, norm_accelerations, read_acceleration
 from .codes import ReplicaVerdict, Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
+from .indicators import Indicators
 from .margins import Margins
 from .replay import Replay
 from .screen import Screen
@@ -38,6 +39,7 @@ __all__ = [
     "Acceleration",
     "Engine",
     "Error",
+    "Indicators",
     "Margins",
     "Problem",
     "Replay",

@@ -36,6 +36,14 @@ class Screen:
     def evaluate(
         self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str], on_main_thread: bool
     ) -> tuple[_Table, _Messages, tuple[Problem, ...], Optional[list[_Table]]]: ...
+    def indicators(
+        self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str]
+    ) -> tuple[
+        npt.NDArray[np.float64],
+        list[npt.NDArray[np.float32]],
+        list[npt.NDArray[np.uint8]],
+        tuple[Problem, ...],
+    ]: ...
     def margins(
         self, layouts: Any, offsets: Optional[npt.ArrayLike], names: Sequence[str], on_main_thread: bool
     ) -> tuple[

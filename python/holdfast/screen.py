@@ -18,6 +18,7 @@ from . import _core
 from .accelerations import Acceleration, AccelerationLike, acceleration_of
 from .errors import Error, Problem
 from .flight import Flight
+from .indicators import Indicators
 from .margins import Margins
 from .replay import Replay
 from .usage import Usage
@@ -139,6 +140,24 @@ class Screen:
         with self._usage as core:
             table, messages, problems, boxes = core.evaluate(_indexed(layouts, offsets), offsets, given, _is_main_thread())
         return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)))
+
+    def indicators(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
+                   names: Optional[Iterable[str]] = None) -> Indicators:
+        """What geometry alone says of each layout: base support, supported sides, centre of gravity, fill. Nothing is
+        simulated, and the accelerations of the screen play no part.
+
+        :param layouts: as for :meth:`evaluate`, as are ``offsets`` and ``names``
+        :raises Error: a layout cannot be used
+
+        >>> with Screen([[[0.0, 1.0, 7.0, 0.0, 0.0]]]) as screen:
+        ...     indicators = screen.indicators([[[0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 1], [0.0, 0.0, 0.5, 1.0, 0.5, 1.0, 1]]])
+        >>> indicators.base_support[0], indicators.supported_sides[0]
+        (array([1. , 0.5], dtype=float32), array([2, 2], dtype=uint8))
+        """
+        given = list(names) if names is not None else []
+        with self._usage as core:
+            found = core.indicators(_indexed(layouts, offsets), offsets, given)
+        return Indicators(*found, given)
 
     def margins(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
                 names: Optional[Iterable[str]] = None) -> Margins:

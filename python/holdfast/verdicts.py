@@ -91,6 +91,17 @@ class Verdicts:
     wilson_low = _Column("Low end of the interval in which the share of failing replicas is at 95 %; NaN without.")
     wilson_high = _Column("High end of the interval.")
 
+    wall_floor = _Column("Largest force on the floor for 0.05 s, N; NaN without ``WallForces`` or ``Walls``, as the next six.")
+    wall_front = _Column("The same on the front wall.")
+    wall_rear = _Column("The same on the door.")
+    wall_left = _Column("The same on the left wall.")
+    wall_right = _Column("The same on the right wall.")
+    wall_roof = _Column("The same on the roof.")
+    wall_share = _Column("The largest of these over the test force of the norm ``Walls``: above 1, a wall is pressed beyond it.")
+    boxes_beyond = _Column("Number of boxes beyond the damage boundary; 0 without ``Damage``.")
+    peak_acceleration = _Column("Largest of all boxes, mean over ``DamageWindow``, m/s²; NaN without ``Damage``.")
+    velocity_change = _Column("Largest of all boxes in an impact, m/s; NaN without ``Damage``.")
+
     @property
     def holds(self) -> npt.NDArray[np.bool_]:
         """Whether no box fell, moved or tilted, nor was any unstable; False also where nothing can be said."""
@@ -114,7 +125,8 @@ class Verdicts:
         """How the boxes of a layout ended: a structured array of shape (accelerations, boxes).
 
         Its columns are displacement (3, of the centre of mass from the reference pose, m), tilt (degrees), kinetic_energy
-        (J), peak_displacement (m), peak_kinetic_energy (J), fallen, moved, tilted, unstable. Of a layout that was not
+        (J), peak_displacement (m), peak_kinetic_energy (J), fallen, moved, tilted, unstable; with ``Damage``,
+        peak_acceleration (m/s²), velocity_change (m/s) and beyond, whether both are above the damage boundary. Of a layout that was not
         simulated there are no boxes.
 
         :param layout: index of the layout in the call

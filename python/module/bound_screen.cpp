@@ -71,6 +71,29 @@ py::tuple BoundScreen::margins(const py::object& given, const py::object& offset
   return py::make_tuple(margin, critical_box, trials, cpu_seconds, problems_of(screen_.problems()));
 }
 
+py::tuple BoundScreen::indicators(const py::object& given, const py::object& offsets, std::vector<std::string> names) {
+  const Layouts layouts = layouts_of(given, offsets, std::move(names));
+  const std::vector<LayoutIndicators> found = screen_.indicators(layouts.views());
+  const auto count = static_cast<py::ssize_t>(found.size());
+  py::array_t<double> of_layouts({count, py::ssize_t{9}});
+  py::list base_support;
+  py::list supported_sides;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const LayoutIndicators& layout = found[static_cast<std::size_t>(i)];
+    double* row = of_layouts.mutable_data(i, 0);
+    row = std::copy(layout.centre_of_gravity.begin(), layout.centre_of_gravity.end(), row);
+    row = std::copy(layout.centre_offset.begin(), layout.centre_offset.end(), row);
+    *row++ = layout.fill;
+    *row++ = layout.badly_based;
+    *row = layout.badly_braced;
+    base_support.append(
+        py::array_t<float>(static_cast<py::ssize_t>(layout.base_support.size()), layout.base_support.data()));
+    supported_sides.append(py::array_t<std::uint8_t>(static_cast<py::ssize_t>(layout.supported_sides.size()),
+                                                     layout.supported_sides.data()));
+  }
+  return py::make_tuple(of_layouts, base_support, supported_sides, problems_of(screen_.problems()));
+}
+
 bool BoundScreen::record(const py::object& given, const py::object& offsets, std::vector<std::string> names,
                          const std::string& path, const RecordOptions& options, bool on_main_thread) {
   const Layouts layouts = layouts_of(given, offsets, std::move(names));

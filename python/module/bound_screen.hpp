@@ -33,6 +33,8 @@ class BoundScreen {
   pybind11::tuple replay(const pybind11::object& layout, bool on_main_thread);
 
   /// Margins and critical boxes, of shape (layouts, 4), trials and processor seconds, and problems of marked layouts.
+  pybind11::tuple indicators(const pybind11::object& layouts, const pybind11::object& offsets,
+                             std::vector<std::string> names);
   pybind11::tuple margins(const pybind11::object& layouts, const pybind11::object& offsets,
                           std::vector<std::string> names, bool on_main_thread);
 

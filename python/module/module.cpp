@@ -80,6 +80,7 @@ PYBIND11_MODULE(_core, module) {
       .def("accelerations", &BoundScreen::accelerations)
       .def("evaluate", &BoundScreen::evaluate, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
            py::arg("on_main_thread"))
+      .def("indicators", &BoundScreen::indicators, py::arg("layouts"), py::arg("offsets"), py::arg("names"))
       .def("margins", &BoundScreen::margins, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
            py::arg("on_main_thread"))
       .def("replay", &BoundScreen::replay, py::arg("layout"), py::arg("on_main_thread"))

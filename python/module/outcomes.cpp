@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace py = pybind11;
@@ -24,6 +26,9 @@ struct WorldRow {
   std::uint8_t replica_verdict;
   std::uint32_t replicas, replicas_failed;
   double wilson_low, wilson_high;
+  double wall_floor, wall_front, wall_rear, wall_left, wall_right, wall_roof, wall_share;
+  std::uint32_t boxes_beyond;
+  float peak_acceleration, velocity_change;
 };
 
 /// A row of the table of a layout's boxes.
@@ -31,7 +36,24 @@ struct BoxRow {
   std::array<float, 3> displacement;
   float tilt, kinetic_energy, peak_displacement, peak_kinetic_energy;
   bool fallen, moved, tilted, unstable;
+  float peak_acceleration, velocity_change;
+  bool beyond;
 };
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr float kUnknownFloat = std::numeric_limits<float>::quiet_NaN();
+
+/// The lasting force on a side, N.
+double force_on(const WorldOutcome& world, std::size_t side) {
+  return side < world.walls.size() ? world.walls[side].lasting_force : kUnknown;
+}
+
+/// The largest share of a limit that a side has to bear.
+double wall_share(const WorldOutcome& world) {
+  double largest = kUnknown;
+  for (const WallForce& wall : world.walls) largest = std::fmax(largest, wall.lasting_force / wall.limit);
+  return largest;
+}
 
 WorldRow row_of(const WorldOutcome& world) {
   return {.layout = world.layout,
@@ -60,10 +82,22 @@ WorldRow row_of(const WorldOutcome& world) {
           .replicas = world.replicas.count,
           .replicas_failed = world.replicas.failed,
           .wilson_low = world.replicas.wilson_low,
-          .wilson_high = world.replicas.wilson_high};
+          .wilson_high = world.replicas.wilson_high,
+          .wall_floor = force_on(world, 0),
+          .wall_front = force_on(world, 1),
+          .wall_rear = force_on(world, 2),
+          .wall_left = force_on(world, 3),
+          .wall_right = force_on(world, 4),
+          .wall_roof = force_on(world, 5),
+          .wall_share = wall_share(world),
+          .boxes_beyond = world.damage.boxes_beyond,
+          .peak_acceleration = world.damage.known ? world.damage.peak_acceleration : kUnknownFloat,
+          .velocity_change = world.damage.known ? world.damage.velocity_change : kUnknownFloat};
 }
 
-BoxRow row_of(const BoxOutcome& box) {
+BoxRow row_of(const WorldOutcome& world, std::size_t i) {
+  const BoxOutcome& box = world.box_outcomes[i];
+  const DamageOutcome& damage = world.damage;
   return {.displacement = box.displacement,
           .tilt = box.tilt,
           .kinetic_energy = box.kinetic_energy,
@@ -72,7 +106,10 @@ BoxRow row_of(const BoxOutcome& box) {
           .fallen = box.fallen,
           .moved = box.moved,
           .tilted = box.tilted,
-          .unstable = box.unstable};
+          .unstable = box.unstable,
+          .peak_acceleration = damage.known ? damage.box_peak_acceleration[i] : kUnknownFloat,
+          .velocity_change = damage.known ? damage.box_velocity_change[i] : kUnknownFloat,
+          .beyond = damage.known && damage.box_beyond[i] != 0};
 }
 
 /// An array in the memory of a vector, which lives as long as the array.
@@ -91,9 +128,11 @@ void declare_row_types() {
   PYBIND11_NUMPY_DTYPE(WorldRow, layout, acceleration, verdict, stop_reason, status, boxes, fallen, moved, tilted,
                        unstable, max_displacement, peak_displacement, total_kinetic_energy, peak_kinetic_energy,
                        end_time, steps, steps_skipped, max_residual, residual_scale, max_penetration, cpu_seconds,
-                       state_hash, replica_verdict, replicas, replicas_failed, wilson_low, wilson_high);
+                       state_hash, replica_verdict, replicas, replicas_failed, wilson_low, wilson_high, wall_floor,
+                       wall_front, wall_rear, wall_left, wall_right, wall_roof, wall_share, boxes_beyond,
+                       peak_acceleration, velocity_change);
   PYBIND11_NUMPY_DTYPE(BoxRow, displacement, tilt, kinetic_energy, peak_displacement, peak_kinetic_energy, fallen,
-                       moved, tilted, unstable);
+                       moved, tilted, unstable, peak_acceleration, velocity_change, beyond);
 }
 
 py::array table_of(std::span<const WorldOutcome> worlds, const std::vector<std::size_t>& shape) {
@@ -119,10 +158,7 @@ py::list boxes_of(std::span<const WorldOutcome> worlds, std::size_t acceleration
     py::array_t<BoxRow> table({accelerations, boxes});
     BoxRow* next = table.mutable_data();
     for (const WorldOutcome& world : of_layout) {
-      BoxRow* const end = std::transform(world.box_outcomes.begin(), world.box_outcomes.end(), next,
-                                         [](const BoxOutcome& box) { return row_of(box); });
-      next += boxes;
-      std::fill(end, next, BoxRow{});
+      for (std::size_t i = 0; i < boxes; ++i) *next++ = i < world.box_outcomes.size() ? row_of(world, i) : BoxRow{};
     }
     all.append(table);
   }

@@ -81,6 +81,19 @@ int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_rep
   });
 }
 
+int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damage* damage) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const holdfast::DamageOutcome& found = outcome_at(object, index).damage;
+    required(damage, "damage");
+    if (!found.known)
+      throw BadArgument{"the world has no damage: the settings do not ask for it, or it was not simulated"};
+    *damage = {.boxes_beyond = found.boxes_beyond,
+               .peak_acceleration = found.peak_acceleration,
+               .velocity_change = found.velocity_change};
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes, size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
     const holdfast::WorldOutcome& world = outcome_at(object, index);

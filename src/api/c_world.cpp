@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "api/c_call.hpp"
@@ -17,6 +18,12 @@ struct CWorld : CObject {
     return *world;
   }
 };
+
+/// Three numbers of the caller.
+std::array<double, 3> three(const double* numbers, const char* name) {
+  required(numbers, name);
+  return {numbers[0], numbers[1], numbers[2]};
+}
 
 }  // namespace
 
@@ -58,6 +65,42 @@ int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity) 
       next = std::copy(pose.position.begin(), pose.position.end(), next);
       next = std::copy(pose.orientation.begin(), pose.orientation.end(), next);
     }
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_velocities(holdfast_world* world, double* velocities, size_t capacity) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    const std::vector<holdfast::Velocity> all = object.made().velocities();
+    require_room(capacity, all.size(), "velocities");
+    double* next = all.empty() ? velocities : required(velocities, "velocities");
+    for (const holdfast::Velocity& velocity : all) {
+      next = std::copy(velocity.linear.begin(), velocity.linear.end(), next);
+      next = std::copy(velocity.angular.begin(), velocity.angular.end(), next);
+    }
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_set_acceleration(holdfast_world* world, const double* acceleration) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    object.made().set_acceleration(three(acceleration, "acceleration"));
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_set_friction(holdfast_world* world, double box_box, double box_floor, double box_wall) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    object.made().set_friction(box_box, box_floor, box_wall);
+    return HOLDFAST_OK;
+  });
+}
+
+int holdfast_world_set_force(holdfast_world* world, size_t box, const double* force, const double* point) {
+  return call_object<CWorld>(world, [&](CWorld& object) {
+    std::optional<std::array<double, 3>> where;
+    if (point != nullptr) where = three(point, "point");
+    object.made().set_force(box, three(force, "force"), where);
     return HOLDFAST_OK;
   });
 }

@@ -1,5 +1,6 @@
 #include "api/convert.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -122,6 +123,23 @@ holdfast::ReplicaOutcome public_replicas(const ReplicaOutcome& found, bool keep_
           .wilson_high = found.wilson_high,
           .cpu_seconds = found.cpu_seconds,
           .box_share = keep_boxes ? found.box_share : std::vector<float>()};
+}
+
+holdfast::DamageOutcome public_damage(const WorldDamage& found, bool keep_boxes) {
+  holdfast::DamageOutcome damage;
+  if (!found.known()) return damage;
+  damage.known = true;
+  damage.boxes_beyond = found.boxes_beyond;
+  const auto largest = [](const std::vector<float>& values) {
+    return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+  };
+  damage.peak_acceleration = largest(found.boxes.peak_acceleration);
+  damage.velocity_change = largest(found.boxes.velocity_change);
+  if (!keep_boxes) return damage;
+  damage.box_peak_acceleration = found.boxes.peak_acceleration;
+  damage.box_velocity_change = found.boxes.velocity_change;
+  damage.box_beyond = found.boxes.beyond;
+  return damage;
 }
 
 static_assert(static_cast<int>(holdfast::ReplicaVerdict::uncertain) == static_cast<int>(ReplicaVerdict::uncertain));
@@ -288,6 +306,7 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
   world.replicas = public_replicas(record.replicas, keep_boxes);
+  world.damage = public_damage(record.damage, keep_boxes);
 }
 
 void mark_cancelled(holdfast::WorldOutcome& world) {

@@ -4,6 +4,7 @@
 
 #include "api/plugin_file.hpp"
 #include "core/engine/engine_plugin.hpp"
+#include "core/engine/engine_support.hpp"
 
 namespace holdfast::internal {
 
@@ -47,29 +48,7 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
       entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
   if (!engine) return engine;
   if (const auto error = why_unsupported(**engine, settings)) return *error;
-  if (settings.screening.margins)
-    if (const auto error = why_no_margins(**engine)) return *error;
-  if (settings.screening.measures_walls())
-    if (const auto error = why_no_wall_forces(**engine)) return *error;
-  const ScreeningSettings& screening = settings.screening;
-  if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0)
-    return Error{.what = "replicas are all the same where neither friction nor acceleration varies",
-                 .accepted = "leave Replicas out, or give FrictionSpread or AccelerationSpread"};
   return engine;
-}
-
-std::optional<Error> why_no_margins(const Engine& engine) {
-  if (engine.traits().rewinds) return std::nullopt;
-  return Error{.what = "this engine cannot find margins, since its worlds cannot go back in time",
-               .value = engine.traits().name,
-               .accepted = "leave margins out, or take the engine native"};
-}
-
-std::optional<Error> why_no_wall_forces(const Engine& engine) {
-  if (engine.traits().measures_walls) return std::nullopt;
-  return Error{.what = "wall forces are not measured by this engine, or not with this motion of the container",
-               .value = engine.traits().name,
-               .accepted = "leave wall forces out, or take native, bullet or bullet-f64 with Motion = prescribed"};
 }
 
 std::optional<Error> why_not_loadable(const EngineEntry& entry) {

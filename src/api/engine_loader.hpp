@@ -15,12 +15,6 @@ namespace holdfast::internal {
 /// engine cannot model, a plug-in that cannot be loaded and why, or a name that no engine has.
 Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Settings& settings);
 
-/// Why an engine cannot find margins, if it cannot.
-std::optional<Error> why_no_margins(const Engine& engine);
-
-/// Why an engine does not measure wall forces, if it does not.
-std::optional<Error> why_no_wall_forces(const Engine& engine);
-
 /// What keeps an engine's plug-in from being loaded, if anything. Asks for no device, which can take seconds.
 std::optional<Error> why_not_loadable(const EngineEntry& entry);
 

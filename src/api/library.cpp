@@ -6,11 +6,9 @@
 #include "api/version.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/norms.hpp"
-#include "core/model/setting_table.hpp"
 #include "holdfast/holdfast.h"
 #include "holdfast/holdfast.hpp"
 #include "io/input/acceleration_reader.hpp"
-#include "io/input/config_reader.hpp"
 #include "io/input/text_file.hpp"
 
 // What the library offers beside its classes.
@@ -41,25 +39,6 @@ std::vector<Acceleration> norm_accelerations(const std::string& name) {
     for (const internal::Acceleration& made : value_or_throw(internal::find_norm(name)).accelerations())
       accelerations.push_back(internal::public_acceleration(made));
     return accelerations;
-  });
-}
-
-std::vector<Setting> read_settings(const std::string& text) {
-  return guarded([&] {
-    std::vector<internal::Error> ignored;
-    const internal::TextFile file{.path = "config", .name = "config", .text = text};
-    const internal::Config config = value_or_throw(internal::parse_config(file, ignored));
-    std::vector<Setting> settings;
-    const auto add = [&](const std::string& section, const internal::SettingKey& key, int material) {
-      if (!config.given.contains({section, std::string(key.name)})) return;
-      settings.push_back({section, std::string(key.name), key.get(config.settings, material)});
-    };
-    for (const internal::SettingKey& key : internal::setting_table())
-      if (key.section != internal::kMaterialSection) add(std::string(key.section), key, 0);
-    for (const auto& [id, material] : config.settings.materials)
-      for (const internal::SettingKey& key : internal::setting_table())
-        if (key.section == internal::kMaterialSection) add("Material " + std::to_string(id), key, id);
-    return settings;
   });
 }
 

@@ -70,7 +70,7 @@ std::optional<Error> report_finished(const Recording& recording, const Progress&
     observer.world_finished(world, index++);
   };
   return visit_finished(recording.path, finished,
-                        {report_world, [&](const LayoutRecord& layout) { observer.margins_found(layout); }});
+                        {report_world, [&](const LayoutRecord& layout) { observer.layout_finished(layout); }});
 }
 
 /// Counts the failures of the finished worlds as the run that finished them did.

@@ -1,10 +1,10 @@
 #include <utility>
 #include <vector>
 
-#include "api/engine_loader.hpp"
 #include "api/guarded.hpp"
 #include "api/memory_run.hpp"
 #include "api/screen_state.hpp"
+#include "core/engine/engine_support.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -43,6 +43,7 @@ std::vector<LayoutMargins> Screen::State::margins(std::vector<internal::ReadLayo
   const std::vector<internal::ReadAcceleration> gravity = {{internal::gravity_alone(), ""}};
   internal::Settings margins_alone = settings;
   margins_alone.screening.replicas = 0;
+  margins_alone.screening.indicators = false;
   const internal::ScreeningEnd end = internal::screen_worlds(
       {*engine, margins_alone, *workers, source, gravity, false, true}, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});

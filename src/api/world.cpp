@@ -1,14 +1,20 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "api/apply_settings.hpp"
 #include "api/convert.hpp"
 #include "api/guarded.hpp"
+#include "core/base/number_text.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/engine/engine_support.hpp"
 #include "core/engine/interpolation.hpp"
 #include "core/engine/simulate.hpp"
+#include "core/model/acceleration_check.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -28,6 +34,28 @@ std::unique_ptr<internal::Engine> engine_of(const internal::Settings& settings) 
   std::unique_ptr<internal::Engine> engine = value_or_throw(entry->make(settings));
   if (const auto error = internal::why_unsupported(*engine, settings)) throw internal::exception_of({*error});
   return engine;
+}
+
+[[noreturn]] void refuse(std::string what, std::string value, std::string accepted) {
+  throw internal::exception_of({{.what = std::move(what), .value = std::move(value), .accepted = std::move(accepted)}});
+}
+
+/// Largest force along an axis, N: the weight of a hundred thousand tonnes. More is a mistake.
+constexpr double kLargestForce = 1e9;
+
+/// Largest coordinate of a point where a force acts, m. More is a mistake.
+constexpr double kLargestPlace = 1e3;
+
+/// Largest coefficient of friction, as of the settings.
+constexpr double kLargestFriction = 1e6;
+
+/// A vector of the caller, whose numbers are finite and none is beyond what can be meant.
+internal::Vec3 finite(const std::array<double, 3>& numbers, const std::string& name, double most, const char* unit) {
+  for (const double number : numbers)
+    if (!(std::abs(number) <= most))
+      refuse(name + " cannot be used", internal::number_text(number),
+             "numbers from " + internal::number_text(-most) + " to " + internal::number_text(most) + " " + unit);
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace
@@ -70,6 +98,42 @@ struct World::State {
     return request.reached;
   }
 
+  /// Brings the engine and what is left of the phases to where a change begins.
+  void cut() {
+    // A world at rest goes to the end of its phase at once, and is on the way there as it is at the end.
+    if (time < reached && rests()) begin = reached = time;
+    std::erase_if(phases, [&](const internal::Phase& one) { return one.end <= reached + internal::kSameInstant; });
+    phase = 0;
+    if (!phases.empty()) phases.front().begin = reached;
+  }
+
+  /// True when no box has moved in the last step, and none is moving.
+  bool rests() const {
+    const StateColumns& now = batch.state;
+    const auto none = [](const std::vector<internal::Vec3>& vectors) {
+      return std::all_of(vectors.begin(), vectors.end(), [](const auto& v) { return v == internal::Vec3::Zero(); });
+    };
+    const auto same = [](const internal::Rotation& a, const internal::Rotation& b) { return a.coeffs() == b.coeffs(); };
+    return now.position == before.position && none(now.velocity) && none(now.angular_velocity) &&
+           std::equal(now.orientation.begin(), now.orientation.end(), before.orientation.begin(), same);
+  }
+
+  /// Throws where the engine cannot change forces and friction of a world that goes.
+  void require_changes() const {
+    if (!engine->traits().takes_changes)
+      refuse("this engine cannot change forces and friction of a world that goes", engine->traits().name, "native");
+  }
+
+  /// How far `time` is from the start of the last step to its end.
+  double share() const { return reached > begin ? (time - begin) / (reached - begin) : 1.0; }
+
+  internal::Vec3 position(std::size_t box) const {
+    return internal::between(before.position[box], batch.state.position[box], share());
+  }
+  internal::Rotation orientation(std::size_t box) const {
+    return internal::between(before.orientation[box], batch.state.orientation[box], share());
+  }
+
   bool measures_sides() const { return settings.screening.measures_walls() && engine->traits().measures_walls; }
 
   void advance(double wanted) {
@@ -78,6 +142,7 @@ struct World::State {
     while (reached < wanted && phase < phases.size()) {
       begin = reached;
       reached = step(phases[phase], wanted);
+      pressed = reached - begin;
       if (reached >= phases[phase].end) ++phase;
     }
     time = wanted;
@@ -94,6 +159,7 @@ struct World::State {
   std::size_t phase = 0;              ///< index of the phase that the next step is in
   double begin = 0.0, reached = 0.0;  ///< of the last step, s
   internal::SideImpulses impulses;    ///< of the last step
+  double pressed = 0.0;               ///< for how long they acted, s
   double time = 0.0, end = 0.0;       ///< that the caller sees, and at which all ends, s
 };
 
@@ -119,26 +185,79 @@ double World::time() const noexcept { return state_->time; }
 double World::end_time() const noexcept { return state_->end; }
 
 std::vector<Pose> World::poses() const {
-  const State& state = *state_;
-  const double duration = state.reached - state.begin;
-  const double share = duration > 0.0 ? (state.time - state.begin) / duration : 1.0;
   std::vector<Pose> poses;
-  for (std::size_t box = 0; box < state.layout.boxes.size(); ++box) {
-    const StateColumns& after = state.batch.state;
-    const internal::Vec3 p = internal::between(state.before.position[box], after.position[box], share);
-    const internal::Rotation q = internal::between(state.before.orientation[box], after.orientation[box], share);
+  for (std::size_t box = 0; box < state_->layout.boxes.size(); ++box) {
+    const internal::Vec3 p = state_->position(box);
+    const internal::Rotation q = state_->orientation(box);
     poses.push_back({{p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()}});
   }
   return poses;
+}
+
+std::vector<Velocity> World::velocities() const {
+  const StateColumns& before = state_->before;
+  const StateColumns& after = state_->batch.state;
+  std::vector<Velocity> velocities;
+  for (std::size_t box = 0; box < state_->layout.boxes.size(); ++box) {
+    const internal::Vec3 v = internal::between(before.velocity[box], after.velocity[box], state_->share());
+    const internal::Vec3 w =
+        internal::between(before.angular_velocity[box], after.angular_velocity[box], state_->share());
+    velocities.push_back({{v.x(), v.y(), v.z()}, {w.x(), w.y(), w.z()}});
+  }
+  return velocities;
+}
+
+void World::set_acceleration(const std::array<double, 3>& acceleration) {
+  internal::guarded([&] {
+    const internal::Vec3 wanted = finite(acceleration, "the acceleration", internal::kLargestAcceleration, "m/s²");
+    State& state = *state_;
+    state.cut();
+    state.phases.clear();
+    if (state.reached < state.end) state.phases.push_back({state.reached, state.end, wanted});
+  });
+}
+
+void World::set_friction(double box_box, double box_floor, double box_wall) {
+  internal::guarded([&] {
+    State& state = *state_;
+    state.require_changes();
+    for (const double coefficient : {box_box, box_floor, box_wall})
+      if (!(coefficient >= 0.0 && coefficient <= kLargestFriction))
+        refuse("not a coefficient of friction", internal::number_text(coefficient), "numbers from 0 to 1000000");
+    internal::ContactSettings& contact = state.batch.worlds.front().contact;
+    contact.friction_model = internal::FrictionModel::pairs;
+    contact.box_box = box_box;
+    contact.box_floor = box_floor;
+    contact.box_wall = box_wall;
+    state.cut();
+    state.simulation->set_friction(0, contact);
+  });
+}
+
+void World::set_force(std::size_t box, const std::array<double, 3>& force,
+                      const std::optional<std::array<double, 3>>& point) {
+  internal::guarded([&] {
+    State& state = *state_;
+    state.require_changes();
+    const std::size_t count = state.layout.boxes.size();
+    if (box >= count) refuse("no such box", std::to_string(box), "a number below " + std::to_string(count));
+    internal::BoxForce push{.force = finite(force, "the force", kLargestForce, "N")};
+    if (point) {
+      const internal::Vec3 where = finite(*point, "the point", kLargestPlace, "m");
+      push.at = state.orientation(box).conjugate() * (where - state.position(box));
+    }
+    state.cut();
+    state.simulation->set_force(0, box, push);
+  });
 }
 
 std::vector<std::array<double, 3>> World::side_forces() const {
   const State& state = *state_;
   std::vector<std::array<double, 3>> forces;
   if (!state.measures_sides()) return forces;
-  const double duration = state.reached - state.begin;
   for (const internal::SideImpulse& side : state.impulses) {
-    const internal::Vec3 force = duration > 0.0 ? internal::Vec3(side.impulse / duration) : internal::Vec3::Zero();
+    const internal::Vec3 force =
+        state.pressed > 0.0 ? internal::Vec3(side.impulse / state.pressed) : internal::Vec3::Zero();
     forces.push_back({force.x(), force.y(), force.z()});
   }
   return forces;

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "api/version.hpp"
+#include "app/command_line_parts.hpp"
 #include "app/commands.hpp"
 #include "app/report.hpp"
 #include "core/base/closest_word.hpp"
@@ -22,19 +22,10 @@
 #include "io/results/results_page.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
-// The one file that knows CLI11, which takes seconds to compile wherever it is included.
+// CLI11, which takes seconds to compile, is kept to the files command_line*.
 
 namespace holdfast::internal {
 
-namespace {
-
-/// Runs the chosen command once the command line is read. Set by the command's callback, which owns its options.
-struct ChosenCommand {
-  std::function<ExitCode()> run;
-  std::string command_line;  ///< as typed
-};
-
-/// Checks the values of an option as those of the key of the configuration.
 CLI::Validator as_in_config(const char* section, const char* name) {
   const SettingKey& key = *find_setting(section, name);
   return {[&key](const std::string& text) {
@@ -43,6 +34,8 @@ CLI::Validator as_in_config(const char* section, const char* name) {
           },
           ""};
 }
+
+namespace {
 
 /// Adds what chooses an engine and its threads, of any options that have these members.
 void add_engine_options(CLI::App& command, auto& options) {
@@ -79,10 +72,10 @@ void add_recording_options(CLI::App& command, RunOptions& options) {
       ->type_name("FILE");
   auto* go_on = command.add_flag("--resume", options.resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", options.overwrite, "Replace the results of an earlier run")->excludes(go_on);
-  command.add_flag(
-      "--json", options.json,
-      "Print one JSON object per world, with its verdict, and per layout with margins, as it finishes; with --resume "
-      "the finished ones first");
+  command.add_flag("--json", options.json,
+                   "Print one JSON object per world, with its verdict, and per layout with margins or indicators, as "
+                   "it finishes; with --resume "
+                   "the finished ones first");
   command.add_flag("--quiet", options.quiet, "No progress, no table; errors only");
 }
 
@@ -100,6 +93,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           "[Screening] Walls")
       ->check(as_in_config("Screening", "Walls"))
       ->type_name("NAME");
+  command.add_flag(
+      "--damage", options.damage,
+      "Also record accelerations and impacts of boxes, and count those beyond a damage boundary; stands in "
+      "for [Screening] Damage");
+  command.add_flag("--indicators", options.indicators,
+                   "Also tell base support, supported sides, centre of gravity and fill of the layouts; stands in for "
+                   "[Screening] Indicators");
   command
       .add_option("--replicas", options.replicas,
                   "Also simulate each world so many times with friction that is not known exactly, 32 for instance; "
@@ -195,30 +195,6 @@ void add_serve_command(CLI::App& program, ChosenCommand& chosen) {
   add_engine_options(*command, *options);
   command->add_flag("--ordered", options->ordered, "Answer in the order of the lines, not as layouts finish");
   command->callback([options, &chosen] { chosen.run = [options] { return run_serve_command(*options); }; });
-}
-
-void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("summary", "Judge a results file again, with other thresholds if given");
-  command->footer(
-      "The results file itself is never changed.\n\n"
-      "Example:\n"
-      "  holdfast summary results.h5 --move-threshold 0.05 --csv tables/");
-  auto options = std::make_shared<SummaryOptions>();
-  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
-  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")
-      ->check(as_in_config("Simulation Settings", "DropThreshold"));
-  command->add_option("--move-threshold", options->move, "Moved when displaced by more, m")
-      ->check(as_in_config("Screening", "MoveThreshold"));
-  command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
-      ->check(as_in_config("Screening", "TiltThreshold"));
-  command
-      ->add_option(
-          "--csv", options->csv_folder,
-          "Write worlds.csv and boxes.csv, and margins.csv and walls.csv where there are such, into this folder")
-      ->type_name("DIR");
-  command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
-      ->type_name("FILE");
-  command->callback([options, &chosen] { chosen.run = [options] { return run_summary_command(*options); }; });
 }
 
 void add_check_command(CLI::App& program, ChosenCommand& chosen) {
@@ -402,7 +378,7 @@ int run_command_line(int argc, char** argv) {
   add_run_command(program, chosen);
   add_margins_command(program, chosen);
   add_serve_command(program, chosen);
-  add_summary_command(program, chosen);
+  add_results_commands(program, chosen);
   add_check_command(program, chosen);
   add_bench_command(program, chosen);
   add_validate_command(program, chosen);

@@ -5,6 +5,8 @@
 
 #include "app/commands.hpp"
 #include "app/crash_guard.hpp"
+#include "app/damage_table.hpp"
+#include "app/indicator_table.hpp"
 #include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
 #include "app/replica_table.hpp"
@@ -47,8 +49,12 @@ ExitCode summarise(const SummaryOptions& options) {
   if (!walls) return fail(ExitCode::some_failed, walls.error());
   const Result<std::string> replicas = replica_table(options.results_path);
   if (!replicas) return fail(ExitCode::some_failed, replicas.error());
-  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}{}", thresholds.drop, thresholds.move,
-           thresholds.tilt, table->text, *replicas, *margins, *walls);
+  const Result<std::string> damage = damage_table(options.results_path);
+  if (!damage) return fail(ExitCode::some_failed, damage.error());
+  const Result<std::string> indicators = indicator_table(options.results_path);
+  if (!indicators) return fail(ExitCode::some_failed, indicators.error());
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}{}{}{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text, *replicas, *margins, *walls, *damage, *indicators);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

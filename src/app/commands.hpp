@@ -54,6 +54,15 @@ struct SummaryOptions {
 };
 ExitCode run_summary_command(const SummaryOptions& options);
 
+struct ViewOptions {
+  std::string results_path;
+  std::optional<std::string> page_path;  ///< absent: beside the results, with their name
+  bool open = true;                      ///< in a browser
+  bool serve = false;                    ///< on the loopback address, instead of writing a page
+  int port = 0;                          ///< of `serve`; 0: one that is free
+};
+ExitCode run_view_command(const ViewOptions& options);
+
 struct CheckOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> paths;

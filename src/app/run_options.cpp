@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 #include "app/norm_option.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/setting_table.hpp"
@@ -27,6 +30,8 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   if (replicas) static_cast<void>(find_setting("Screening", "Replicas")->set(job.settings, 0, *replicas));
   if (margins) screening.margins = true;
   if (wall_forces) screening.wall_forces = true;
+  if (damage) screening.damage = true;
+  if (indicators) screening.indicators = true;
   if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
   job.costs_path = costs_path;
@@ -35,7 +40,9 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   if (overwrite) job.existing = ExistingResults::overwrite;
   job.json = json;
   job.quiet = quiet;
-  return apply_accuracy(job.settings);
+  if (auto wrong = apply_accuracy(job.settings)) return wrong;
+  std::vector<SettingConflict> conflicts = check_settings(job.settings);
+  return conflicts.empty() ? std::nullopt : std::optional(std::move(conflicts.front().error));
 }
 
 std::optional<Error> RunOptions::apply_accuracy(Settings& settings) const {

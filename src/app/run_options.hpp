@@ -21,6 +21,8 @@ struct RunOptions {
   std::optional<std::string> replicas;
   bool margins = false;
   bool wall_forces = false;
+  bool damage = false;
+  bool indicators = false;
   std::optional<std::string> walls;
   bool first_failure = false;
   bool no_series = false;

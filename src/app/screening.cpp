@@ -7,6 +7,8 @@
 #include "api/engine_loader.hpp"
 #include "api/recorded_run.hpp"
 #include "app/crash_guard.hpp"
+#include "app/damage_table.hpp"
+#include "app/indicator_table.hpp"
 #include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
 #include "app/replica_table.hpp"
@@ -87,8 +89,13 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
   if (!walls) return fail(ExitCode::some_failed, walls.error());
   const auto replicas = replica_table(job.results_path);
   if (!replicas) return fail(ExitCode::some_failed, replicas.error());
+  const auto damage = damage_table(job.results_path);
+  if (!damage) return fail(ExitCode::some_failed, damage.error());
+  const auto indicators = indicator_table(job.results_path);
+  if (!indicators) return fail(ExitCode::some_failed, indicators.error());
   if (!job.json && !job.quiet)
-    print_to(stdout, "{}{}{}{}\nresults: {}\n", table->text, *replicas, *margins, *walls, job.results_path);
+    print_to(stdout, "{}{}{}{}{}{}\nresults: {}\n", table->text, *replicas, *margins, *walls, *damage, *indicators,
+             job.results_path);
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 

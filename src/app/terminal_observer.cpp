@@ -64,8 +64,9 @@ void TerminalObserver::warned(const Error& warning) {
   if (!job_.quiet && ++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
 }
 
-void TerminalObserver::margins_found(const LayoutRecord& layout) {
-  if (job_.json) write_unless(stop_.drop, stdout, margins_json(layout) + "\n");
+void TerminalObserver::layout_finished(const LayoutRecord& layout) {
+  const ScreeningSettings& screening = job_.settings.screening;
+  if (job_.json) write_unless(stop_.drop, stdout, layout_json(layout, screening.margins, screening.indicators) + "\n");
 }
 
 void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {

@@ -25,7 +25,7 @@ class TerminalObserver final : public RunObserver {
 
   void started(const RunProgress& progress) override;
   void warned(const Error& warning) override;
-  void margins_found(const LayoutRecord& layout) override;
+  void layout_finished(const LayoutRecord& layout) override;
   void world_finished(const WorldRecord& world, std::size_t index) override;
   void ended() override;
 

@@ -1,6 +1,7 @@
 #include "app/world_json.hpp"
 
 #include <fmt/format.h>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "api/convert.hpp"
@@ -22,6 +23,15 @@ void append_walls(nlohmann::ordered_json& json, const std::vector<holdfast::Wall
     of_side["limit_N"] = wall.limit;
     of_side["impulse_Ns"] = wall.impulse;
   }
+}
+
+void append_indicators(nlohmann::ordered_json& json, const LayoutIndicators& found) {
+  const auto array = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
+  json["fill"] = found.fill;
+  json["centre_of_gravity_m"] = array(found.centre_of_gravity);
+  json["centre_offset"] = array(found.centre_offset);
+  json["badly_based"] = found.badly_based;
+  json["badly_braced"] = found.badly_braced;
 }
 
 }  // namespace
@@ -56,6 +66,10 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
   json["max_penetration_m"] = world.max_penetration;
   json["cpu_seconds"] = world.cpu_seconds;
   if (!world.walls.empty()) append_walls(json["walls"], world.walls);
+  if (world.damage.known)
+    json["damage"] = {{"boxes_beyond", world.damage.boxes_beyond},
+                      {"peak_acceleration_m_s2", world.damage.peak_acceleration},
+                      {"velocity_change_m_s", world.damage.velocity_change}};
   json["state_hash"] = fmt::format("{:016x}", world.state_hash);
   if (world.replicas.count == 0) return;
   json["replicas"] = {{"verdict", to_string(static_cast<ReplicaVerdict>(world.replicas.verdict))},
@@ -82,9 +96,11 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   return one_line(json);
 }
 
-std::string margins_json(const LayoutRecord& layout) {
+std::string layout_json(const LayoutRecord& layout, bool margins, bool indicators) {
   nlohmann::ordered_json json;
   json["layout"] = layout.layout->name;
+  if (indicators) append_indicators(json["indicators"], layout.indicators);
+  if (!margins) return one_line(json);
   for (std::size_t i = 0; i < kDirectionCount; ++i) {
     const std::string direction(kMarginDirections.at(i).name);
     json["margins_g"][direction] = layout.margins.margin.at(i);

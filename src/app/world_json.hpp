@@ -22,7 +22,8 @@ std::string one_line(const nlohmann::ordered_json& json);
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds, double time_saved);
 
-/// The margins of one layout as one line of JSON; null where one is not known.
-std::string margins_json(const LayoutRecord& layout);
+/// The margins and the indicators of one layout, of which a run was asked for one or both, as one line of JSON; null
+/// where one is not known.
+std::string layout_json(const LayoutRecord& layout, bool margins, bool indicators);
 
 }  // namespace holdfast::internal

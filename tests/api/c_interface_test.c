@@ -126,6 +126,31 @@ static void tells_what_replicas_say(void) {
   holdfast_settings_free(settings);
 }
 
+static void tells_what_impacts_did(void) {
+  const holdfast_layouts all = layouts();
+  holdfast_outcome outcomes[world_count];
+  holdfast_damage damage;
+  holdfast_settings* settings = holdfast_settings_new();
+  holdfast_screen* screen = screen_with(NULL);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  CHECK(holdfast_screen_damage(screen, 0, &damage) == HOLDFAST_BAD_ARGUMENT); /* it was not asked for */
+  holdfast_screen_free(screen);
+  CHECK(holdfast_settings_set(settings, "Screening", "Damage", "true") == HOLDFAST_OK);
+  CHECK(holdfast_screen_new(settings, NULL, &screen) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, "gentle", kGentle, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_add_acceleration(screen, NULL, kStrong, 1) == HOLDFAST_OK);
+  CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
+  CHECK(holdfast_screen_damage(screen, 0, &damage) == HOLDFAST_OK);
+  CHECK(damage.boxes_beyond == 0 && damage.velocity_change == 0.0F); /* the floor carries it */
+  CHECK(damage.peak_acceleration > 1.999F && damage.peak_acceleration < 2.001F);
+  CHECK(holdfast_screen_damage(screen, 1, &damage) == HOLDFAST_OK);
+  CHECK(damage.peak_acceleration > 2.001F);
+  CHECK(holdfast_screen_damage(screen, world_count, &damage) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_damage(screen, 0, NULL) == HOLDFAST_BAD_ARGUMENT);
+  holdfast_screen_free(screen);
+  holdfast_settings_free(settings);
+}
+
 static void submits_and_polls(void) {
   const holdfast_screen_options options = {.size = sizeof options, .threads = 2, .most_in_flight = 2};
   holdfast_screen* screen = screen_with(&options);
@@ -228,6 +253,46 @@ static void takes_a_world_forward(void) {
   CHECK(holdfast_world_new(NULL, kBoxes, 1, 2, kStrong, 1, &world) == HOLDFAST_BAD_ARGUMENT);
   CHECK(strstr(holdfast_world_message(world), "unit is 2") != NULL);
   holdfast_world_free(world);
+}
+
+/* Acceleration, friction and forces change while a world goes. */
+static void changes_a_world(void) {
+  const double still[] = {0.0, 4.0, 0.0, 0.0, 0.0};
+  const double none[3] = {0.0, 0.0, 0.0};
+  const double brake[3] = {7.0, 0.0, 0.0};
+  const double push[3] = {0.0, 1.5 * 0.5 * 31.25 * 9.81, 0.0};
+  const double floor_point[3] = {2.25, 1.25, 0.0};
+  const double wrong[3] = {0.0, HUGE_VAL, 0.0};
+  double poses[7];
+  double velocities[6];
+  holdfast_world* world = NULL;
+  CHECK(holdfast_world_new(NULL, kBoxes, 1, HOLDFAST_METRE, still, 1, &world) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 0.5) == HOLDFAST_OK);
+  CHECK(holdfast_world_set_force(world, 0, push, floor_point) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 0.75) == HOLDFAST_OK);
+  CHECK(holdfast_world_velocities(world, velocities, 1) == HOLDFAST_OK);
+  CHECK(fabs(velocities[1] - 0.25 * 0.5 * 0.5 * 9.81) < 1e-4 && velocities[0] == 0.0 && velocities[5] == 0.0);
+  CHECK(holdfast_world_set_force(world, 0, none, NULL) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 2.0) == HOLDFAST_OK);
+  CHECK(holdfast_world_set_friction(world, 0.5, 0.2, 0.5) == HOLDFAST_OK);
+  CHECK(holdfast_world_set_acceleration(world, brake) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 2.5) == HOLDFAST_OK);
+  CHECK(holdfast_world_poses(world, poses, 1) == HOLDFAST_OK);
+  CHECK(fabs(poses[0] - 2.25 + 0.125 * (7.0 - 0.2 * 9.81)) < 1e-4);
+  CHECK(holdfast_world_velocities(world, velocities, 0) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_velocities(world, NULL, 1) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_set_acceleration(world, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_set_acceleration(world, wrong) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_world_message(world), "the acceleration cannot be used") != NULL);
+  CHECK(holdfast_world_set_friction(world, -1.0, 0.2, 0.5) == HOLDFAST_ERROR);
+  CHECK(holdfast_world_set_force(world, 0, NULL, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_set_force(world, 1, none, NULL) == HOLDFAST_ERROR);
+  CHECK(holdfast_world_set_force(world, 0, wrong, NULL) == HOLDFAST_ERROR);
+  holdfast_world_free(world);
+  CHECK(holdfast_world_velocities(world, velocities, 1) == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_world_set_acceleration(world, none) == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_world_set_friction(world, 0.5, 0.5, 0.5) == HOLDFAST_BAD_HANDLE);
+  CHECK(holdfast_world_set_force(world, 0, none, NULL) == HOLDFAST_BAD_HANDLE);
 }
 
 /* What is wrong with a box is told by layout, box and number, or marked. */
@@ -361,9 +426,11 @@ int main(void) {
   ends_early();
   takes_a_norm();
   tells_what_replicas_say();
+  tells_what_impacts_did();
   submits_and_polls();
   settles_settings();
   takes_a_world_forward();
+  changes_a_world();
   names_what_is_wrong();
   survives_abuse();
   if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);

@@ -86,9 +86,9 @@ class InstalledTest(unittest.TestCase):
         done("cmake", "--build", folder / "build")
         self.check_plain(folder / "build/plain")
 
-    def test_only_the_two_headers_are_installed(self):
+    def test_only_the_public_headers_are_installed(self):
         headers = [path.name for path in (self.prefix / "include").rglob("*") if path.is_file()]
-        self.assertEqual(sorted(headers), ["holdfast.h", "holdfast.hpp"])
+        self.assertEqual(sorted(headers), ["holdfast.h", "holdfast.hpp", "outcomes.hpp"])
 
     def test_plugins_are_found_beside_the_library(self):
         listed = done(self.prefix / "bin/holdfast", "engines")

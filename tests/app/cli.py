@@ -42,10 +42,10 @@ def layout_text(boxes, material=1):
     return "\n".join([f"1 {len(boxes)}", *lines, ""])
 
 
-def run(*arguments, **options):
+def run(*arguments, program=HOLDFAST, **options):
     """Runs the program to its end; standard output and standard error are text."""
     options = {"stdin": subprocess.DEVNULL if "input" not in options else None, "timeout": PATIENCE, **options}
-    return subprocess.run([HOLDFAST, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    return subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           encoding="utf-8", errors="surrogateescape", check=False,
                           **{key: value for key, value in options.items() if value is not None})
 

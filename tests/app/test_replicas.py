@@ -104,6 +104,9 @@ class Replicas(CliTest):
         refused("8; accepted is 0 or a whole number from 27 to 1000", "--replicas", 8)
         self.write("same.ini", CONFIG + "FrictionSpread = 0\n")
         refused("replicas are all the same where neither friction nor acceleration varies", config="same.ini")
+        self.write("unasked.ini", CONFIG.replace("Replicas = 32", "FrictionSpread = 0"))
+        refused("replicas are all the same where neither friction nor acceleration varies", "--replicas", 32,
+                config="unasked.ini")
         self.write("wide.ini", CONFIG + "FrictionSpread = 0.5\n")
         refused("a number from 0 to 0.3", config="wide.ini")
 

@@ -55,7 +55,8 @@ class Contents(CliTest):
     def test_is_as_documented(self):
         documented = documented_datasets()
         self.assertGreater(len(documented), 60)
-        path, _ = self.screen("--engine", "native", "--margins", "--wall-forces", "--replicas", 32, output="everything.h5")
+        path, _ = self.screen("--engine", "native", "--margins", "--wall-forces", "--damage", "--indicators", "--replicas", 32,
+                              output="everything.h5")
         file = h5py.File(path)
         self.addCleanup(file.close)
         lengths = {}

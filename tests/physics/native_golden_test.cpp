@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x5a1442217459fc76},
-    {"lean", lean, 0x478643793f414b98},
-    {"tumble", tumble, 0x5b49963e33845965},
-    {"drop", drop, 0xfd0bd30527e3dcec},
+    {"brake", brake, 0xfd68f78ee7505c12},
+    {"lean", lean, 0x3aa55c77fc26e798},
+    {"tumble", tumble, 0x152607e49ee32e92},
+    {"drop", drop, 0xf27601c28ac2b79e},
 };
 
 }  // namespace

@@ -54,6 +54,10 @@ struct EngineTraits {
   bool rewinds = false;
   /// True when `Simulation::side_impulses` is measured, where the settings ask for wall forces.
   bool measures_walls = false;
+  /// True when forces and friction may change while a world goes: `Simulation::set_force` and `set_friction`.
+  bool takes_changes = false;
+  /// True when `Simulation::advance` shows the state at the end of every step. A device takes several at once.
+  bool shows_every_step = true;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
   bool has_kinetic_friction = false;
 };
@@ -64,6 +68,12 @@ struct AdvanceRequest {
   Phase phase;               ///< stretch of constant acceleration that contains the world's time
   double output_time = 0.0;  ///< next time that the caller needs a state for, s; not before the world's time
   double reached = 0.0;  ///< the engine's answer: the world's time now, s; exactly `phase.end` at the end of the phase
+};
+
+/// A force on a box from outside, beside gravity and contacts.
+struct BoxForce {
+  Vec3 force = Vec3::Zero();  ///< container frame, N
+  Vec3 at = Vec3::Zero();     ///< where it acts, from the centre of mass, body axes: a point that goes with the box, m
 };
 
 /// Worlds inside an engine. Made by `Engine::build`; used by one thread at a time.
@@ -88,6 +98,12 @@ class Simulation {
   /// it had not gone on before. For engines with `EngineTraits::rewinds`.
   virtual void mark(std::size_t /*world*/) {}
   virtual void rewind(std::size_t /*world*/) {}
+
+  /// Changes what acts on a world from where it is now on: the force on one of its boxes, which stays as it is until it
+  /// is set again, and the laws of contact. The world goes on in a new phase, even if the acceleration is the old one.
+  /// For engines with `EngineTraits::takes_changes`.
+  virtual void set_force(std::size_t /*world*/, std::size_t /*box*/, const BoxForce& /*force*/) {}
+  virtual void set_friction(std::size_t /*world*/, const ContactSettings& /*contact*/) {}
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;

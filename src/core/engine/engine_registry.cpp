@@ -51,13 +51,6 @@ constexpr std::array kEngines = {
 
 std::span<const EngineEntry> engine_registry() { return kEngines; }
 
-std::optional<Error> why_unsupported(const Engine& engine, const Settings& settings) {
-  if (settings.contact.kinetic_friction == 1.0 || engine.traits().has_kinetic_friction) return std::nullopt;
-  return Error{.what = "this engine has one friction coefficient for what sticks and what slides",
-               .value = engine.traits().name,
-               .accepted = "KineticFriction = 1 in [Contact], or the engine native"};
-}
-
 const EngineEntry* find_engine(std::string_view name) {
   const auto* const found =
       std::find_if(kEngines.begin(), kEngines.end(), [&](const EngineEntry& entry) { return entry.name == name; });

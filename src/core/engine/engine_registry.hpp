@@ -26,9 +26,6 @@ struct EngineEntry {
 /// All engines, the default first.
 std::span<const EngineEntry> engine_registry();
 
-/// What an engine lacks of what the settings ask for beyond its own checks, if anything.
-std::optional<Error> why_unsupported(const Engine& engine, const Settings& settings);
-
 /// The engine of that name, or null.
 const EngineEntry* find_engine(std::string_view name);
 

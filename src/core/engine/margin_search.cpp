@@ -1,6 +1,7 @@
 #include "core/engine/margin_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -99,6 +100,7 @@ class MarginSearch {
     double farthest = kMarginDisplacement;
     for (std::size_t box = 0; box < now.size(); ++box) {
       const double distance = (now[box] - start_.position[box]).norm();
+      if (!std::isfinite(distance)) return Trial{.box = box};
       if (distance <= farthest) continue;
       farthest = distance;
       trial.box = box;

@@ -10,20 +10,23 @@
 
 namespace holdfast::internal {
 
-// Constants of margins.
+// Constants of margins. What half and twice of them do: over the 136 margins of 34 bundled layouts at screening, time
+// of all, and how many margins change by more than 0.01 g.
 
 /// A box that is displaced by more than this has not held, m. It tells a load that shifts from one that closes the
 /// millimetres between its boxes.
-/// Half and twice: see docs/margins.md.
+/// Half: 6 % less time, 1 margin. Twice: 16 % more, 6 margins, the largest change 0.77 g.
 inline constexpr double kMarginDisplacement = 0.005;
 
 /// Largest acceleration that is tried, g: more than any norm asks for.
 inline constexpr double kLargestMargin = 1.5;
 
-/// A margin is this exact, g: at this much more the layout does not hold. Twice: a seventh less time.
+/// A margin is this exact, g: at this much more the layout does not hold.
+/// Half: 18 % more time, no margin. Twice: no less time, 3 margins.
 inline constexpr double kMarginWidth = 0.005;
 
 /// How long a load may take to come to rest, s: at 1 mg above its margin a sliding box takes 1 s for 5 mm.
+/// Half and twice: at most 3 % of the time, and 0.001 g.
 inline constexpr double kMarginPatience = 2.0;
 
 /// Finds the margins of a layout: in each of `kMarginDirections` the largest constant acceleration, applied at once to

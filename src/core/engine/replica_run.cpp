@@ -39,6 +39,7 @@ class ReplicaRun {
         plan_(recording_plan(settings, false)),
         planned_(static_cast<std::uint32_t>(settings.screening.replicas)),
         box_failures_(layout.boxes.size()) {
+    plan_.damage_boundary.reset();  // of the nominal world only
     const std::uint64_t boxes = boxes_hash(layout);
     for (std::uint32_t number = 1; number <= planned_; ++number)
       draws_.push_back(draw_replica(layout, boxes, number, settings.screening));

@@ -41,8 +41,9 @@ class RunObserver {
   /// What is odd about an input and does not keep it from being used.
   virtual void warned(const Error& /*warning*/) {}
 
-  /// The margins of a layout are found, in a run that was asked for them. Called before its first world is finished.
-  virtual void margins_found(const LayoutRecord& /*layout*/) {}
+  /// Margins or indicators of a layout are found, in a run that was asked for them. Called before its first world is
+  /// finished.
+  virtual void layout_finished(const LayoutRecord& /*layout*/) {}
 
   /// A world is simulated and handed over to the sink, or was finished by an earlier run. In the order of the run.
   /// @param index of the world in the run

@@ -27,7 +27,10 @@ RecordingPlan recording_plan(const Settings& settings, bool series) {
           .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold},
           .stop_when = screening.stop_when,
           .wall_forces = screening.measures_walls(),
-          .wall_norm = screening.walls};
+          .wall_norm = screening.walls,
+          .damage_boundary = screening.damage ? std::optional(damage_boundary(screening)) : std::nullopt,
+          .damage_window = screening.damage_window,
+          .gravity = settings.gravity};
 }
 
 void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const StateView& settled) {
@@ -39,6 +42,7 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
   last_linear_acceleration_.assign(count, Vec3::Zero());
 
   if (plan_.wall_forces) walls_.emplace(plan_.wall_norm, boxes);
+  if (plan_.damage_boundary) damage_.emplace(*plan_.damage_boundary, plan_.damage_window, plan_.gravity, settled);
 
   BoxTable& table = record_.boxes;
   EndTable& end = record_.end;
@@ -85,6 +89,7 @@ void SeriesRecorder::step(const Step& step) {
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
   update_peaks(step.after);
   if (walls_) walls_->step(step);
+  if (damage_) damage_->step(step);
   decided_ = decides(step.after);
   while (output_time() <= step.end + kSameInstant) {
     const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
@@ -104,6 +109,7 @@ void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
         static_cast<float>(kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
   }
   if (walls_) record_.walls = walls_->forces();
+  if (damage_) record_.damage = damage_->damage();
   record_.state_hash = state_hash(end);
   record_.outcome = outcome;
 }

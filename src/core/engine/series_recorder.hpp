@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/engine/damage_recorder.hpp"
 #include "core/engine/recorder.hpp"
 #include "core/engine/wall_recorder.hpp"
 #include "core/engine/world_record.hpp"
@@ -20,9 +21,12 @@ struct RecordingPlan {
   std::size_t samples = 0;     ///< number of samples to reserve memory for; more may follow
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
-  StopWhen stop_when = StopWhen::end;  ///< what decides the world
-  bool wall_forces = false;            ///< record the forces on the sides; steps then have their impulses
-  std::optional<WallNorm> wall_norm;   ///< whose limits they are compared with
+  StopWhen stop_when = StopWhen::end;             ///< what decides the world
+  bool wall_forces = false;                       ///< record the forces on the sides; steps then have their impulses
+  std::optional<WallNorm> wall_norm;              ///< whose limits they are compared with
+  std::optional<DamageBoundary> damage_boundary;  ///< to compare accelerations of boxes with; none: do not record them
+  double damage_window = 0.02;                    ///< over which these are averaged, s
+  double gravity = 9.81;                          ///< m/s²
 };
 RecordingPlan recording_plan(const Settings& settings, bool series);
 
@@ -71,6 +75,7 @@ class SeriesRecorder final : public Recorder {
   Vec3 last_acceleration_ = Vec3::Zero();       ///< of the container in the last step, m/s²
   std::vector<Vec3> last_linear_acceleration_;  ///< of the boxes in the last step, m/s²
   std::optional<WallRecorder> walls_;
+  std::optional<DamageRecorder> damage_;
   WorldRecord record_;
 };
 

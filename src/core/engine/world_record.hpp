@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/engine/recorder.hpp"
+#include "core/model/damage.hpp"
 #include "core/model/replica_verdict.hpp"
 #include "core/model/wall_forces.hpp"
 
@@ -70,6 +71,7 @@ struct WorldRecord {
   BoxTable boxes;
   EndTable end;
   WallForces walls;
+  WorldDamage damage;
   Series series;            ///< empty when not recorded
   ReplicaOutcome replicas;  ///< empty when not asked for
 };

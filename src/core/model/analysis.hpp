@@ -9,7 +9,7 @@
 namespace holdfast::internal {
 
 /// What a run finds out. Everything but the verdicts is found, stored and printed only when it is asked for.
-enum class Analysis : std::uint8_t { verdicts, margins, wall_forces, replicas };
+enum class Analysis : std::uint8_t { verdicts, margins, wall_forces, replicas, damage, indicators };
 
 /// What the settings ask for, in the order above.
 inline std::vector<Analysis> analyses_of(const Settings& settings) {
@@ -17,6 +17,8 @@ inline std::vector<Analysis> analyses_of(const Settings& settings) {
   if (settings.screening.margins) analyses.push_back(Analysis::margins);
   if (settings.screening.measures_walls()) analyses.push_back(Analysis::wall_forces);
   if (settings.screening.replicas > 0) analyses.push_back(Analysis::replicas);
+  if (settings.screening.damage) analyses.push_back(Analysis::damage);
+  if (settings.screening.indicators) analyses.push_back(Analysis::indicators);
   return analyses;
 }
 

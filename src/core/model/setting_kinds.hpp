@@ -94,6 +94,19 @@ struct Centimetres : Kind {
   static std::string text(double metres) { return centimetre_text(metres); }
 };
 
+/// A time that the file gives in milliseconds. Divided by 1000, so that 20 gives the double nearest to 0.02.
+struct Milliseconds {
+  static constexpr std::string_view kAccepted = "a number from 0.1 to 1000";
+  static std::optional<double> parse(std::string_view text) {
+    const std::optional<double> number = parse_number(text);
+    return number && *number >= 0.1 && *number <= 1000.0 ? std::optional(*number / 1000.0) : std::nullopt;
+  }
+  static std::string text(double seconds) {
+    const double rounded = std::round(seconds * 1e12) / 1e9;
+    return number_text(rounded / 1000.0 == seconds ? rounded : seconds * 1000.0);
+  }
+};
+
 /// A number from 0, or a name that `find` knows.
 template <class List>
 struct NamedFriction : List {

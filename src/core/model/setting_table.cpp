@@ -185,6 +185,20 @@ std::vector<SettingKey> make_table() {
       "Whether the forces of the boxes on the sides of the container are recorded; docs/walls.md says what they mean.");
   add(OneOf<WallNorms>{}, "Walls", "", "", MEMBER(screening.walls),
       "The norm whose test forces the forces on the sides are compared with; they are then recorded as well.");
+  add(Truth{}, "Damage", "", "false", MEMBER(screening.damage),
+      "Whether the accelerations and the impacts of boxes are recorded and compared with a damage boundary; "
+      "docs/damage.md says what they mean.");
+  add(Milliseconds{}, "DamageWindow", "ms", "20", MEMBER(screening.damage_window),
+      "Time over which the acceleration of a box is averaged.");
+  add(NotNegative{}, "CriticalAcceleration", "g", "15", MEMBER(screening.critical_acceleration),
+      "Acceleration of the damage boundary, in units of 9.81 m/s²: a box is beyond the boundary when this and "
+      "CriticalVelocityChange are exceeded.");
+  add(NotNegative{}, "CriticalVelocityChange", "m/s", "1", MEMBER(screening.critical_velocity_change),
+      "Velocity change in an impact of the damage boundary.");
+  add(Truth{}, "Indicators", "", "false", MEMBER(screening.indicators),
+      "Whether base support, supported sides, centre of gravity and fill of the layouts are recorded, which geometry "
+      "alone "
+      "gives; docs/indicators.md says what they mean.");
   add(ReplicaCount{}, "Replicas", "", "0", MEMBER(screening.replicas),
       "How often each world is simulated again with friction that is not known exactly; docs/confidence.md says what "
       "is "
@@ -325,6 +339,10 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
   if (settings.screening.reference_pose == ReferencePose::settled && settings.screening.settle_seconds == 0.0)
     add("Screening", "ReferencePose", "the settled pose is requested without time to settle",
         "give SettleSeconds, or set ReferencePose = layout");
+  const ScreeningSettings& screening = settings.screening;
+  if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0)
+    add("Screening", "Replicas", "replicas are all the same where neither friction nor acceleration varies",
+        "leave Replicas out, or give FrictionSpread or AccelerationSpread");
   return conflicts;
 }
 

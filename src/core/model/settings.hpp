@@ -83,13 +83,18 @@ struct ScreeningSettings {
   double move_threshold = 0.10;  ///< m
   double tilt_threshold = 10.0;  ///< degrees
   StopWhen stop_when = StopWhen::end;
-  bool margins = false;              ///< also find how many g each layout stands
-  int replicas = 0;                  ///< of each world, with friction drawn anew; 0: none
-  double friction_spread = 0.1;      ///< standard deviation over mean of a friction coefficient in replicas
-  double acceleration_spread = 0.0;  ///< the same of the accelerations
-  bool first_failure = false;        ///< leave out the accelerations of a layout that has failed one
-  bool wall_forces = false;          ///< also record the forces on the sides of the container
-  std::optional<WallNorm> walls;     ///< the same, and compare them with the limits of a norm
+  bool margins = false;                   ///< also find how many g each layout stands
+  int replicas = 0;                       ///< of each world, with friction drawn anew; 0: none
+  double friction_spread = 0.1;           ///< standard deviation over mean of a friction coefficient in replicas
+  double acceleration_spread = 0.0;       ///< the same of the accelerations
+  bool first_failure = false;             ///< leave out the accelerations of a layout that has failed one
+  bool wall_forces = false;               ///< also record the forces on the sides of the container
+  std::optional<WallNorm> walls;          ///< the same, and compare them with the limits of a norm
+  bool indicators = false;                ///< also tell what geometry alone says of layouts
+  bool damage = false;                    ///< also record what impacts do to boxes
+  double damage_window = 0.02;            ///< over which accelerations are averaged, s
+  double critical_acceleration = 15.0;    ///< of the damage boundary, g
+  double critical_velocity_change = 1.0;  ///< of the damage boundary, m/s
 
   bool measures_walls() const { return wall_forces || walls; }
 };

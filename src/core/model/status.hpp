@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace holdfast::internal {
@@ -33,6 +34,9 @@ enum class StopReason : std::uint8_t {
   failed = 3,    ///< the status says why
   decided = 4,   ///< a box was beyond a threshold that StopWhen watches
 };
+
+/// Number of boxes where they were not counted but a number is needed; too large to be mistaken for a count.
+inline constexpr std::uint32_t kNotCounted = std::numeric_limits<std::uint32_t>::max();
 
 /// Names of the set bits, joined by '+': "ok", "bad_layout", "non_finite+not_converged".
 std::string to_string(Status status);

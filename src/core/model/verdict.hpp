@@ -43,9 +43,6 @@ inline constexpr std::size_t kVerdictCount = 7;
 /// Name of the verdict as above.
 std::string to_string(Verdict verdict);
 
-/// Number of boxes where they were not counted but a number is needed; too large to be mistaken for a count.
-inline constexpr std::uint32_t kNotCounted = std::numeric_limits<std::uint32_t>::max();
-
 /// Result of one world. If it was not simulated, the counts are `kNotCounted` and the other numbers NaN.
 struct WorldVerdict {
   Verdict verdict = Verdict::failed;

@@ -40,6 +40,7 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
   take(boxes.centre_of_mass, bodies.centre_of_mass);
   for_each_state_column([&](const char*, const auto& from, auto& to) { take(from, to); }, state, bodies.state);
   bodies.shape.resize(world.box_count);
+  bodies.pushed.resize(world.box_count);
   bodies.acceleration.assign(world.box_count, Vec3::Zero());
   bodies.angular_acceleration.assign(world.box_count, Vec3::Zero());
   for (std::size_t i = 0; i < world.box_count; ++i) {

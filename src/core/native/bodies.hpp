@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/engine/engine.hpp"
 #include "core/model/contact_law.hpp"
 #include "core/model/world.hpp"
 #include "core/native/collision/oriented_box.hpp"
@@ -19,12 +20,16 @@ struct Bodies {
   std::vector<double> radius;            ///< from the centre of mass to the farthest corner, m
   std::vector<Surface> surface;
   std::vector<std::uint8_t> fixed;  ///< 1: fixed to the container
+  std::vector<BoxForce> pushed;     ///< from outside
   StateColumns state;
   std::vector<OrientedBox> shape;          ///< the box at `state`
   std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²
   std::vector<Vec3> angular_acceleration;  ///< likewise, rad/s²
 
   std::size_t count() const { return mass.size(); }
+
+  /// Torque of the force from outside about the centre of mass, container frame, N m.
+  Vec3 torque(std::size_t body) const { return Vec3(shape[body].axes * pushed[body].at).cross(pushed[body].force); }
 
   /// Inertia in the container's frame, kg m².
   Mat3 inertia(std::size_t body) const;

@@ -71,6 +71,19 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   turns_.assign(count + 1, 0);
   late_impact_.assign(count + 1, 0);
   has_late_impact_ = false;
+  outside_impulse_ = 0.0;
+}
+
+/// Adds what a force from outside does within the step to a body's free velocity.
+void IslandProblem::push(const Bodies& bodies, std::uint32_t body, double step) {
+  const Vec3& force = bodies.pushed[body].force;
+  if (force == Vec3::Zero()) return;
+  const std::size_t row = row_[body];
+  const BodyVector& free = problem.free_velocity[row];
+  const Vec3 turn = problem.bodies[row].inertia.inverse() * bodies.torque(body);
+  problem.free_velocity[row] =
+      body_vector(linear(free) + step / bodies.mass[body] * force, angular(free) + step * turn);
+  outside_impulse_ += step * force.norm();
 }
 
 /// Velocities without contacts, start values, and how the bodies will turn within the step.
@@ -96,6 +109,7 @@ void IslandProblem::predict(const Scene& scene, const IslandView& island, const 
       problem.bodies[row].inertia = inertia;
     }
     problem.free_velocity[row] = body_vector(v + step * terms.effective_gravity, w_free);
+    push(bodies, body, step);
   }
 }
 
@@ -226,8 +240,10 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
   const Bodies& bodies = scene.bodies;
   const double step = terms.step;
   begin(scene, island, terms, step, solver);
-  for (const std::uint32_t body : island.bodies)
+  for (const std::uint32_t body : island.bodies) {
     problem.free_velocity[row_[body]] = body_vector(step * terms.effective_gravity, Vec3::Zero());
+    push(bodies, body, step);
+  }
   for_each_active(scene, island, [&](std::uint32_t index) {
     const Manifold& manifold = scene.manifolds[index];
     const bool pressed = std::any_of(manifold.cached.begin(), manifold.cached.begin() + manifold.contact.count,

@@ -67,6 +67,9 @@ class IslandProblem {
   /// Adds the impulses on the sides of the container that the solution follows from, times a factor.
   void add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const;
 
+  /// Sum of the impulses from outside in the step, as numbers, N s.
+  double outside_impulse() const { return outside_impulse_; }
+
   /// Index of a body of the island in the problem.
   std::size_t row(std::uint32_t body) const { return row_[body]; }
 
@@ -85,6 +88,7 @@ class IslandProblem {
 
   void begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step, ContactSolver& solver);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
+  void push(const Bodies& bodies, std::uint32_t body, double step);
   template <class TakesPart, class FillPoint>
   void add_constraints(const Scene& scene, std::uint32_t index, double step, TakesPart takes_part, FillPoint fill);
   template <class AddManifold>
@@ -101,6 +105,7 @@ class IslandProblem {
   std::vector<std::uint8_t> turns_;        ///< a row
   std::vector<std::uint8_t> late_impact_;  ///< a row
   bool has_late_impact_ = false;
+  double outside_impulse_ = 0.0;
 };
 
 }  // namespace holdfast::internal::native

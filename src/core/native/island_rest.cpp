@@ -70,7 +70,7 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   limits.accelerate = true;
   double island_mass = 0.0;
   for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
-  const double largest_impulse = island_mass * terms.velocity_unit;
+  const double largest_impulse = island_mass * terms.velocity_unit + prepared_.outside_impulse();
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   const int iterations = terms.reset_warm_start ? options_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < iterations; done += limits.iterations) {

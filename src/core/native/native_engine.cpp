@@ -15,6 +15,12 @@ class NativeSimulation final : public SteppedSimulation {
 
   void mark(std::size_t world) override { worlds_[world]->mark(); }
   void rewind(std::size_t world) override { worlds_[world]->rewind(); }
+  void set_force(std::size_t world, std::size_t box, const BoxForce& force) override {
+    worlds_[world]->set_force(box, force);
+  }
+  void set_friction(std::size_t world, const ContactSettings& contact) override {
+    worlds_[world]->set_friction(contact);
+  }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
   SideImpulses side_impulses(std::size_t world) const override { return worlds_[world]->side_impulses(); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
@@ -32,6 +38,7 @@ NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), opti
   traits_.name = "native";
   traits_.rewinds = true;
   traits_.measures_walls = true;
+  traits_.takes_changes = true;
   traits_.has_kinetic_friction = true;
 }
 

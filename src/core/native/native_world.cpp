@@ -63,7 +63,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   for (const Segment& segment : world.acceleration->segments)
     strongest = std::max(strongest, segment.acceleration.norm());
   terms_.longest_step = 1.0 / options_.steps_per_second;
-  terms_.fall_margin = terms_.longest_step * terms_.longest_step * (settings.gravity + strongest);
+  terms_.fall_margin = fall_margin(strongest);
   find_contacts(std::vector<std::uint8_t>(count, 1));
   for (Manifold& manifold : scene_.manifolds) {
     const auto& points = manifold.contact.points;
@@ -71,6 +71,11 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
                       std::any_of(points.begin(), points.begin() + manifold.contact.count,
                                   [](const ContactPoint& p) { return p.gap <= kContactTolerance; });
   }
+}
+
+/// What a body moves in a step under gravity and an acceleration in the worst direction, m.
+double NativeWorld::fall_margin(double acceleration) const {
+  return terms_.longest_step * terms_.longest_step * (-gravity_.z() + acceleration);
 }
 
 void NativeWorld::mark() {
@@ -90,17 +95,53 @@ void NativeWorld::rewind() {
 }
 
 void NativeWorld::begin_phase(const Phase& phase) {
-  if (phase_set_ && phase.begin == phase_begin_) return;
+  if (phase_set_ && !disturbed_ && phase.begin == phase_begin_) return;
   phase_set_ = true;
   phase_begin_ = phase.begin;
   phase_step_ = 0;
   const Vec3 effective_gravity = gravity_ - phase.acceleration;
-  terms_.reset_warm_start = effective_gravity != terms_.effective_gravity;
+  terms_.reset_warm_start = disturbed_ || effective_gravity != terms_.effective_gravity;
   terms_.effective_gravity = effective_gravity;
+  disturbed_ = false;
   if (!terms_.reset_warm_start) return;
+  find_farther_contacts(phase.acceleration);
   std::fill(resting_.begin(), resting_.end(), 0);
   std::fill(wait_.begin(), wait_.end(), 0);
   std::fill(next_wait_.begin(), next_wait_.end(), 0);
+}
+
+/// Looks for contacts as far away as the accelerations from now on ask for, where that is farther than before: nobody
+/// has announced those that a caller sets, nor what forces from outside give.
+void NativeWorld::find_farther_contacts(const Vec3& acceleration) {
+  const Bodies& bodies = scene_.bodies;
+  double largest_push = 0.0;
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (bodies.fixed[i] != 0 || bodies.pushed[i].force == Vec3::Zero()) continue;
+    const Vec3 turn = bodies.inertia(i).inverse() * bodies.torque(i);
+    largest_push =
+        std::max(largest_push, bodies.pushed[i].force.norm() / bodies.mass[i] + bodies.radius[i] * turn.norm());
+  }
+  const double margin = fall_margin(acceleration.norm() + largest_push);
+  if (margin <= terms_.fall_margin) return;
+  terms_.fall_margin = margin;
+  find_contacts(std::vector<std::uint8_t>(bodies.count(), 1));
+}
+
+void NativeWorld::set_force(std::size_t box, const BoxForce& force) {
+  Bodies& bodies = scene_.bodies;
+  const auto body = std::find(bodies.world_box.begin(), bodies.world_box.end(), box) - bodies.world_box.begin();
+  bodies.pushed[static_cast<std::size_t>(body)] = force;
+  disturbed_ = true;
+}
+
+void NativeWorld::set_friction(const ContactSettings& contact) {
+  contact_ = contact;
+  for (Manifold& manifold : scene_.manifolds) {
+    set_surfaces(manifold);
+    // Forces that balanced may lie outside of the new cones, and would pass as a proof of rest.
+    for (CachedImpulse& cached : manifold.cached) cached = {.pressed = cached.pressed};
+  }
+  disturbed_ = true;
 }
 
 void NativeWorld::save(const IslandView& island) {

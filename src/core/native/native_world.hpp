@@ -27,6 +27,10 @@ class NativeWorld {
   void mark();
   void rewind();
 
+  /// Changes what acts from now on; the next step begins a phase.
+  void set_force(std::size_t box, const BoxForce& force);
+  void set_friction(const ContactSettings& contact);
+
   /// Writes the world's range of the columns.
   void read_back(StateColumns& state) const;
 
@@ -41,8 +45,11 @@ class NativeWorld {
 
  private:
   void begin_phase(const Phase& phase);
+  double fall_margin(double acceleration) const;
+  void find_farther_contacts(const Vec3& acceleration);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
+  void set_surfaces(Manifold& manifold) const;
   void end_manifold(std::size_t index);
   bool find_moving();
   bool is_slow(const IslandView& island) const;
@@ -102,6 +109,7 @@ class NativeWorld {
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
+  bool disturbed_ = false;  ///< a force or a coefficient has changed since the last step
   std::uint64_t phase_step_ = 0;
   SideImpulses side_impulses_;
   Counters counters_;

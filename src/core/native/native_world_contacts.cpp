@@ -41,16 +41,23 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   } else if (known >= 0) {
     end_manifold(at(known));
   } else if (contact.count > 0) {
-    const Surface& on_a = a < 0 ? scene_.sides[static_cast<std::size_t>(-1 - a)].surface : bodies.surface[at(a)];
     pairs_.set(a, b, static_cast<std::int32_t>(scene_.manifolds.size()));
     Manifold& manifold = scene_.manifolds.emplace_back();
     manifold.a = a;
     manifold.b = b;
-    manifold.friction = friction_of_pair(contact_, on_a, bodies.surface[at(b)]);
-    manifold.kinetic_friction = contact_.kinetic_friction * manifold.friction;
-    manifold.restitution = restitution_of_pair(on_a, bodies.surface[at(b)]);
+    set_surfaces(manifold);
     update_contact(manifold, contact, bodies);
   }
+}
+
+/// Gives a manifold the coefficients of its two surfaces.
+void NativeWorld::set_surfaces(Manifold& manifold) const {
+  const std::vector<Surface>& surfaces = scene_.bodies.surface;
+  const Surface& on_a = manifold.with_side() ? scene_.sides[side_of(manifold)].surface : surfaces[at(manifold.a)];
+  const Surface& on_b = surfaces[at(manifold.b)];
+  manifold.friction = friction_of_pair(contact_, on_a, on_b);
+  manifold.kinetic_friction = contact_.kinetic_friction * manifold.friction;
+  manifold.restitution = restitution_of_pair(on_a, on_b);
 }
 
 void NativeWorld::end_manifold(std::size_t index) {

@@ -121,6 +121,29 @@ void visit_walls(Visit&& visit) {
   visit("/walls/impulse", &WallForces::impulse);
 }
 
+/// Of layouts; those of boxes are `visit_box_indicators`.
+template <class Visit>
+void visit_indicators(Visit&& visit) {
+  visit("/indicators/centre_of_gravity", &LayoutIndicators::centre_of_gravity);
+  visit("/indicators/centre_offset", &LayoutIndicators::centre_offset);
+  visit("/indicators/fill", &LayoutIndicators::fill);
+  visit("/indicators/badly_based", &LayoutIndicators::badly_based);
+  visit("/indicators/badly_braced", &LayoutIndicators::badly_braced);
+}
+
+template <class Visit, class IndicatorsLike>
+void visit_box_indicators(Visit&& visit, IndicatorsLike& i) {
+  visit("/indicators/base_support", i.base_support);
+  visit("/indicators/supported_sides", i.supported_sides);
+}
+
+template <class Visit, class BoxDamageLike>
+void visit_box_damage(Visit&& visit, BoxDamageLike& d) {
+  visit("/damage/peak_acceleration", d.peak_acceleration);
+  visit("/damage/velocity_change", d.velocity_change);
+  visit("/damage/beyond", d.beyond);
+}
+
 template <class Visit>
 void visit_replicas(Visit&& visit) {
   visit("/replicas/count", &ReplicaOutcome::count);

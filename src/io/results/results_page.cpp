@@ -148,6 +148,10 @@ std::string_view asked_by(Analysis analysis) {
       return "\nOnly in files of runs with `WallForces` or `Walls`, see [walls.md](walls.md).\n";
     case Analysis::replicas:
       return "\nOnly in files of runs with `Replicas`, see [confidence.md](confidence.md).\n";
+    case Analysis::damage:
+      return "\nOnly in files of runs with `Damage`, see [damage.md](damage.md).\n";
+    case Analysis::indicators:
+      return "\nOnly in files of runs with `Indicators`, see [indicators.md](indicators.md).\n";
   }
   return "";
 }

@@ -97,6 +97,8 @@ struct ResultsReader::State {
     info.has_margins = h5::exists(*file, "/margins");
     info.has_walls = h5::exists(*file, "/walls");
     info.has_replicas = h5::exists(*file, "/replicas");
+    info.has_damage = h5::exists(*file, "/damage");
+    info.has_indicators = h5::exists(*file, "/indicators");
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);
     info.layout_begin = at(before, Axis::layouts);
@@ -172,6 +174,30 @@ Result<std::vector<LayoutMargins>> ResultsReader::margins(std::uint64_t begin, s
   });
 }
 
+Result<std::vector<LayoutIndicators>> ResultsReader::indicators(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<LayoutIndicators> rows(count);
+    visit_indicators([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
+    return rows;
+  });
+}
+
+Result<LayoutIndicators> ResultsReader::box_indicators(std::uint64_t layout) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<std::uint64_t> begin;
+    std::vector<std::uint32_t> count;
+    state_->read("/inputs/layouts/box_begin", layout, 1, begin);
+    state_->read("/inputs/layouts/box_count", layout, 1, count);
+    LayoutIndicators found;
+    visit_box_indicators(
+        [&](std::string_view path, auto& values) {
+          state_->read(path, begin.front() - at(state_->before, Axis::layout_boxes), count.front(), values);
+        },
+        found);
+    return found;
+  });
+}
+
 Result<std::vector<WallForces>> ResultsReader::walls(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     std::vector<WallForces> rows(count);
@@ -185,6 +211,22 @@ Result<std::vector<ReplicaOutcome>> ResultsReader::replicas(std::uint64_t begin,
     std::vector<ReplicaOutcome> rows(count);
     visit_replicas([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
     return rows;
+  });
+}
+
+Result<std::vector<std::uint32_t>> ResultsReader::boxes_beyond(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    std::vector<std::uint32_t> boxes;
+    state_->read("/damage/boxes_beyond", begin, count, boxes);
+    return boxes;
+  });
+}
+
+Result<BoxDamage> ResultsReader::box_damage(std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] {
+    BoxDamage damage;
+    visit_box_damage([&](std::string_view path, auto& column) { state_->read(path, begin, count, column); }, damage);
+    return damage;
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/engine/world_record.hpp"
+#include "core/model/indicators.hpp"
 #include "core/model/margin.hpp"
 #include "core/model/verdict.hpp"
 
@@ -28,6 +29,8 @@ struct ResultsInfo {
   bool has_margins = false;        ///< whether the run was asked for margins
   bool has_walls = false;          ///< whether the run was asked for wall forces
   bool has_replicas = false;       ///< whether it was asked for replicas
+  bool has_damage = false;         ///< whether it was asked for damage
+  bool has_indicators = false;     ///< whether it was asked for indicators
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
   std::uint64_t layout_begin = 0;  ///< index in the run of the file's first layout; 0 unless a part
   std::uint64_t world_count = 0;
@@ -86,10 +89,20 @@ class ResultsReader {
   /// Rows [begin, begin + count) of /margins, of a file that has them: one per layout, from the file's first one on.
   Result<std::vector<LayoutMargins>> margins(std::uint64_t begin, std::uint64_t count);
 
+  /// The indicators of layouts [begin, begin + count) of a file that has them, without those of boxes.
+  Result<std::vector<LayoutIndicators>> indicators(std::uint64_t begin, std::uint64_t count);
+  /// Those of the boxes of a layout of the file alone.
+  Result<LayoutIndicators> box_indicators(std::uint64_t layout);
+
   /// Rows [begin, begin + count) of /walls, of a file that has them.
   Result<std::vector<WallForces>> walls(std::uint64_t begin, std::uint64_t count);
   /// Rows [begin, begin + count) of /replicas, of a file that has them: one per world, without shares of boxes.
   Result<std::vector<ReplicaOutcome>> replicas(std::uint64_t begin, std::uint64_t count);
+
+  /// How many boxes are beyond the damage boundary, in worlds [begin, begin + count) of a file that has damage.
+  Result<std::vector<std::uint32_t>> boxes_beyond(std::uint64_t begin, std::uint64_t count);
+  /// Boxes [begin, begin + count) of such a file.
+  Result<BoxDamage> box_damage(std::uint64_t begin, std::uint64_t count);
 
   /// Rows [begin, begin + count) of /boxes: properties and end values of boxes.
   Result<BoxTable> boxes(std::uint64_t begin, std::uint64_t count);

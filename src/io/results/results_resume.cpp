@@ -66,18 +66,36 @@ WorldRecord record_of(const WorldRow& row, EndTable&& end) {
   return world;
 }
 
-void visit_margins_of(ResultsReader& results, const std::function<void(const LayoutRecord&)>& visit) {
+WorldDamage damage_of(ResultsReader& results, const WorldRow& row, std::uint32_t boxes_beyond) {
+  Result<BoxDamage> boxes = results.box_damage(row.box_begin, row.box_count);
+  if (!boxes) throw h5::Failure(boxes.error());
+  return {boxes_beyond, std::move(*boxes)};
+}
+
+void visit_layouts(ResultsReader& results, const std::function<void(const LayoutRecord&)>& visit) {
   const ResultsInfo& info = results.info();
-  const auto rows = results.margins(0, info.layouts.size());
-  if (!rows) throw h5::Failure(rows.error());
-  for (std::size_t i = 0; i < rows->size(); ++i)
-    visit({info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), (*rows)[i]});
+  std::vector<LayoutMargins> margins(info.layouts.size());
+  if (info.has_margins) {
+    auto read = results.margins(0, info.layouts.size());
+    if (!read) throw h5::Failure(read.error());
+    margins = std::move(*read);
+  }
+  std::vector<LayoutIndicators> indicators(info.layouts.size());
+  if (info.has_indicators) {
+    auto read = results.indicators(0, info.layouts.size());
+    if (!read) throw h5::Failure(read.error());
+    indicators = std::move(*read);
+  }
+  for (std::size_t i = 0; i < info.layouts.size(); ++i)
+    visit(
+        {info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), margins[i], indicators[i]});
 }
 
 void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   Result<ResultsReader> results = ResultsReader::open(path);
   if (!results) throw h5::Failure(results.error());
-  if (results->info().has_margins && visitor.margins) visit_margins_of(*results, visitor.margins);
+  const bool has_layouts = results->info().has_margins || results->info().has_indicators;
+  if (has_layouts && visitor.layout) visit_layouts(*results, visitor.layout);
   constexpr std::uint64_t kSlice = 1024;
   const std::uint64_t count = results->info().world_count;
   for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
@@ -95,6 +113,12 @@ void visit_file(const std::string& path, const FinishedVisitor& visitor) {
       if (!read) throw h5::Failure(read.error());
       replicas = std::move(*read);
     }
+    std::vector<std::uint32_t> beyond;
+    if (results->info().has_damage) {
+      auto read = results->boxes_beyond(begin, rows->size());
+      if (!read) throw h5::Failure(read.error());
+      beyond = std::move(*read);
+    }
     for (std::size_t i = 0; i < rows->size(); ++i) {
       const WorldRow& row = (*rows)[i];
       Result<EndTable> end = results->ends(row.box_begin, row.box_count);
@@ -102,6 +126,7 @@ void visit_file(const std::string& path, const FinishedVisitor& visitor) {
       WorldRecord world = record_of(row, std::move(*end));
       world.walls = walls[i];
       world.replicas = std::move(replicas[i]);
+      if (!beyond.empty()) world.damage = damage_of(*results, row, beyond[i]);
       visitor.world(world);
     }
   }

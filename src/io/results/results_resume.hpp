@@ -35,8 +35,9 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
 
 /// Called with what an earlier run finished.
 struct FinishedVisitor {
-  std::function<void(const WorldRecord&)> world;     ///< without boxes and series
-  std::function<void(const LayoutRecord&)> margins;  ///< of a run that was asked for them; may be empty
+  std::function<void(const WorldRecord&)> world;  ///< without boxes and series
+  /// Of a run that was asked for margins or indicators, with these; may be empty.
+  std::function<void(const LayoutRecord&)> layout;
 };
 
 /// Calls the visitor with every finished world and layout, part by part in the order of the run; within a part the

@@ -75,8 +75,9 @@ void write_wall_csv(ResultsReader& results, const std::string& path);
 void write_replica_csv(ResultsReader& results, const std::string& path);
 
 /// Writes `worlds.csv` and `boxes.csv` into the folder, and `margins.csv`, `walls.csv` and `replicas.csv` where the run
-/// was asked for these. The folder is created if it is missing; existing files are replaced. RFC 4180, one header line,
-/// units at the end of the names (`drop_m`). pandas.read_csv needs no options.
+/// was asked for these; with damage or indicators, both of the first have more columns. The folder is created if it is
+/// missing; existing files are replaced. RFC 4180, one header line, units at the end of the names (`drop_m`).
+/// pandas.read_csv needs no options.
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
                                        const std::string& folder);
 

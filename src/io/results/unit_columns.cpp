@@ -61,6 +61,11 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
     visit_replicas([&](std::string_view path, auto member) { append(path, world.replicas.*member); });
     append("/replicas/box_share", world.replicas.box_share);
   }
+  if (includes(run.analyses, Analysis::damage)) {
+    assert(world.damage.boxes.beyond.size() == box_count);
+    append("/damage/boxes_beyond", world.damage.boxes_beyond);
+    visit_box_damage(append, world.damage.boxes);
+  }
   // Column by column, so that at most one of them is in memory twice.
   visit_series(
       [&](std::string_view path, auto& values) {
@@ -84,6 +89,11 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
     append_layout(columns, *record.layout, at(end, Axis::layout_boxes));
     if (includes(run.analyses, Analysis::margins))
       visit_margins([&](std::string_view path, auto member) { columns[path].append(record.margins.*member); });
+    if (includes(run.analyses, Analysis::indicators)) {
+      visit_indicators([&](std::string_view path, auto member) { columns[path].append(record.indicators.*member); });
+      visit_box_indicators([&](std::string_view path, const auto& values) { columns[path].append(values); },
+                           record.indicators);
+    }
     at(end, Axis::layouts) += 1;
     at(end, Axis::layout_boxes) += record.layout->boxes.size();
   }

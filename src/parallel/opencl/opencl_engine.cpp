@@ -225,6 +225,7 @@ OpenClEngine::OpenClEngine(const std::string& name, const Settings& settings, co
   const std::size_t fitting = std::max<std::size_t>(1, bodies_at_once_ / kBoxesPerLayout);
   traits_.layouts_per_unit = std::min(static_cast<std::size_t>(settings.opencl.layouts_per_batch), fitting);
   traits_.all_together = true;
+  traits_.shows_every_step = false;
 }
 
 Result<std::unique_ptr<Engine>> OpenClEngine::make(const std::string& name, const Settings& settings) {

@@ -128,8 +128,8 @@ class Run {
     }
     progress_.done += unit.record.worlds.size();
     for (const Error& warning : unit.record.warnings) observer_.warned(warning);
-    if (plan_.margins)
-      for (const LayoutRecord& layout : unit.record.layouts) observer_.margins_found(layout);
+    if (plan_.margins || plan_.settings.screening.indicators)
+      for (const LayoutRecord& layout : unit.record.layouts) observer_.layout_finished(layout);
     for (const WorldRecord& world : unit.record.worlds) observer_.world_finished(world, next_world_++);
     return true;
   }

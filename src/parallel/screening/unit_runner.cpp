@@ -45,6 +45,7 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
     layouts.push_back(read);
     if (unit.acceleration_begin > 0) continue;
     record.layouts.push_back({i, {read, &read->layout}});
+    if (settings_.screening.indicators) record.layouts.back().indicators = find_indicators(read->layout, settings_);
     record.warnings.insert(record.warnings.end(), read->warnings.begin(), read->warnings.end());
   }
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)

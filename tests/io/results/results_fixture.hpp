@@ -91,6 +91,12 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
                     .box_share = {}};
   for (std::size_t box = 0; box < shape.boxes; ++box)
     world.replicas.box_share.push_back(static_cast<float>(box) / 1024.0F);
+  world.damage.boxes_beyond = static_cast<std::uint32_t>(layout);
+  for (std::size_t box = 0; box < shape.boxes; ++box) {
+    world.damage.boxes.peak_acceleration.push_back(static_cast<float>(box) / 8.0F);
+    world.damage.boxes.velocity_change.push_back(static_cast<float>(layout + box) / 16.0F);
+    world.damage.boxes.beyond.push_back(box % 2);
+  }
   Series& series = world.series;
   for (std::size_t sample = 0; sample < shape.samples; ++sample) {
     series.time.push_back(0.1 * static_cast<double>(sample));
@@ -157,7 +163,17 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
     LayoutMargins margins;
     margins.margin = {0.5, 0.25, 1.5, 0.125 * static_cast<double>(layout)};
     margins.critical_box = {1, 2, 0, static_cast<std::uint32_t>(layout)};
-    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), margins});
+    LayoutIndicators indicators;
+    indicators.centre_of_gravity = Vec3(1, 2, 0.25 * static_cast<double>(layout));
+    indicators.centre_offset = Vec3(0.5, -0.25, 0.125);
+    indicators.fill = 0.5;
+    indicators.badly_based = 0.125;
+    indicators.badly_braced = 0.25;
+    for (std::size_t box = 0; box < shape.boxes; ++box) {
+      indicators.base_support.push_back(static_cast<float>(box) / 1024.0F);
+      indicators.supported_sides.push_back(static_cast<std::uint8_t>(box % 5));
+    }
+    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), margins, indicators});
     for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
       unit.worlds.push_back(make_world(random, layout, acceleration, shape));
       if (includes(about.analyses, Analysis::wall_forces)) add_walls(random, unit.worlds.back());

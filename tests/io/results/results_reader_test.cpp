@@ -137,3 +137,40 @@ TEST_CASE("results_reader: replicas are read as they were found, over parts too"
     CHECK(replicas[i].verdict == expected.verdict);
   }
 }
+
+TEST_CASE("results_reader: damage is read as it was found, over parts too", "[io][results]") {
+  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}}, true, {Analysis::verdicts, Analysis::damage});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  REQUIRE(results.info().has_damage);
+  const std::vector<WorldRow> rows = require_value(results.worlds(0, 6));
+  const std::vector<std::uint32_t> beyond = require_value(results.boxes_beyond(0, 6));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const WorldDamage& expected = run.units[i / 2].worlds[i % 2].damage;
+    const BoxDamage found = require_value(results.box_damage(rows[i].box_begin, rows[i].box_count));
+    CHECK(beyond[i] == expected.boxes_beyond);
+    CHECK(found.peak_acceleration == expected.boxes.peak_acceleration);
+    CHECK(found.velocity_change == expected.boxes.velocity_change);
+    CHECK(found.beyond == expected.boxes.beyond);
+  }
+}
+
+TEST_CASE("results_reader: indicators are read as they were found, over parts too", "[io][results]") {
+  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}, {5, 1}}, true, {Analysis::verdicts, Analysis::indicators});
+  const Folder folder;
+  const std::string path = folder / "results.h5";
+  write_run_to(path, run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(path));
+  REQUIRE(results.info().has_indicators);
+  const std::vector<LayoutIndicators> indicators = require_value(results.indicators(0, 4));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const LayoutIndicators& expected = run.units[i].layouts.front().indicators;
+    CHECK(indicators[i].centre_of_gravity == expected.centre_of_gravity);
+    CHECK(indicators[i].badly_braced == expected.badly_braced);
+    const LayoutIndicators boxes = require_value(results.box_indicators(i));
+    CHECK(boxes.base_support == expected.base_support);
+    CHECK(boxes.supported_sides == expected.supported_sides);
+  }
+}

@@ -11,7 +11,8 @@ using namespace results_fixture;
 
 namespace {
 
-const std::vector<Analysis> kAll = {Analysis::verdicts, Analysis::margins, Analysis::wall_forces, Analysis::replicas};
+const std::vector<Analysis> kAll = {Analysis::verdicts, Analysis::margins, Analysis::wall_forces,
+                                    Analysis::replicas, Analysis::damage,  Analysis::indicators};
 
 }  // namespace
 
@@ -57,11 +58,13 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
   for (std::size_t i = 0; i < kSchema.size(); ++i) {
     const std::string_view path = kSchema[i].path;
     CAPTURE(path);
-    const bool of_layout_boxes =
-        path.ends_with("/corner_min") || path.ends_with("/corner_max") || path == "/inputs/layouts/material";
+    const bool of_layout_boxes = path.ends_with("/corner_min") || path.ends_with("/corner_max") ||
+                                 path == "/inputs/layouts/material" || path == "/indicators/base_support" ||
+                                 path == "/indicators/supported_sides";
     const bool expected = path.starts_with("/series/") || path.starts_with("/boxes/") ||
                           path == "/replicas/box_share" || path.starts_with("/summary/boxes/") ||
-                          path == "/walls/force" || of_layout_boxes;
+                          (path.starts_with("/damage/") && path != "/damage/boxes_beyond") || path == "/walls/force" ||
+                          of_layout_boxes;
     CHECK(is_long(kSchema[i]) == expected);
     CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
     CHECK_FALSE((expected && kSchema[i].type == ElementType::text));

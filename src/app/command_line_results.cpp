@@ -1,0 +1,64 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/command_line_parts.hpp"
+#include "app/commands.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("summary", "Judge a results file again, with other thresholds if given");
+  command->footer(
+      "The results file itself is never changed.\n\n"
+      "Example:\n"
+      "  holdfast summary results.h5 --move-threshold 0.05 --csv tables/");
+  auto options = std::make_shared<SummaryOptions>();
+  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
+  command->add_option("--drop-threshold", options->drop, "Fallen when lower by more, m")
+      ->check(as_in_config("Simulation Settings", "DropThreshold"));
+  command->add_option("--move-threshold", options->move, "Moved when displaced by more, m")
+      ->check(as_in_config("Screening", "MoveThreshold"));
+  command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
+      ->check(as_in_config("Screening", "TiltThreshold"));
+  command
+      ->add_option(
+          "--csv", options->csv_folder,
+          "Write worlds.csv and boxes.csv, and margins.csv and walls.csv where there are such, into this folder")
+      ->type_name("DIR");
+  command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
+      ->type_name("FILE");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_summary_command(*options); }; });
+}
+
+void add_view_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("view", "Show a results file in a browser");
+  command->footer(
+      "Writes one page that has the results in it and needs nothing else, and opens it.\n\n"
+      "Example:\n"
+      "  holdfast view results.h5\n"
+      "  holdfast view --serve large.h5");
+  auto options = std::make_shared<ViewOptions>();
+  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
+  command->add_option("-o,--output", options->page_path, "Write the page there, instead of beside the results (.html)")
+      ->type_name("FILE");
+  command->add_flag("!--no-open", options->open, "Open no browser");
+  auto* serve =
+      command->add_flag("--serve", options->serve,
+                        "Write no page: serve it to this machine alone, with results of any size, until Ctrl-C");
+  command->add_option("--port", options->port, "Port of --serve; 0: one that is free")
+      ->needs(serve)
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_view_command(*options); }; });
+}
+
+}  // namespace
+
+void add_results_commands(CLI::App& program, ChosenCommand& chosen) {
+  add_summary_command(program, chosen);
+  add_view_command(program, chosen);
+}
+
+}  // namespace holdfast::internal

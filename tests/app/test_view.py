@@ -1,0 +1,140 @@
+"""`holdfast view`: the page that it writes has the results in it, byte by byte; what it refuses."""
+import base64
+import http.client
+import pathlib
+import re
+import shutil
+import stat
+import subprocess
+import unittest
+
+from cli import HOLDFAST, PATIENCE, SEED_ACCELERATION, SEED_LAYOUT, CliTest
+
+# Stands in for the page of `make viewer`, which the tests of the program do not need.
+PAGE = '<!doctype html>\n<meta name="generator" content="holdfast viewer">\n<body><!--RESULTS--></body>\n'
+
+
+class ViewTest(CliTest):
+    """A program of its own with a page, and small results."""
+
+    def setUp(self):
+        super().setUp()
+        self.assert_exit(self.run_here("screen", "--quiet", "--layouts", SEED_LAYOUT, "--accelerations",
+                                       SEED_ACCELERATION, "-o", "results.h5"), 0)
+        self.results = self.folder / "results.h5"
+        # A program with a share folder of its own.
+        self.program = self.folder / "bin/holdfast"
+        self.program.parent.mkdir()
+        shutil.copy(HOLDFAST, self.program)
+        self.write("share/holdfast/viewer.html", PAGE)
+
+    def view(self, *arguments, **options):
+        return self.run_here(*arguments, program=self.program, **options)
+
+
+class View(ViewTest):
+    def embedded(self, path):
+        """Name and bytes of the results in a page."""
+        found = re.search(r'<script type="text/plain" id="results" data-name="([^"]*)">([^<]*)</script>',
+                          path.read_text())
+        return found[1], base64.b64decode(found[2], validate=True)
+
+    def test_the_page_beside_the_results_has_their_bytes(self):
+        done = self.view("view", "results.h5", "--no-open")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stdout, "results.html\n")
+        self.assertEqual(self.embedded(self.folder / "results.html"), ("results.h5", self.results.read_bytes()))
+
+    def test_a_page_is_replaced_and_another_file_is_not(self):
+        for _ in range(2):
+            self.assert_exit(self.view("view", "results.h5", "--no-open", "-o", "page.html"), 0)
+        self.write("mine.html", "<p>mine</p>\n")
+        self.assert_refused(self.view("view", "results.h5", "--no-open", "-o", "mine.html"), "mine.html")
+        self.assertEqual((self.folder / "mine.html").read_text(), "<p>mine</p>\n")
+
+    def test_a_name_with_quotes_stays_a_name(self):
+        shutil.copy(self.results, self.folder / 'a "b" <c> & d.h5')
+        self.assert_exit(self.view("view", 'a "b" <c> & d.h5', "--no-open", "-o", "page.html"), 0)
+        self.assertEqual(self.embedded(self.folder / "page.html")[0], "a &quot;b&quot; &lt;c> &amp; d.h5")
+
+    def test_the_browser_is_asked_to_open_the_page(self):
+        asked = self.write("path/xdg-open", '#!/bin/sh\necho "$1" > asked\n')
+        asked.chmod(asked.stat().st_mode | stat.S_IXUSR)
+        done = self.view("view", "results.h5", env={"PATH": f"{asked.parent}:/usr/bin:/bin"})
+        self.assert_exit(done, 0)
+        self.assertEqual((self.folder / "asked").read_text(), "results.html\n")
+
+    def test_what_is_no_results_file_is_refused(self):
+        self.write("text.h5", "no HDF5\n")
+        self.assert_refused(self.view("view", "text.h5", "--no-open"), "text.h5")
+        self.assert_refused(self.view("view", "absent.h5", "--no-open"), "absent.h5")
+
+    def test_without_the_page_a_line_says_how_to_get_it(self):
+        (self.folder / "share/holdfast/viewer.html").unlink()
+        done = self.view("view", "results.h5", "--no-open")
+        self.assert_refused(done, "the viewer is not built", "make viewer", code=1)
+
+
+class Serve(ViewTest):
+    """`--serve`: what the page may ask for, and what nobody else may."""
+
+    def setUp(self):
+        super().setUp()
+        build = pathlib.Path(HOLDFAST).parents[1]
+        plugins = sorted(build.glob("**/libholdfast-page-server.so"))
+        if not plugins:
+            self.skipTest("built without cpp-httplib")
+        shutil.copy(plugins[0], self.program.parent)
+        server = subprocess.Popen([self.program, "view", "--serve", "--no-open", "results.h5"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, encoding="utf-8")
+        self.addCleanup(lambda: (server.kill(), server.wait(), server.stdout.close()))
+        self.address = server.stdout.readline().strip()
+        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", self.address).groups()
+
+    def ask(self, path, method="GET", **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", int(self.port), timeout=PATIENCE)
+        self.addCleanup(connection.close)
+        connection.request(method, path, headers=headers)
+        answer = connection.getresponse()
+        return answer.status, answer.read(), answer.headers
+
+    def test_the_page_and_its_results(self):
+        status, page, _ = self.ask(f"/{self.token}/")
+        self.assertEqual(status, 200)
+        self.assertIn(b'data-name="results.h5" data-address="results"', page)
+        # A browser takes packed answers, which would cost the server seconds.
+        packed = self.ask(f"/{self.token}/", **{"Accept-Encoding": "gzip, deflate, br"})
+        self.assertEqual((packed[1], packed[2]["Content-Encoding"]), (page, None))
+        status, whole, _ = self.ask(f"/{self.token}/results")
+        self.assertEqual((status, whole), (200, self.results.read_bytes()))
+
+    def test_ranges(self):
+        whole = self.results.read_bytes()
+        status, _, headers = self.ask(f"/{self.token}/results", "HEAD")
+        self.assertEqual((status, int(headers["Content-Length"])), (200, len(whole)))
+        for begin, end in ((0, 0), (5, 104), (len(whole) - 7, len(whole) - 1), (0, len(whole) - 1)):
+            status, part, headers = self.ask(f"/{self.token}/results", Range=f"bytes={begin}-{end}")
+            self.assertEqual((status, part), (206, whole[begin:end + 1]))
+            self.assertEqual(headers["Content-Range"], f"bytes {begin}-{end}/{len(whole)}")
+
+    def test_nothing_without_the_token_under_another_name_or_in_writing(self):
+        for path in ("/", "/results", "/results.h5", f"/{'0' * 32}/results", f"/{self.token}/../results.h5",
+                     f"/{self.token}/config.ini", f"/{self.token}"):
+            self.assertEqual(self.ask(path)[0], 404, path)
+        self.assertEqual(self.ask(f"/{self.token}/", Host="elsewhere.example")[0], 403)
+        for method in ("POST", "PUT", "DELETE"):
+            self.assertGreaterEqual(self.ask(f"/{self.token}/results", method)[0], 400, method)
+
+    def test_it_listens_to_this_machine_alone(self):
+        listening = pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]
+        addresses = {line.split()[1] for line in listening if line.split()[3] == "0A"}
+        self.assertIn(f"0100007F:{int(self.port):04X}", addresses)
+        self.assertNotIn(f"00000000:{int(self.port):04X}", addresses)
+
+    def test_a_port_in_use_is_refused(self):
+        done = self.view("view", "--serve", "--no-open", "--port", self.port, "results.h5")
+        self.assert_refused(done, "port", self.port, code=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
