@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format docs dependencies build program python
+.PHONY: help demo test bench fuzz lint format docs dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -11,7 +11,7 @@ JOBS ?= $(shell tools/job_count.sh)
 PYTHON ?= /usr/bin/python3
 
 help:  ## List these targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-14s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-18s %s\n", $$1, $$2}' Makefile
 
 demo: program  ## Screen the sample layouts under the norm of the road into demo/results.h5
 	@mkdir -p demo
@@ -61,6 +61,34 @@ python:  ## Build the Python package into build/release/python
 	@cmake --preset release -DHOLDFAST_PYTHON=ON > /dev/null
 	cmake --build --preset release -j $(JOBS) --target holdfast_python
 	@echo 'The package is built: export PYTHONPATH=$(CURDIR)/build/release/python'
+
+# npm asks its registry for nothing once this is there.
+VIEWER_PACKAGES := viewer/node_modules/.package-lock.json
+$(VIEWER_PACKAGES): viewer/package-lock.json
+	@$(INSTALL) --viewer
+	npm --prefix viewer ci --no-audit --no-fund
+	@touch $@
+
+viewer: $(VIEWER_PACKAGES)  ## Build the page that shows results files: build/viewer/viewer.html
+	node viewer/build.mjs
+
+# The node modules that Debian's emscripten needs are where another node than Debian's does not look.
+EMSCRIPTEN := NODE_PATH=/usr/share/nodejs
+viewer-engine:  ## Build the native engine as WebAssembly, for the page: build/viewer/engine.mjs
+	@$(INSTALL) --viewer-engine
+	@$(EMSCRIPTEN) emcmake cmake -S viewer/engine -B build/viewer/engine -G Ninja > /dev/null
+	$(EMSCRIPTEN) cmake --build build/viewer/engine -j $(JOBS)
+
+viewer-engine-test: program viewer-engine $(VIEWER_PACKAGES)  ## Compare its bits with the program's, in node and in a browser
+	@$(INSTALL) --viewer-test
+	node --test tests/viewer/test_engine.mjs tests/viewer/test_engine_browser.mjs
+
+viewer-test: program viewer  ## Check the page's sources, and test it alone and in a browser
+	@$(INSTALL) --viewer-test
+	npm --prefix viewer run check
+	node viewer/build.mjs --tests
+	node tests/viewer/results.mjs build/release/bin/holdfast build/viewer/results
+	node --test build/viewer/tests/
 
 docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
 	build/release/bin/holdfast --config-page > docs/config.md

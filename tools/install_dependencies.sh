@@ -4,6 +4,8 @@
 #   tools/install_dependencies.sh --test    and what tests, examples and benchmarks need
 #   tools/install_dependencies.sh --dev     and what lint and the Clang build need
 #   tools/install_dependencies.sh --python  to build, run and test, with the Python package
+#   tools/install_dependencies.sh --viewer  to build the page that shows results; --viewer-test also to test it in a browser
+#   tools/install_dependencies.sh --viewer-engine  to build the engine that the page runs
 set -euo pipefail
 
 packages=(
@@ -21,6 +23,7 @@ packages=(
   libinih-dev        # inih, reads config.ini
   libcli11-dev       # CLI11, the command line
   nlohmann-json3-dev # JSON output
+  libcpp-httplib-dev # serves results to the browser of this machine
   libssl-dev         # SHA-256 of the inputs
   libdeflate-dev     # compresses chunks of the results file on the workers
   zlib1g-dev         # compresses chunks that are nearly empty
@@ -54,20 +57,42 @@ python_packages=(
   mypy               # checks types and the stub
   python3-deap       # DEAP, evolutionary algorithms, in an example and its test
 )
+# Node comes with npm in most other distributions of it; whatever is there is used.
+viewer_packages=()
+command -v node > /dev/null || viewer_packages+=(nodejs) # bundles the page's sources
+command -v npm > /dev/null || viewer_packages+=(npm)     # brings the packages of viewer/package-lock.json
+viewer_engine_packages=(
+  emscripten         # compiles the native engine to WebAssembly
+  node-acorn         # emscripten's own reader of JavaScript
+  libfast-float-dev  # numbers from text, which emscripten's C++ library lacks
+  cmake ninja-build libeigen3-dev libhwy-dev
+)
+viewer_test_packages=(
+  chromium           # the browser that the tests of the page drive
+  webp               # makes the film of README out of pictures
+)
 
 case "${1-}" in
   '') ;;
   --test) packages+=("${test_packages[@]}") ;;
   --dev) packages+=("${test_packages[@]}" "${dev_packages[@]}") ;;
   --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
-  -h | --help) sed -n '2,6s/^# //p' "$0"; exit 0 ;;
-  *) echo "$0: unknown option: $1; accepted: --test, --dev, --python, --help" >&2; exit 2 ;;
+  --viewer) packages=(${viewer_packages[@]+"${viewer_packages[@]}"}) ;;
+  --viewer-engine) packages=("${viewer_engine_packages[@]}" ${viewer_packages[@]+"${viewer_packages[@]}"}) ;;
+  --viewer-test) packages+=("${test_packages[@]}" ${viewer_packages[@]+"${viewer_packages[@]}"} "${viewer_test_packages[@]}") ;;
+  -h | --help) sed -n '2,8s/^# //p' "$0"; exit 0 ;;
+  *) echo "$0: unknown option: $1; accepted: --test, --dev, --python, --viewer, --viewer-engine, --viewer-test, --help" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
   echo "This is no Debian system: install these packages' equivalents, then run make with INSTALL=true:" >&2
   echo "  ${packages[*]}" >&2
   exit 1
+fi
+
+if ((${#packages[@]} == 0)); then
+  echo "Dependencies: nothing to install"
+  exit 0
 fi
 
 # dpkg-query fails when a package is unknown; what it does know it prints all the same.

@@ -1,0 +1,61 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { choose, closeBrowser, openPage } from "./browser";
+import { RESULTS } from "./places";
+
+after(closeBrowser);
+
+test("a file opens as the fleet, and its table is saved", async () => {
+  const page = await openPage({ file: "demo.h5" });
+  assert.match(await page.innerText("header"), /demo\.h5\s+16 worlds/);
+  assert.match(await page.innerText("aside"), /stayed\s+\d+/);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("text=CSV")]);
+  const lines = readFileSync(await download.path(), "utf8")
+    .trim()
+    .split("\n");
+  assert.equal(lines.length, 17);
+  assert.match(lines[0], /^layout,acceleration,verdict,boxes/);
+  await page.close();
+});
+
+test("the page of `holdfast view` has its results in it", async () => {
+  const page = await openPage({ address: `file://${RESULTS}/demo.html#world=4&time=1` });
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  assert.match(await page.innerText("header"), /demo\.h5\s+BR15_077_ep\.txt · road-front-0g8/);
+  await page.close();
+});
+
+test("the filter leaves the layouts that it names", async () => {
+  const page = await openPage({ file: "demo.h5" });
+  await page.fill("input[type=search]", "BR ep");
+  assert.match(await page.innerText(".tools"), /2 of 4 layouts/);
+  await page.close();
+});
+
+test("the keyboard alone moves over the matrix", async () => {
+  const page = await openPage({ file: "demo.h5" });
+  await page.keyboard.press("ArrowDown");
+  assert.match(await page.innerText(".detail"), /unstable_BR2_007_bpjs\.txt/);
+  await page.close();
+});
+
+const sentences: Record<string, RegExp> = {
+  "text.h5": /text\.h5 is no HDF5 file/,
+  "truncated.h5": /damaged|not all of it/,
+  "foreign.h5": /no results of holdfast/,
+};
+for (const [file, sentence] of Object.entries(sentences))
+  test(`${file} gets a sentence, and another file can be opened`, async () => {
+    const page = await openPage({ file });
+    assert.match(await page.innerText(".problem"), sentence);
+    await choose(page, "demo.h5");
+    assert.match(await page.innerText("header"), /16 worlds/);
+    await page.close();
+  });
+
+test("a part says that its run is not finished", async () => {
+  const page = await openPage({ file: "part.h5" });
+  assert.match(await page.innerText("header"), /unfinished run.*--resume/);
+  await page.close();
+});

@@ -1,0 +1,111 @@
+// Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER
+//
+// RESULTS is a file with series; the pictures of docs/ are of the layouts of configs/layouts and bench/layouts under the norm of the
+// road, with margins and wall forces. The film needs img2webp, of Debian's package webp.
+import { spawnSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "../..");
+const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
+const [results, folder] = process.argv.slice(2).map((argument) => path.resolve(argument));
+if (!folder) throw new Error("usage: node tests/viewer/pictures.mjs RESULTS FOLDER");
+mkdirSync(folder, { recursive: true });
+
+const browser = await chromium.launch({
+  executablePath: process.env.HOLDFAST_BROWSER ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+
+async function open(colorScheme, width = 1440, height = 900) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme });
+  await page.goto(`file://${root}/build/viewer/viewer.html`);
+  await page.setInputFiles('input[aria-label="Results file"]', results);
+  await page.waitForSelector("#app:not([aria-busy]) > main.fleet");
+  return page;
+}
+
+async function show(page, hash) {
+  await page.evaluate((address) => {
+    location.hash = address;
+  }, hash);
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await settled(page);
+}
+
+const settled = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 200)))),
+  );
+
+async function save(page, name) {
+  await settled(page);
+  const png = path.join(folder, `${name}.png`);
+  await page.screenshot({ path: png });
+  console.log(`${png}: ${(statSync(png).size / 1e3).toFixed(0)} kB`);
+}
+
+/** The world of a layout under an acceleration: the first whose names contain both. */
+async function worldOf(page, layout, acceleration) {
+  await page.fill("input[type=search]", layout);
+  await page.focus(".matrix");
+  await page.keyboard.press("Home");
+  for (let column = 0; column < 20; ++column) {
+    const detail = await page.innerText(".detail");
+    if (detail.includes(layout) && detail.includes(acceleration)) break;
+    await page.keyboard.press("ArrowRight");
+  }
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  return page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("world"));
+}
+
+for (const scheme of ["light", "dark"]) {
+  const page = await open(scheme);
+  await page.hover(".matrix", { position: { x: 360, y: 100 } });
+  await save(page, `fleet-${scheme}`);
+  const world = await worldOf(page, "BR15_077_ep", "front");
+  await show(page, `world=${world}&time=1.2&ghost=1&box=59`);
+  await page.keyboard.press("1");
+  await save(page, `world-${scheme}`);
+  if (scheme === "light") {
+    await show(page, `world=${world}&time=1.6&colouring=displacement&exploded=0.35`);
+    await save(page, "apart-light");
+    await show(page, `world=${world}&time=1.2`);
+    await page.keyboard.press("x");
+    await page.waitForSelector(".scene + .scene");
+    await save(page, "compare-light");
+    await show(page, `world=${world}&time=0`);
+    await film(page);
+  }
+  await page.close();
+}
+await browser.close();
+
+/** The load while it is braked, without the page around it, as an animated WebP. */
+async function film(page) {
+  const frames = mkdtempSync(path.join(tmpdir(), "film-"));
+  const files = [];
+  await page.setViewportSize({ width: 1100, height: 760 });
+  await page.addStyleTag({ content: "aside, .time, .options, header, .views { display: none !important; }" });
+  await settled(page);
+  await page.keyboard.press("1");
+  for (let frame = 0; frame <= 46; ++frame) {
+    const time = 0.3 + 0.04 * frame;
+    await page.evaluate((at) => {
+      location.hash = `${location.hash.replace(/&?time=[^&]*/, "")}&time=${at}`;
+    }, time.toFixed(2));
+    await settled(page);
+    const file = path.join(frames, `${String(frame).padStart(3, "0")}.png`);
+    writeFileSync(file, await page.screenshot());
+    files.push(file);
+  }
+  const webp = path.join(folder, "braking.webp");
+  const pause = files.flatMap((file, index) => ["-d", index + 1 === files.length ? "1500" : "50", file]);
+  const made = spawnSync("img2webp", ["-loop", "0", "-lossy", "-q", "70", ...pause, "-o", webp], { stdio: "inherit" });
+  if (made.status !== 0) throw new Error("img2webp is missing, or failed");
+  console.log(`${webp}: ${(statSync(webp).size / 1e3).toFixed(0)} kB`);
+  rmSync(frames, { recursive: true });
+}

@@ -1,0 +1,8 @@
+import path from "node:path";
+
+/** The tests run from build/viewer/tests, bundled. */
+const BUILD = path.resolve(path.dirname(new URL(import.meta.url).pathname), "..");
+export const RESULTS = path.join(BUILD, "results");
+export const PAGE = path.join(BUILD, "viewer.html");
+/** Packages are looked up from here. */
+export const PACKAGES = path.resolve(BUILD, "../../viewer/package.json");

@@ -1,0 +1,67 @@
+// Builds the page: bundles the sources and puts script, worker and style into one HTML file.
+//   node build.mjs            build/viewer/viewer.html
+//   node build.mjs --tests    the unit tests, into build/viewer/tests
+import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+
+const here = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
+const output = path.join(here, "../build/viewer");
+
+/** One script of everything that an entry file uses. */
+async function bundle(entry) {
+  const result = await build({
+    entryPoints: [path.join(here, entry)],
+    bundle: true,
+    minify: true,
+    write: false,
+    format: "iife",
+    target: "es2022",
+    charset: "utf8",
+    legalComments: "none",
+    // h5wasm looks for these under Node only.
+    external: ["node:*", "fs", "path", "module", "url", "crypto", "worker_threads"],
+  });
+  return result.outputFiles[0].text;
+}
+
+async function buildPage() {
+  const [page, style, script, worker] = await Promise.all([
+    readFile(path.join(here, "index.html"), "utf8"),
+    build({ entryPoints: [path.join(here, "style.css")], minify: true, write: false }).then(
+      (r) => r.outputFiles[0].text,
+    ),
+    bundle("src/main.ts"),
+    bundle("src/data/worker.ts"),
+  ]);
+  const parts = {
+    STYLE: style,
+    SCRIPT: script.replaceAll("</script", "<\\/script"),
+    // The worker is nearly all HDF5 in WebAssembly: packed, it is a third as large.
+    WORKER: gzipSync(worker, { level: 9 }).toString("base64"),
+  };
+  const html = page.replaceAll(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
+  await mkdir(output, { recursive: true });
+  await writeFile(path.join(output, "viewer.html"), html);
+  console.log(`build/viewer/viewer.html: ${(html.length / 1e6).toFixed(2)} MB`);
+}
+
+async function buildTests() {
+  const folder = path.join(here, "../tests/viewer");
+  const tests = (await readdir(folder)).filter((name) => name.endsWith(".test.ts"));
+  await build({
+    entryPoints: tests.map((name) => path.join(folder, name)),
+    bundle: true,
+    platform: "node",
+    format: "esm",
+    target: "node18",
+    outdir: path.join(output, "tests"),
+    outExtension: { ".js": ".mjs" },
+    nodePaths: [path.join(here, "node_modules")],
+    external: ["playwright-core"],
+    logLevel: "warning",
+  });
+}
+
+await (process.argv.includes("--tests") ? buildTests() : buildPage());

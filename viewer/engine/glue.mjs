@@ -1,0 +1,268 @@
+// The native engine as WebAssembly, in a page, a worker or node: the same bits as the program. One thread; a worker that
+// runs several worlds takes turns. `loadEngine` compiles it once and returns the functions of this file's `Engine`.
+//
+// Lengths are in metres, times in seconds, forces in newtons; the frame is that of the container: x along its length from
+// the front wall to the door, y across, z up. What cannot be used is an `EngineError` with a sentence for the user.
+
+const WASM_BASE64 = '@WASM@';
+
+const NUMBERS_PER_BOX = 7;
+const NUMBERS_PER_SEGMENT = 5;
+const VERDICTS = ['stayed', 'moved', 'fell', 'unstable', 'failed', 'gave_way', 'not_needed'];
+const STOP_REASONS = ['not_run', 'timeout', 'sleeping', 'error', 'decided'];
+/** Doubles of `PageOutcome` in binding.cpp, after its state hash. */
+const OUTCOME_NUMBERS = [
+  'verdict', 'status', 'stopReason', 'boxes', 'fallen', 'moved', 'tilted', 'unstable',
+  'maxDisplacement', 'peakDisplacement', 'endTime', 'steps', 'stepsSkipped',
+];
+
+/** What the user, or the calling program, has given that cannot be used. */
+export class EngineError extends Error {}
+
+function bytesOfBase64(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+const hashText = (hash) => hash.toString(16).padStart(16, '0');
+
+/** Compiles the engine. */
+export async function loadEngine() {
+  // Nothing of the system is there: what the C library could ask for fails, and only an abort gets here.
+  const refused = () => 52; // ENOSYS
+  const system = { proc_exit: (code) => { throw new Error(`the engine has ended with code ${code}`); } };
+  const module = await WebAssembly.compile(bytesOfBase64(WASM_BASE64));
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    imports[from] ??= {};
+    imports[from][name] = system[name] ?? (name === 'emscripten_notify_memory_growth' ? () => {} : refused);
+  }
+  const instance = await WebAssembly.instantiate(module, imports);
+  instance.exports._initialize();
+  return new Engine(instance.exports);
+}
+
+/** The engine: readers of inputs, whole worlds, and worlds that are taken forward in pieces. */
+class Engine {
+  /** @param {WebAssembly.Exports} wasm */
+  constructor(wasm) {
+    this.wasm = wasm;
+    this.version = this.textAt(wasm.holdfast_version());
+  }
+
+  /**
+   * The boxes of a layout file's text: rows of seven numbers, two corners and a material, as `World` takes them.
+   * @param {string} text
+   * @param {object} [inputs] `config` and `settings`, as of `world`; `name` for messages
+   */
+  readLayout(text, inputs = {}) {
+    return this.withSettings(inputs, (settings) =>
+      this.withTexts([inputs.name ?? 'layout', text], ([name, from]) =>
+        this.read(this.wasm.page_read_layout(settings, name, from))));
+  }
+
+  /** The segments of an acceleration file's text: rows of five numbers, start, duration and acceleration (m/s²). */
+  readAcceleration(text, name = 'acceleration') {
+    return this.withTexts([name, text], ([called, from]) => this.read(this.wasm.page_read_acceleration(called, from)));
+  }
+
+  /**
+   * A world that is taken forward in pieces. Free it when it is no longer needed.
+   * @param {object} inputs
+   * @param {Float64Array} inputs.boxes rows of seven numbers, m
+   * @param {Float64Array} inputs.segments rows of five numbers
+   * @param {string} [inputs.config] text of a config.ini
+   * @param {[string, string, string][]} [inputs.settings] section, key and value, set after `config`
+   */
+  world(inputs) {
+    return new World(this, inputs);
+  }
+
+  /** Simulates a world to its end as `holdfast screen` does: its verdict, counts and state hash. Inputs as of `world`. */
+  screen(inputs) {
+    return this.withInputs(inputs, (settings, boxes, boxCount, segments, segmentCount) =>
+      this.withBytes(8 * (1 + OUTCOME_NUMBERS.length), (at) => {
+        this.checkPage(this.wasm.page_screen(settings, boxes, boxCount, segments, segmentCount, at));
+        const outcome = { stateHash: hashText(this.view().getBigUint64(at, true)) };
+        OUTCOME_NUMBERS.forEach((name, i) => { outcome[name] = this.view().getFloat64(at + 8 * (i + 1), true); });
+        outcome.verdict = VERDICTS[outcome.verdict];
+        outcome.stopReason = STOP_REASONS[outcome.stopReason];
+        return outcome;
+      }));
+  }
+
+  // ---- Between JavaScript and the memory of the engine, which moves when it grows: views are made anew. ----
+
+  view() {
+    return new DataView(this.wasm.memory.buffer);
+  }
+
+  textAt(at) {
+    const bytes = new Uint8Array(this.wasm.memory.buffer);
+    return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)));
+  }
+
+  numbersAt(at, count) {
+    return new Float64Array(this.wasm.memory.buffer, at, count).slice();
+  }
+
+  withBytes(size, work) {
+    const at = this.wasm.malloc(Math.max(size, 1));
+    if (at === 0) throw new EngineError('the engine has no memory left');
+    try {
+      return work(at);
+    } finally {
+      this.wasm.free(at);
+    }
+  }
+
+  withNumbers(numbers, work) {
+    return this.withBytes(8 * numbers.length, (at) => {
+      new Float64Array(this.wasm.memory.buffer, at, numbers.length).set(numbers);
+      return work(at);
+    });
+  }
+
+  withTexts(texts, work, places = []) {
+    if (texts.length === 0) return work(places);
+    const bytes = new TextEncoder().encode(`${texts[0]}\0`);
+    return this.withBytes(bytes.length, (at) => {
+      new Uint8Array(this.wasm.memory.buffer).set(bytes, at);
+      return this.withTexts(texts.slice(1), work, [...places, at]);
+    });
+  }
+
+  withSettings({ config = '', settings = [] }, work) {
+    const handle = this.wasm.holdfast_settings_new();
+    const check = (status) => {
+      if (status !== 0) throw new EngineError(this.textAt(this.wasm.holdfast_settings_message(handle)));
+    };
+    try {
+      if (config !== '') this.withTexts([config], ([text]) => check(this.wasm.holdfast_settings_read(handle, text)));
+      for (const setting of settings)
+        this.withTexts(setting, (places) => check(this.wasm.holdfast_settings_set(handle, ...places)));
+      return work(handle);
+    } finally {
+      this.wasm.holdfast_settings_free(handle);
+    }
+  }
+
+  withInputs(inputs, work) {
+    const { boxes, segments } = inputs;
+    return this.withSettings(inputs, (settings) =>
+      this.withNumbers(boxes, (boxesAt) =>
+        this.withNumbers(segments, (segmentsAt) =>
+          work(settings, boxesAt, boxes.length / NUMBERS_PER_BOX, segmentsAt, segments.length / NUMBERS_PER_SEGMENT))));
+  }
+
+  checkPage(status) {
+    if (status !== 0) throw new EngineError(this.textAt(this.wasm.page_message()));
+  }
+
+  read(status) {
+    this.checkPage(status);
+    return this.numbersAt(this.wasm.page_numbers(), this.wasm.page_number_count());
+  }
+}
+
+/** One layout under one acceleration, from time 0, after settling. */
+class World {
+  constructor(engine, inputs) {
+    this.engine = engine;
+    this.wasm = engine.wasm;
+    this.boxCount = inputs.boxes.length / NUMBERS_PER_BOX;
+    const metre = 0;
+    engine.withInputs(inputs, (settings, boxes, boxCount, segments, segmentCount) =>
+      engine.withBytes(4, (at) => {
+        const status = this.wasm.holdfast_world_new(settings, boxes, boxCount, metre, segments, segmentCount, at);
+        this.handle = engine.view().getUint32(at, true);
+        try {
+          this.check(status);
+        } catch (error) {
+          this.free();
+          throw error;
+        }
+      }));
+    /** Time at which the world ends, s. */
+    this.endTime = this.times()[1];
+  }
+
+  /** Ends the world; it cannot be used afterwards. */
+  free() {
+    this.wasm.holdfast_world_free(this.handle);
+    this.handle = 0;
+  }
+
+  /** The time that was asked for last, s. */
+  get time() {
+    return this.times()[0];
+  }
+
+  /** Takes the world forward until it has reached a time, s, or its end. */
+  advance(time) {
+    this.check(this.wasm.holdfast_world_advance(this.handle, time));
+  }
+
+  /** Where the boxes are: rows of seven numbers, the centre of mass (m) and the quaternion w x y z. */
+  poses() {
+    return this.rows(this.wasm.holdfast_world_poses, this.boxCount, 7);
+  }
+
+  /** How they move: rows of six numbers, velocity (m/s) and angular velocity (rad/s). */
+  velocities() {
+    return this.rows(this.wasm.holdfast_world_velocities, this.boxCount, 6);
+  }
+
+  /** Forces on floor, front, rear, left, right, roof (N), rows of three; with the setting WallForces. */
+  sideForces() {
+    return this.rows(this.wasm.holdfast_world_side_forces, 6, 3);
+  }
+
+  /** Of poses and velocities at the last step end, 16 hexadecimal digits as of `holdfast screen --json`. */
+  stateHash() {
+    return this.engine.withBytes(8, (at) => {
+      this.check(this.wasm.holdfast_world_hash(this.handle, at));
+      return hashText(this.engine.view().getBigUint64(at, true));
+    });
+  }
+
+  /** Gives the container a constant acceleration from now on, three numbers, m/s². */
+  setAcceleration(acceleration) {
+    this.engine.withNumbers(acceleration, (at) => this.check(this.wasm.holdfast_world_set_acceleration(this.handle, at)));
+  }
+
+  /** Sets the coefficients of friction of two boxes, of box and floor, of box and wall, from now on. */
+  setFriction(boxBox, boxFloor, boxWall) {
+    this.check(this.wasm.holdfast_world_set_friction(this.handle, boxBox, boxFloor, boxWall));
+  }
+
+  /** Pushes a box from now on, three numbers, N; at a point of the container frame that then goes with the box, or at its
+   * centre of mass. Zero takes the force away. */
+  setForce(box, force, point = null) {
+    this.engine.withNumbers(force, (forceAt) => {
+      const set = (pointAt) => this.check(this.wasm.holdfast_world_set_force(this.handle, box, forceAt, pointAt));
+      if (point === null) set(0);
+      else this.engine.withNumbers(point, set);
+    });
+  }
+
+  times() {
+    return this.engine.withBytes(16, (at) => {
+      this.check(this.wasm.holdfast_world_times(this.handle, at, at + 8));
+      return this.engine.numbersAt(at, 2);
+    });
+  }
+
+  rows(fill, count, width) {
+    return this.engine.withBytes(8 * count * width, (at) => {
+      this.check(fill(this.handle, at, count));
+      return this.engine.numbersAt(at, count * width);
+    });
+  }
+
+  check(status) {
+    if (status !== 0) throw new EngineError(this.engine.textAt(this.wasm.holdfast_world_message(this.handle)));
+  }
+}

@@ -1,0 +1,138 @@
+import type { World } from "../data/results";
+import type { Derived } from "../load/quantities";
+import { element, oncePerFrame } from "../ui/dom";
+import { degrees, metres } from "../ui/text";
+
+const ROW = 24;
+
+type Order = "id" | "first" | "moved" | "tilt" | "drop";
+
+const COLUMNS: { order: Order; name: string; title: string }[] = [
+  { order: "id", name: "box", title: "Place in the layout file" },
+  { order: "first", name: "first", title: "Time of the first sample in which it moves, s" },
+  { order: "moved", name: "moved", title: "Displacement at the end, as the verdict uses it" },
+  { order: "tilt", name: "tilt", title: "Rotation at the end" },
+  { order: "drop", name: "drop", title: "How much lower it is at the end" },
+];
+
+/** All boxes of a world as a table, of which only the rows in sight exist. */
+export class BoxList {
+  readonly node: HTMLElement;
+  private readonly head = element("div", { class: "row head", role: "row" });
+  private readonly body = element("div", { class: "rows" });
+  private readonly scroller: HTMLElement;
+  private sorted: number[] = [];
+  private selected: number | null = null;
+  private readonly redraw = oncePerFrame(() => this.draw());
+
+  constructor(
+    private readonly world: World,
+    private readonly derived: Derived,
+    private readonly choose: (box: number) => void,
+    private readonly hover: (box: number | null) => void,
+  ) {
+    this.scroller = element(
+      "div",
+      {
+        class: "scroller",
+        tabindex: 0,
+        role: "listbox",
+        "aria-label": "Boxes. Arrow keys choose one.",
+        onscroll: this.redraw,
+        onkeydown: (event: KeyboardEvent) => this.key(event),
+      },
+      this.body,
+    );
+    this.node = element("section", { class: "boxes" }, this.head, this.scroller);
+    new ResizeObserver(this.redraw).observe(this.scroller);
+    this.sort("moved");
+  }
+
+  select(box: number | null): void {
+    if (box === this.selected) return;
+    this.selected = box;
+    const at = box === null ? -1 : this.sorted.indexOf(box);
+    if (at >= 0) {
+      const { scrollTop, clientHeight } = this.scroller;
+      if (at * ROW < scrollTop || (at + 1) * ROW > scrollTop + clientHeight)
+        this.scroller.scrollTop = Math.max(0, at * ROW - clientHeight / 2);
+    }
+    this.redraw();
+  }
+
+  private sort(order: Order): void {
+    const { boxes } = this.world;
+    const { firstMove, endDistance } = this.derived;
+    const key: Record<Order, (box: number) => number> = {
+      id: (box) => boxes.id[box],
+      first: (box) => (firstMove[box] < 0 ? Number.MAX_SAFE_INTEGER : firstMove[box]),
+      moved: (box) => -endDistance[box],
+      tilt: (box) => -boxes.endTilt[box],
+      drop: (box) => -boxes.drop[box],
+    };
+    this.sorted = [...boxes.id.keys()].sort((a, b) => key[order](a) - key[order](b) || a - b);
+    this.head.replaceChildren(
+      ...COLUMNS.map((column) =>
+        element(
+          "button",
+          {
+            class: "plain",
+            title: column.title,
+            "aria-pressed": undefined,
+            "data-sorted": column.order === order,
+            onclick: () => this.sort(column.order),
+          },
+          column.name,
+        ),
+      ),
+    );
+    this.body.style.height = `${this.sorted.length * ROW}px`;
+    this.scroller.scrollTop = 0;
+    this.redraw();
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
+    if (step === 0 || this.sorted.length === 0) return;
+    const from = this.selected === null ? -step : this.sorted.indexOf(this.selected);
+    const next = Math.min(this.sorted.length - 1, Math.max(0, from + step));
+    this.choose(this.sorted[next]);
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  private draw(): void {
+    const first = Math.floor(this.scroller.scrollTop / ROW);
+    const last = Math.min(this.sorted.length, first + Math.ceil(this.scroller.clientHeight / ROW) + 1);
+    const { boxes, series } = this.world;
+    const { firstMove, endDistance, verdict } = this.derived;
+    const rows: HTMLElement[] = [];
+    for (let at = first; at < last; ++at) {
+      const box = this.sorted[at];
+      const moves = firstMove[box] >= 0 && series;
+      rows.push(
+        element(
+          "div",
+          {
+            class: "row",
+            role: "option",
+            "aria-selected": box === this.selected ? "true" : "false",
+            style: `top: ${at * ROW}px`,
+            onclick: () => this.choose(box),
+            onpointerenter: () => this.hover(box),
+            onpointerleave: () => this.hover(null),
+          },
+          element("span", {}, element("i", { class: `dot verdict-${verdict[box]}` }), String(boxes.id[box])),
+          element("span", {}, moves ? series.time[firstMove[box]].toFixed(2) : ""),
+          element("span", {}, short(endDistance[box], metres)),
+          element("span", {}, boxes.endTilt[box] < 0.05 ? "" : degrees(boxes.endTilt[box])),
+          element("span", {}, short(boxes.drop[box], metres)),
+        ),
+      );
+    }
+    this.body.replaceChildren(...rows);
+  }
+}
+
+/** Nothing where next to nothing happened: what is left stands out. */
+const short = (value: number, text: (value: number) => string) => (Math.abs(value) < 0.0005 ? "" : text(value));

@@ -1,0 +1,98 @@
+import type { BoxColumns, Results, World } from "../data/results";
+import { tiltOf } from "../time/first_moves";
+import { gravities, metres } from "../ui/text";
+
+const GRAVITY = 9.81;
+/** m: boxes closer than this touch, as loaded. */
+const TOUCH = 0.005;
+
+const NAMES = [
+  ["front", "door"],
+  ["left", "right"],
+] as const;
+
+const low = (boxes: BoxColumns, box: number, axis: number) =>
+  boxes.reference[3 * box + axis] - boxes.size[3 * box + axis] / 2;
+const high = (boxes: BoxColumns, box: number, axis: number) =>
+  boxes.reference[3 * box + axis] + boxes.size[3 * box + axis] / 2;
+const overlap = (boxes: BoxColumns, a: number, b: number, axis: number) =>
+  Math.min(high(boxes, a, axis), high(boxes, b, axis)) - Math.max(low(boxes, a, axis), low(boxes, b, axis));
+
+/** m that the box can go along an axis, as loaded, until another box or a wall is in its way. */
+export function freeWay(
+  boxes: BoxColumns,
+  container: readonly number[],
+  box: number,
+  axis: number,
+  up: boolean,
+): number {
+  let free = up ? container[axis] - high(boxes, box, axis) : low(boxes, box, axis);
+  const others = [0, 1, 2].filter((other) => other !== axis);
+  for (let next = 0; next < boxes.id.length; ++next) {
+    if (next === box || others.some((other) => overlap(boxes, box, next, other) <= TOUCH)) continue;
+    const gap = up ? low(boxes, next, axis) - high(boxes, box, axis) : low(boxes, box, axis) - high(boxes, next, axis);
+    if (gap > -TOUCH) free = Math.min(free, Math.max(0, gap));
+  }
+  return Math.max(0, free);
+}
+
+/** Share of the box's base that lies on the floor or on boxes, as loaded. */
+export function supported(boxes: BoxColumns, box: number): number {
+  if (low(boxes, box, 2) < TOUCH) return 1;
+  let area = 0;
+  for (let below = 0; below < boxes.id.length; ++below) {
+    if (below === box || Math.abs(low(boxes, box, 2) - high(boxes, below, 2)) > TOUCH) continue;
+    const x = overlap(boxes, box, below, 0);
+    const y = overlap(boxes, box, below, 1);
+    if (x > 0 && y > 0) area += x * y;
+  }
+  return Math.min(1, area / (boxes.size[3 * box] * boxes.size[3 * box + 1]));
+}
+
+/** What a box does when it begins to move, and what in the layout lets it. */
+export function causeOf(results: Results, world: World, box: number, sample: number): string[] {
+  const { boxes, series } = world;
+  if (!series || sample < 0) return [];
+  const count = boxes.id.length;
+  const at = 3 * (sample * count + box);
+  const [x, y, z] = series.displacement.subarray(at, at + 3);
+  const axis = Math.abs(x) >= Math.abs(y) ? 0 : 1;
+  const up = (axis === 0 ? x : y) > 0;
+  const way = Math.abs(axis === 0 ? x : y);
+  const tilt = tiltOf(series.orientation, 4 * box, 4 * (sample * count + box));
+  // Turning by the tilt moves an edge so far; what is more than sliding tips.
+  const turned = ((tilt * Math.PI) / 180) * boxes.size[3 * box + 2];
+  const side = NAMES[axis][up ? 1 : 0];
+  const sinks = -z > way && -z > turned / 2;
+  const tips = !sinks && turned > way;
+  const sentences = [sinks ? "It sinks." : `It ${tips ? "tips" : "slides"} towards the ${side}.`];
+
+  const push = Math.max(
+    ...[sample, sample - 1]
+      .filter((i) => i >= 0)
+      .map((i) => Math.hypot(series.acceleration[3 * i], series.acceleration[3 * i + 1]) / GRAVITY),
+  );
+  const share = supported(boxes, box);
+  if (share < 0.995) sentences.push(`${(100 * share).toFixed(0)} % of its base is supported.`);
+  if (push > 0.005) {
+    const onFloor = low(boxes, box, 2) < TOUCH;
+    const friction = Number(results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"]);
+    const known = Number.isFinite(friction) && results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"] !== "";
+    if (known && push > friction)
+      sentences.push(`The push of ${gravities(push)} is more than friction holds (${friction.toFixed(2)} g).`);
+    else if (known && tips)
+      sentences.push(`The push is ${gravities(push)}; it is ${slenderness(boxes, box, axis)} times as high as deep.`);
+  }
+  if (!sinks) {
+    const free = freeWay(boxes, results.container, box, axis, up);
+    sentences.push(
+      free < TOUCH
+        ? `What stands next to it on that side goes with it, or is lower.`
+        : `It has ${metres(free)} of free space there.`,
+    );
+  }
+  return sentences;
+}
+
+const slenderness = (boxes: BoxColumns, box: number, axis: number) =>
+  (boxes.size[3 * box + 2] / boxes.size[3 * box + axis]).toFixed(1);

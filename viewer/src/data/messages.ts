@@ -1,0 +1,11 @@
+import type { Results, World } from "./results";
+
+/** Where a results file is. */
+export type Place =
+  | { kind: "file"; file: File }
+  | { kind: "bytes"; name: string; bytes: Uint8Array }
+  | { kind: "address"; name: string; url: string };
+
+/** What page and worker say to each other. */
+export type Request = { id: number } & ({ kind: "open"; place: Place } | { kind: "world"; index: number });
+export type Reply = { id: number } & ({ value: Results | World } | { error: string });

@@ -1,0 +1,218 @@
+import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
+import type {
+  BoxColumns,
+  Margins,
+  Replicas,
+  Results,
+  Segment,
+  Series,
+  WallForces,
+  World,
+  WorldColumns,
+} from "./results";
+
+/** Versions of the file that this page reads. */
+const VERSIONS = [2];
+
+const uint32 = (numbers: Numbers) => (numbers instanceof Uint32Array ? numbers : Uint32Array.from(numbers));
+
+/** Reads a results file: its summary at once, a world when it is asked for. */
+export class ResultsReader {
+  private constructor(
+    private readonly file: Hdf5File,
+    readonly results: Results,
+    private readonly offsets: Record<"boxes" | "samples" | "rows", number>,
+  ) {}
+
+  static read(file: Hdf5File, name: string, size: number): ResultsReader {
+    const root = file.attributes("/");
+    if (root.format !== "holdfast results")
+      throw new UnreadableFile(`${name} is an HDF5 file, but no results of holdfast.`);
+    if (!VERSIONS.includes(Number(root.format_version)))
+      throw new UnreadableFile(
+        `${name} has version ${root.format_version} of the format; this page reads version ${VERSIONS.join(", ")}.`,
+      );
+    const offsets = {
+      boxes: Number(root.boxes_begin ?? 0),
+      samples: Number(root.samples_begin ?? 0),
+      rows: Number(root.rows_begin ?? 0),
+    };
+    return new ResultsReader(file, readSummary(file, root, name, size), offsets);
+  }
+
+  world(index: number): World {
+    const { results, file } = this;
+    const { worlds } = results;
+    const layout = worlds.layout[index];
+    const acceleration = worlds.acceleration[index];
+    return {
+      index,
+      layout: results.layouts[layout] ?? "",
+      acceleration: results.accelerations[acceleration] ?? "",
+      segments: results.segments[acceleration] ?? [],
+      engine: file.texts("worlds/engine", index, index + 1)[0],
+      status: worlds.status[index],
+      statusText: file.texts("worlds/status_text", index, index + 1)[0],
+      verdict: worlds.verdict[index],
+      endTime: worlds.endTime[index],
+      boxes: this.boxes(index),
+      series: this.series(index),
+      walls: this.walls(index),
+    };
+  }
+
+  close(): void {
+    this.file.close();
+  }
+
+  private boxes(index: number): BoxColumns {
+    const { file, results } = this;
+    const begin = results.worlds.boxBegin[index] - this.offsets.boxes;
+    const end = begin + results.worlds.boxes[index];
+    const column = (name: string) => file.numbers(name, begin, end);
+    const reference = Float32Array.from(column("boxes/initial_position"));
+    const settling = column("boxes/settling_displacement") as Float32Array;
+    if (results.settings["Screening/ReferencePose"] === "settled") {
+      for (let i = 0; i < reference.length; ++i) reference[i] += settling[i];
+    }
+    return {
+      id: column("boxes/id") as Uint32Array,
+      material: column("boxes/material") as Int32Array,
+      mass: column("boxes/mass") as Float32Array,
+      size: column("boxes/size") as Float32Array,
+      reference,
+      settling,
+      endDisplacement: column("boxes/end_displacement") as Float32Array,
+      endTilt: column("boxes/end_tilt") as Float32Array,
+      drop: column("summary/boxes/drop") as Float32Array,
+      peakDisplacement: column("boxes/peak_displacement") as Float32Array,
+      peakEnergy: column("boxes/peak_kinetic_energy") as Float32Array,
+      fallen: column("summary/boxes/fallen") as Uint8Array,
+      moved: column("summary/boxes/moved") as Uint8Array,
+    };
+  }
+
+  private series(index: number): Series | null {
+    const { worlds, hasSeries } = this.results;
+    const samples = worlds.samples[index];
+    if (!hasSeries || samples === 0) return null;
+    const sample = worlds.sampleBegin[index] - this.offsets.samples;
+    const row = worlds.rowBegin[index] - this.offsets.rows;
+    const bySample = (name: string) => this.file.numbers(`series/${name}`, sample, sample + samples);
+    const byRow = (name: string) => this.file.numbers(`series/${name}`, row, row + samples * worlds.boxes[index]);
+    return {
+      time: bySample("time") as Float64Array,
+      acceleration: bySample("container_acceleration") as Float32Array,
+      energy: bySample("total_kinetic_energy") as Float32Array,
+      fallen: bySample("fallen_count") as Uint32Array,
+      displacement: byRow("displacement") as Float32Array,
+      orientation: byRow("orientation") as Float32Array,
+    };
+  }
+
+  private walls(index: number): WallForces | null {
+    const { file, results } = this;
+    if (!results.hasWalls) return null;
+    const column = (name: string) => file.numbers(`walls/${name}`, index, index + 1) as Float64Array;
+    const sample = results.worlds.sampleBegin[index] - this.offsets.samples;
+    const samples = results.worlds.samples[index];
+    const force = samples > 0 && file.has("walls/force") ? file.numbers("walls/force", sample, sample + samples) : [];
+    return {
+      peak: column("peak_force"),
+      lasting: column("lasting_force"),
+      limit: column("limit"),
+      force: Float32Array.from(force),
+    };
+  }
+}
+
+function readSummary(file: Hdf5File, root: Record<string, string | number>, name: string, size: number): Results {
+  const settings: Record<string, string> = {};
+  for (const [key, value] of Object.entries(file.attributes("inputs/settings"))) settings[key] = String(value);
+  const metres = (key: string) => Number(settings[`Container/${key}`]) / 100;
+  const thresholds = file.attributes("summary");
+  return {
+    name,
+    size,
+    complete: Number(root.complete) === 1,
+    firstWorld: Number(root.worlds_begin ?? 0),
+    engine: String(root.engine),
+    software: String(root.software),
+    created: String(root.created_utc),
+    settings,
+    thresholds: {
+      drop: Number(thresholds.drop_threshold),
+      move: Number(thresholds.move_threshold),
+      tilt: Number(thresholds.tilt_threshold),
+    },
+    container: [metres("Length"), metres("Width"), metres("Height")],
+    layouts: file.texts("inputs/layouts/name"),
+    layoutBoxes: uint32(file.numbers("inputs/layouts/box_count")),
+    accelerations: file.texts("inputs/accelerations/name"),
+    segments: readSegments(file),
+    worlds: readWorlds(file, Number(root.layouts_begin ?? 0), Number(root.accelerations_begin ?? 0)),
+    hasSeries: file.has("series/displacement"),
+    hasWalls: file.has("walls"),
+    margins: readMargins(file),
+    replicas: readReplicas(file),
+  };
+}
+
+function readSegments(file: Hdf5File): Segment[][] {
+  const begin = file.numbers("inputs/accelerations/segment_begin");
+  const count = file.numbers("inputs/accelerations/segment_count");
+  const start = file.numbers("inputs/accelerations/start");
+  const duration = file.numbers("inputs/accelerations/duration");
+  const value = file.numbers("inputs/accelerations/value");
+  return Array.from(begin, (first, acceleration) =>
+    Array.from({ length: count[acceleration] }, (_, i) => ({
+      start: start[first + i],
+      duration: duration[first + i],
+      value: [value[3 * (first + i)], value[3 * (first + i) + 1], value[3 * (first + i) + 2]],
+    })),
+  );
+}
+
+function readWorlds(file: Hdf5File, firstLayout: number, firstAcceleration: number): WorldColumns {
+  const world = (name: string) => file.numbers(`worlds/${name}`);
+  const summary = (name: string) => file.numbers(`summary/worlds/${name}`);
+  return {
+    layout: Uint32Array.from(world("layout"), (layout) => layout - firstLayout),
+    acceleration: Uint32Array.from(world("acceleration"), (acceleration) => acceleration - firstAcceleration),
+    status: uint32(world("status")),
+    verdict: summary("verdict") as Uint8Array,
+    boxes: uint32(world("box_count")),
+    samples: uint32(world("sample_count")),
+    fallen: uint32(summary("fallen_boxes")),
+    unstable: uint32(summary("unstable_boxes")),
+    moved: uint32(summary("moved_boxes")),
+    tilted: uint32(summary("tilted_boxes")),
+    displacement: summary("max_displacement") as Float32Array,
+    peakDisplacement: summary("peak_displacement") as Float32Array,
+    peakEnergy: summary("peak_kinetic_energy") as Float64Array,
+    endTime: world("end_time") as Float64Array,
+    cpuSeconds: world("cpu_seconds") as Float64Array,
+    boxBegin: world("box_begin") as Float64Array,
+    sampleBegin: world("sample_begin") as Float64Array,
+    rowBegin: world("row_begin") as Float64Array,
+  };
+}
+
+function readMargins(file: Hdf5File): Margins | null {
+  if (!file.has("margins")) return null;
+  return {
+    margin: file.numbers("margins/margin") as Float64Array,
+    criticalBox: uint32(file.numbers("margins/critical_box")),
+  };
+}
+
+function readReplicas(file: Hdf5File): Replicas | null {
+  if (!file.has("replicas")) return null;
+  return {
+    count: uint32(file.numbers("replicas/count")),
+    failed: uint32(file.numbers("replicas/failed")),
+    share: file.numbers("replicas/share") as Float64Array,
+    low: file.numbers("replicas/wilson_low") as Float64Array,
+    high: file.numbers("replicas/wilson_high") as Float64Array,
+  };
+}

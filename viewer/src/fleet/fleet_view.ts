@@ -1,0 +1,206 @@
+import type { Results } from "../data/results";
+import { causes } from "../data/status";
+import { VERDICTS } from "../data/verdict";
+import { choice, download, element } from "../ui/dom";
+import type { Store } from "../ui/state";
+import { count, gravities, metres, plural, seconds } from "../ui/text";
+import { fleetCsv } from "./csv";
+import { type CellAt, Matrix } from "./matrix";
+import { arranged, DIRECTIONS, type Row, rowsOf, type Scale, type Sort, verdictCounts } from "./rows";
+import { scalesOf } from "./scales";
+
+/** The landing page of a file: which loadings fail under what. */
+export class FleetView {
+  readonly node: HTMLElement;
+  private readonly all: Row[];
+  private rows: Row[] = [];
+  private readonly matrix: Matrix;
+  private readonly detail = element("section", { class: "detail", "aria-live": "polite" });
+  private readonly shown = element("span", { class: "faint" });
+  private readonly filter: HTMLInputElement;
+
+  constructor(
+    private readonly results: Results,
+    private readonly store: Store,
+  ) {
+    this.all = rowsOf(results);
+    this.matrix = new Matrix(
+      results,
+      (at) => this.describe(at),
+      (at) => this.open(at),
+    );
+    const { state } = store;
+    this.filter = element("input", {
+      type: "search",
+      placeholder: "Filter layouts",
+      "aria-label": "Filter layouts by words of their names",
+      value: state.filter,
+      oninput: () => store.update({ filter: this.filter.value }),
+    });
+    const sorts: { value: Sort; label: string }[] = [
+      { value: "worst", label: "worst first" },
+      { value: "name", label: "name" },
+    ];
+    if (results.margins) sorts.splice(1, 0, { value: "margin", label: "smallest margin" });
+    const scales = scalesOf(results);
+    this.node = element(
+      "main",
+      { class: "fleet" },
+      element(
+        "div",
+        { class: "work" },
+        element(
+          "div",
+          { class: "tools" },
+          this.filter,
+          choice<Sort>("Sort", sorts, state.sort, (sort) => store.update({ sort })).node,
+          choice<Scale>("Colour", scales, state.scale, (scale) => store.update({ scale })).node,
+          this.shown,
+          element("span", { class: "gap" }),
+          element("button", { onclick: () => this.save(), title: "One line per world, as a table" }, "CSV"),
+        ),
+        this.matrix.node,
+      ),
+      element("aside", {}, this.legend(), this.detail, this.facts()),
+    );
+    store.listen((_, changed) => {
+      if (changed.has("sort") || changed.has("scale") || changed.has("filter")) this.arrange();
+      if (changed.has("filter") && this.filter.value !== store.state.filter) this.filter.value = store.state.filter;
+    });
+    this.arrange();
+    this.describe(null);
+  }
+
+  focus(): void {
+    this.matrix.node.focus({ preventScroll: true });
+  }
+
+  /** The next world, in the order shown, that does not hold; -1 goes back. */
+  nextFailing(from: number | null, step: 1 | -1, fails: (verdict: number) => boolean): number | null {
+    const order = this.rows.flatMap((row) => [...row.worlds].filter((world) => world >= 0));
+    const start = from === null ? (step > 0 ? -1 : order.length) : order.indexOf(from);
+    for (let i = start + step; i >= 0 && i < order.length; i += step)
+      if (fails(this.results.worlds.verdict[order[i]])) return order[i];
+    return null;
+  }
+
+  private arrange(): void {
+    const { filter, sort, scale } = this.store.state;
+    this.rows = arranged(this.all, this.results.layouts, filter, sort);
+    const all = this.all.length;
+    this.shown.textContent =
+      this.rows.length === all ? plural(all, "layout") : `${count(this.rows.length)} of ${plural(all, "layout")}`;
+    this.matrix.show(this.rows, scale);
+  }
+
+  private worldAt(at: CellAt): number {
+    const row = this.rows[at.row];
+    if (this.store.state.scale !== "margin") return row.worlds[at.column];
+    // A margin belongs to the layout: its worst world is shown.
+    const badness = (world: number) => (world < 0 ? -1 : VERDICTS[this.results.worlds.verdict[world]].badness);
+    return [...row.worlds].reduce((worst, world) => (badness(world) > badness(worst) ? world : worst), -1);
+  }
+
+  private open(at: CellAt): void {
+    const world = this.worldAt(at);
+    if (world >= 0) this.store.update({ world, other: null, box: null, time: 0 });
+  }
+
+  private legend(): HTMLElement {
+    const counts = verdictCounts(this.results);
+    return element(
+      "section",
+      {},
+      element("h2", {}, "Verdicts"),
+      element(
+        "ul",
+        { class: "legend" },
+        ...VERDICTS.map((verdict, code) =>
+          counts[code] === 0
+            ? null
+            : element(
+                "li",
+                { title: verdict.meaning },
+                element("i", { class: `swatch verdict-${code}` }, verdict.glyph),
+                element("span", {}, verdict.name),
+                element("b", {}, count(counts[code])),
+              ),
+        ),
+      ),
+    );
+  }
+
+  /** What the world under the pointer is about. */
+  private describe(at: CellAt | null): void {
+    const world = at ? this.worldAt(at) : -1;
+    if (!at || world < 0) {
+      this.detail.replaceChildren(
+        element("h2", {}, "World"),
+        element("p", { class: "faint" }, "Point at a cell to see its numbers, click it to open the world."),
+      );
+      return;
+    }
+    const { worlds, layouts, accelerations, margins, replicas } = this.results;
+    const layout = this.rows[at.row].layout;
+    const verdict = VERDICTS[worlds.verdict[world]];
+    const facts: [string, string][] = [
+      ["boxes", count(worlds.boxes[world])],
+      ["fallen", count(worlds.fallen[world])],
+      ["moved", count(worlds.moved[world])],
+      ["tilted", count(worlds.tilted[world])],
+      ["unstable", count(worlds.unstable[world])],
+      ["displacement at the end", metres(worlds.displacement[world])],
+      ["largest on the way", metres(worlds.peakDisplacement[world])],
+      ["ends at", seconds(worlds.endTime[world])],
+    ];
+    if (replicas && replicas.count[world] > 0)
+      facts.push(["replicas that fail", `${replicas.failed[world]} of ${replicas.count[world]}`]);
+    if (margins)
+      facts.push([
+        "margins",
+        DIRECTIONS.map((name, i) => `${name} ${gravities(margins.margin[4 * layout + i])}`).join(", "),
+      ]);
+    this.detail.replaceChildren(
+      element("h2", {}, "World"),
+      element("p", { class: "strong" }, layouts[layout]),
+      element("p", { class: "soft" }, accelerations[worlds.acceleration[world]]),
+      element(
+        "p",
+        {},
+        element("i", { class: `swatch verdict-${worlds.verdict[world]}` }, verdict.glyph),
+        element("span", { class: "strong" }, ` ${verdict.name}`),
+      ),
+      element(
+        "p",
+        { class: "soft" },
+        causes(worlds.status[world])
+          .map((cause) => cause.meaning)
+          .join(" ") || verdict.meaning,
+      ),
+      element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
+    );
+  }
+
+  private facts(): HTMLElement {
+    const { results } = this;
+    const { settings, thresholds, container } = results;
+    const facts: [string, string][] = [
+      ["engine", `${results.engine} ${settings["Native/Accuracy"] ?? ""}`],
+      ["friction", `${settings["Contact/BoxBox"]} between boxes, ${settings["Contact/BoxFloor"]} on the floor`],
+      ["container", `${container.map((side) => side.toFixed(2)).join(" × ")} m`],
+      ["limits", `drop ${metres(thresholds.drop)}, move ${metres(thresholds.move)}, tilt ${thresholds.tilt}°`],
+      ["made", `${results.created.replace("T", " ").replace("Z", "")} by ${results.software}`],
+    ];
+    return element(
+      "section",
+      {},
+      element("h2", {}, "Run"),
+      element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
+    );
+  }
+
+  private save(): void {
+    const name = this.results.name.replace(/\.\w+$/, "");
+    download(`${name}.csv`, new Blob([fleetCsv(this.results, this.rows)], { type: "text/csv" }));
+  }
+}

@@ -1,0 +1,69 @@
+import type { Results } from "../data/results";
+import { VERDICTS } from "../data/verdict";
+
+export type Sort = "worst" | "margin" | "name";
+export type Scale = "verdict" | "displacement" | "margin" | "share";
+
+export const DIRECTIONS = ["front", "rear", "left", "right"] as const;
+
+/** A layout and its worlds, one per acceleration; -1 where the file has none. */
+export interface Row {
+  layout: number;
+  worlds: Int32Array;
+  /** of its worst world */
+  badness: number;
+  displacement: number;
+  /** g, smallest of the four directions; NaN where it is not known */
+  margin: number;
+}
+
+export function rowsOf(results: Results): Row[] {
+  const { worlds, layouts, accelerations, margins } = results;
+  const rows: Row[] = layouts.map((_, layout) => ({
+    layout,
+    worlds: new Int32Array(accelerations.length).fill(-1),
+    badness: -1,
+    displacement: 0,
+    margin: margins ? smallest(margins.margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
+  }));
+  for (let world = 0; world < worlds.layout.length; ++world) {
+    const row = rows[worlds.layout[world]];
+    if (!row) continue;
+    row.worlds[worlds.acceleration[world]] = world;
+    row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
+    if (worlds.displacement[world] > row.displacement) row.displacement = worlds.displacement[world];
+  }
+  return rows;
+}
+
+function smallest(values: Float64Array): number {
+  const known = values.filter((value) => !Number.isNaN(value));
+  return known.length > 0 ? Math.min(...known) : Number.NaN;
+}
+
+const collator = new Intl.Collator("en", { numeric: true });
+
+/** Rows whose layout has all words of the filter in its name, in the order asked for. */
+export function arranged(rows: readonly Row[], names: readonly string[], filter: string, sort: Sort): Row[] {
+  const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
+  const kept = rows.filter((row) => {
+    const name = names[row.layout].toLowerCase();
+    return words.every((word) => name.includes(word));
+  });
+  const byName = (a: Row, b: Row) => collator.compare(names[a.layout], names[b.layout]);
+  const unknownLast = (margin: number) => (Number.isNaN(margin) ? Number.POSITIVE_INFINITY : margin);
+  const orders: Record<Sort, (a: Row, b: Row) => number> = {
+    worst: (a, b) => b.badness - a.badness || b.displacement - a.displacement || byName(a, b),
+    margin: (a, b) => unknownLast(a.margin) - unknownLast(b.margin) || byName(a, b),
+    name: byName,
+  };
+  // Infinity - Infinity is NaN, which `||` takes as equal.
+  return kept.sort(orders[sort]);
+}
+
+/** Worlds by verdict. */
+export function verdictCounts(results: Results): number[] {
+  const counts = VERDICTS.map(() => 0);
+  for (const verdict of results.worlds.verdict) counts[verdict] += 1;
+  return counts;
+}

@@ -1,0 +1,84 @@
+import type { Results } from "../data/results";
+import { VERDICTS } from "../data/verdict";
+import { colour, isDark, verdictColour } from "../ui/theme";
+import type { Row, Scale } from "./rows";
+import { DIRECTIONS } from "./rows";
+
+/** How a cell of the matrix looks: null where there is nothing. */
+export interface Cell {
+  fill: string;
+  ink: string;
+  text: string;
+}
+
+/** From pale to strong, as a share of 0 to 1. */
+export function ramp(share: number): string {
+  const at = Math.min(1, Math.max(0, share));
+  // One hue, from near the background to far from it.
+  const lightness = isDark() ? 24 + 48 * at : 95 - 52 * at;
+  // With commas: three reads no other form.
+  return `hsl(${214 - 10 * at}, ${28 + 34 * at}%, ${lightness}%)`;
+}
+const rampInk = (share: number) => (share > 0.55 ? (isDark() ? "#10151c" : "#fff") : colour("ink"));
+
+/** Displacements are compared over four decades: 1 mm is nothing, 10 m is everything. */
+export const displacementShare = (metres: number) => Math.max(0, Math.log10(Math.max(metres, 1e-3)) + 3) / 4;
+/** Loads are asked to stand up to 1 g. */
+export const marginShare = (g: number) => 1 - Math.min(1, Math.max(0, g));
+
+function verdictCell(results: Results, world: number): Cell {
+  const { worlds } = results;
+  const verdict = worlds.verdict[world];
+  const number =
+    verdict === 2
+      ? worlds.fallen[world]
+      : verdict === 3
+        ? worlds.unstable[world]
+        : verdict === 1
+          ? Math.max(worlds.moved[world], worlds.tilted[world])
+          : 0;
+  const glyph = VERDICTS[verdict].glyph;
+  return {
+    fill: verdictColour(verdict),
+    ink: colour(`verdict-ink-${verdict}`),
+    text: number > 0 ? `${glyph} ${number}` : glyph,
+  };
+}
+
+function valueCell(value: number, share: number, digits: number): Cell | null {
+  if (!Number.isFinite(value)) return null;
+  return { fill: ramp(share), ink: rampInk(share), text: value.toFixed(digits) };
+}
+
+/** The cell of a column; columns are accelerations, or directions for margins. */
+export function cellOf(results: Results, row: Row, column: number, scale: Scale): Cell | null {
+  if (scale === "margin") {
+    const margin = results.margins?.margin[4 * row.layout + column] ?? Number.NaN;
+    return valueCell(margin, marginShare(margin), 2);
+  }
+  const world = row.worlds[column];
+  if (world < 0) return null;
+  if (scale === "displacement") {
+    const displacement = results.worlds.displacement[world];
+    return valueCell(displacement, displacementShare(displacement), 2);
+  }
+  if (scale === "share") {
+    const share = results.replicas?.share[world] ?? Number.NaN;
+    return valueCell(share, share, 2);
+  }
+  return verdictCell(results, world);
+}
+
+export const columnNames = (results: Results, scale: Scale): readonly string[] =>
+  scale === "margin" ? DIRECTIONS : results.accelerations;
+
+/** Scales that the file has numbers for. */
+export function scalesOf(results: Results): { value: Scale; label: string }[] {
+  const scales: { value: Scale; label: string }[] = [
+    { value: "verdict", label: "verdict" },
+    { value: "displacement", label: "displacement at the end, m" },
+  ];
+  if (results.margins) scales.push({ value: "margin", label: "margin, g" });
+  if (results.replicas) scales.push({ value: "share", label: "share of replicas that fail" });
+  return scales;
+}

@@ -1,0 +1,145 @@
+import type { Results, World } from "../data/results";
+import { VERDICTS } from "../data/verdict";
+import { DIRECTIONS } from "../fleet/rows";
+import { ramp } from "../fleet/scales";
+import { gravities, kilograms, metres, seconds } from "../ui/text";
+import { colour, isDark } from "../ui/theme";
+import { type Derived, speedsAt, tiltsAt } from "./quantities";
+
+/** What the colour of a box says. */
+export type Colouring = "verdict" | "displacement" | "speed" | "tilt" | "material" | "mass" | "margin" | "first";
+
+/** A line of the legend: a colour, or a scale from pale to strong. */
+export type LegendEntry = { fill: string; label: string } | { from: string; to: string };
+
+export interface Painted {
+  /** one CSS colour per box */
+  fills: string[];
+  legend: LegendEntry[];
+  /** whether the colours change with time */
+  moving: boolean;
+}
+
+const MATERIALS = ["#8aa5bd", "#c8a97e", "#93b08f", "#b79ab5", "#c99787", "#a7a58a", "#86b0ae", "#b0a0c4"];
+
+export function colouringsOf(results: Results, world: World): { value: Colouring; label: string }[] {
+  const list: { value: Colouring; label: string }[] = [
+    { value: "verdict", label: "verdict" },
+    { value: "displacement", label: "displacement" },
+  ];
+  if (world.series) list.push({ value: "speed", label: "speed" });
+  list.push({ value: "tilt", label: "tilt" });
+  if (world.series) list.push({ value: "first", label: "first move" });
+  list.push({ value: "material", label: "material" }, { value: "mass", label: "mass" });
+  if (results.margins) list.push({ value: "margin", label: "critical for a margin" });
+  return list;
+}
+
+/** Colour of a box that nothing happens to. */
+export const calm = () => (isDark() ? "#47505a" : "#dcdfdd");
+
+const paintVerdict = (derived: Derived): Painted => {
+  const shown = [0, 3, 2, 1].filter((code) => derived.verdict.includes(code));
+  const fill = (code: number) => (code === 0 ? calm() : colour(`verdict-${code}`));
+  return {
+    fills: Array.from(derived.verdict, fill),
+    legend: shown.map((code) => ({ fill: fill(code), label: VERDICTS[code].name })),
+    moving: false,
+  };
+};
+
+function paintScale(
+  values: ArrayLike<number>,
+  most: number,
+  text: (value: number) => string,
+  moving: boolean,
+): Painted {
+  const top = most > 0 ? most : 1;
+  return {
+    fills: Array.from(values, (value) => (value >= 0 ? ramp(value / top) : calm())),
+    legend: [{ from: text(0), to: text(top) }],
+    moving,
+  };
+}
+
+/** The colours of all boxes at a time. `distance` is how far each is then, m. */
+export function paint(
+  colouring: Colouring,
+  results: Results,
+  world: World,
+  derived: Derived,
+  time: number,
+  distance: ArrayLike<number>,
+): Painted {
+  const { boxes } = world;
+  const count = boxes.id.length;
+  const { move, tilt } = results.thresholds;
+  // Scales end at twice the limit of the verdict: what is beyond it stands out.
+  switch (colouring) {
+    case "displacement":
+      return paintScale(distance, 2 * move, (value) => (value > 0 ? `${metres(value)} or more` : "0"), true);
+    case "speed": {
+      const speed = new Float32Array(count);
+      speedsAt(world, time, speed);
+      return paintScale(speed, 1, (value) => (value > 0 ? "1 m/s or more" : "0"), true);
+    }
+    case "tilt": {
+      const angle = new Float32Array(count);
+      tiltsAt(world, time, angle);
+      return paintScale(angle, 2 * tilt, (value) => (value > 0 ? `${value}° or more` : "0°"), true);
+    }
+    case "mass": {
+      const most = Math.max(...boxes.mass);
+      return paintScale(boxes.mass, most, (value) => (value > 0 ? kilograms(value) : "0"), false);
+    }
+    case "material": {
+      const ids = [...new Set(boxes.material)].sort((a, b) => a - b);
+      const fill = (id: number) => MATERIALS[ids.indexOf(id) % MATERIALS.length];
+      return {
+        fills: Array.from(boxes.material, fill),
+        legend: ids.map((id) => ({ fill: fill(id), label: `material ${id}` })),
+        moving: false,
+      };
+    }
+    case "first": {
+      const at = times(world, derived);
+      const known = at.filter((value) => value >= 0);
+      const first = Math.min(...known);
+      const last = Math.max(...known, first + 1e-9);
+      return {
+        fills: at.map((value) => (value < 0 ? calm() : ramp(1 - (0.85 * (value - first)) / (last - first)))),
+        legend:
+          known.length === 0
+            ? [{ fill: calm(), label: "does not move" }]
+            : [
+                { from: `later, ${seconds(last)}`, to: `first, ${seconds(first)}` },
+                { fill: calm(), label: "does not move" },
+              ],
+        moving: false,
+      };
+    }
+    case "margin":
+      return paintCritical(results, world);
+    default:
+      return paintVerdict(derived);
+  }
+}
+
+const times = (world: World, derived: Derived) =>
+  Array.from(derived.firstMove, (sample) => (sample < 0 ? -1 : (world.series?.time[sample] ?? -1)));
+
+/** The box that goes first above the margin, for each direction. */
+function paintCritical(results: Results, world: World): Painted {
+  const layout = results.worlds.layout[world.index];
+  const fills = Array.from<unknown, string>(world.boxes.id, calm);
+  const legend: LegendEntry[] = [];
+  for (const [i, direction] of DIRECTIONS.entries()) {
+    const critical = results.margins?.criticalBox[4 * layout + i] ?? 0;
+    const margin = results.margins?.margin[4 * layout + i] ?? Number.NaN;
+    const fill = MATERIALS[[1, 0, 2, 3][i]];
+    const box = world.boxes.id.indexOf(critical);
+    if (box >= 0) fills[box] = fill;
+    legend.push({ fill, label: `${direction} ${gravities(margin)}${box >= 0 ? `, box ${critical}` : ""}` });
+  }
+  return { fills, legend, moving: false };
+}

@@ -1,0 +1,246 @@
+import type { Shown } from "./box/compare_table";
+import type { Place } from "./data/messages";
+import { fromBase64 } from "./data/packed";
+import type { Results } from "./data/results";
+import { ResultsClient } from "./data/results_client";
+import { failing } from "./data/verdict";
+import { FleetView } from "./fleet/fleet_view";
+import { VIEWS } from "./load/camera_rig";
+import { firstOther, otherWorld, sameWorld } from "./load/other_world";
+import { WorldView } from "./load/world_view";
+import { download, element } from "./ui/dom";
+import { helpDialog } from "./ui/help";
+import { type Keymap, listenToKeys } from "./ui/keys";
+import { landing } from "./ui/landing";
+import { START, Store } from "./ui/state";
+import { startTheme } from "./ui/theme";
+import { TopBar } from "./ui/top_bar";
+
+/** Starts the page: a results file comes from the user, from the page itself or from the address that served it. */
+class App {
+  private readonly root = document.getElementById("app")!;
+  private readonly store = new Store(location.hash);
+  private readonly chooser = element("input", { type: "file", accept: ".h5,.hdf5", "aria-label": "Results file" });
+  private readonly secondChooser = element("input", {
+    type: "file",
+    accept: ".h5,.hdf5",
+    "aria-label": "Second results file",
+  });
+  private readonly bar = new TopBar(
+    () => this.store.update({ world: null, other: null }),
+    () => this.chooser.click(),
+    () => this.help.showModal(),
+  );
+  private readonly help = helpDialog();
+  private readonly client = ResultsClient.start();
+  private results: Results | null = null;
+  private second: { client: Promise<ResultsClient>; results: Results } | null = null;
+  private turn = 0;
+  private fleet: FleetView | null = null;
+  private world: WorldView | null = null;
+
+  constructor() {
+    this.chooser.hidden = true;
+    this.chooser.addEventListener("change", () => {
+      const file = this.chooser.files?.[0];
+      if (file) this.open({ kind: "file", file });
+      this.chooser.value = "";
+    });
+    this.secondChooser.hidden = true;
+    this.secondChooser.addEventListener("change", () => {
+      const file = this.secondChooser.files?.[0];
+      if (file) this.openSecond(file);
+      this.secondChooser.value = "";
+    });
+    document.addEventListener("dragover", (event) => event.preventDefault());
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      const file = event.dataTransfer?.files[0];
+      if (file) this.open({ kind: "file", file });
+    });
+    addEventListener("popstate", () => this.store.restore(location.hash));
+    this.store.listen((_, changed) => {
+      if (changed.has("world") || changed.has("other")) this.show();
+    });
+    listenToKeys(this.keys());
+    this.begin();
+  }
+
+  private keys(): Keymap {
+    const world = (action: (view: WorldView) => void) => () => {
+      if (this.world) action(this.world);
+    };
+    const flip = (key: "ghost" | "traces" | "centre") =>
+      world(() => this.store.update({ [key]: !this.store.state[key] }));
+    const views = Object.fromEntries(VIEWS.map((_, index) => [`${index + 1}`, world((view) => view.view(index))]));
+    return {
+      " ": world((view) => view.clock.toggle()),
+      ArrowRight: world((view) => view.timePanel.stepSample(1)),
+      ArrowLeft: world((view) => view.timePanel.stepSample(-1)),
+      "shift+ArrowRight": world((view) => view.timePanel.stepMarker(1)),
+      "shift+ArrowLeft": world((view) => view.timePanel.stepMarker(-1)),
+      Home: world((view) => view.clock.seek(0)),
+      End: world((view) => view.clock.seek(view.clock.end)),
+      ...views,
+      f: world((view) => view.focus()),
+      g: flip("ghost"),
+      t: flip("traces"),
+      c: flip("centre"),
+      n: () => this.goFailing(1),
+      p: () => this.goFailing(-1),
+      m: () => this.store.update({ world: null, other: null }),
+      x: () => this.compare(),
+      s: world((view) => this.savePicture(view)),
+      v: world((view) => this.saveVideo(view)),
+      "?": () => this.help.showModal(),
+      Escape: () => {
+        if (this.store.state.box !== null) this.store.update({ box: null });
+        else if (!this.help.open) this.store.update({ world: null, other: null });
+      },
+    };
+  }
+
+  /** Opens the next world, in the order of the matrix, that does not hold. */
+  private goFailing(step: 1 | -1): void {
+    const next = this.fleet?.nextFailing(this.store.state.world, step, failing);
+    if (next !== null && next !== undefined) this.store.update({ world: next, other: null, box: null, time: 0 });
+  }
+
+  private nameOfSaved(ending: string): string {
+    const { results, store } = this;
+    const world = store.state.world ?? 0;
+    const layout = results?.layouts[results.worlds.layout[world]].replace(/\.\w+$/, "");
+    return `${layout}-${results?.accelerations[results.worlds.acceleration[world]]}.${ending}`;
+  }
+
+  private async savePicture(view: WorldView): Promise<void> {
+    download(this.nameOfSaved("png"), await view.picture());
+  }
+
+  private async saveVideo(view: WorldView): Promise<void> {
+    const video = await view.video();
+    if (video) download(this.nameOfSaved("webm"), video);
+  }
+
+  private async begin(): Promise<void> {
+    const embedded = document.getElementById("results");
+    if (embedded?.dataset.address)
+      await this.open(
+        { kind: "address", name: embedded.dataset.name!, url: new URL(embedded.dataset.address, location.href).href },
+        false,
+      );
+    else if (embedded)
+      await this.open(
+        { kind: "bytes", name: embedded.dataset.name!, bytes: await fromBase64(embedded.textContent!) },
+        false,
+      );
+    else this.fill(landing(null, () => this.chooser.click()));
+  }
+
+  private async open(place: Place, afresh = true): Promise<void> {
+    this.root.setAttribute("aria-busy", "true");
+    try {
+      this.results = await (await this.client).open(place);
+      if (afresh) this.store.update({ ...START, colouring: this.store.state.colouring });
+      this.fleet = new FleetView(this.results, this.store);
+      this.closeWorld();
+      await this.show();
+    } catch (error) {
+      this.results = null;
+      this.bar.show(null, []);
+      this.fill(landing((error as Error).message, () => this.chooser.click()));
+    } finally {
+      this.root.removeAttribute("aria-busy");
+    }
+  }
+
+  /** The fleet, a world, or two. */
+  private async show(): Promise<void> {
+    const { results, fleet } = this;
+    if (!results || !fleet) return;
+    const { world, other } = this.store.state;
+    const turn = ++this.turn;
+    if (world === null || world >= results.worlds.layout.length) {
+      this.closeWorld();
+      this.bar.show(results, []);
+      this.fill(fleet.node);
+      fleet.focus();
+      return;
+    }
+    this.root.setAttribute("aria-busy", "true");
+    try {
+      const shown = [{ results, world: await (await this.client).world(world) }];
+      const second = this.secondFile();
+      if (other !== null && second && other < second.results.worlds.layout.length)
+        shown.push({ results: second.results, world: await (await second.client).world(other) });
+      if (turn !== this.turn) return;
+      this.closeWorld();
+      this.world = new WorldView(shown, this.store, shown[1] ? this.chooserOf(shown[1]) : null, () => this.compare());
+      this.bar.show(
+        results,
+        shown.map((of) => `${of.world.layout} · ${of.world.acceleration}`),
+      );
+      this.fill(this.world.node);
+    } catch (error) {
+      this.store.update({ world: null, other: null });
+      this.bar.say((error as Error).message);
+    } finally {
+      this.root.removeAttribute("aria-busy");
+    }
+  }
+
+  /** The file that the second world of a comparison is from. */
+  private secondFile(): { client: Promise<ResultsClient>; results: Results } | null {
+    const { otherFile } = this.store.state;
+    if (otherFile === "") return this.results && { client: this.client, results: this.results };
+    return this.second?.results.name === otherFile ? this.second : null;
+  }
+
+  private compare(): void {
+    const { world, other } = this.store.state;
+    if (!this.results || world === null) return;
+    this.store.update({ other: other === null ? firstOther(this.results, world) : null, otherFile: "" });
+  }
+
+  private chooserOf(shown: Shown): HTMLElement {
+    return otherWorld(
+      shown.results,
+      shown.world.index,
+      (other) => this.store.update({ other }),
+      () => this.secondChooser.click(),
+      () => this.store.update({ other: null, otherFile: "" }),
+    );
+  }
+
+  /** Compares with the same layout and acceleration in another file: of another engine, for instance. */
+  private async openSecond(file: File): Promise<void> {
+    const { world } = this.store.state;
+    if (!this.results || world === null) return;
+    const { worlds, layouts, accelerations } = this.results;
+    const layout = layouts[worlds.layout[world]];
+    const acceleration = accelerations[worlds.acceleration[world]];
+    try {
+      const client = ResultsClient.start();
+      const results = await (await client).open({ kind: "file", file });
+      const other = sameWorld(results, layout, acceleration);
+      if (other < 0) throw new Error(`${file.name} has no world of ${layout} under ${acceleration}.`);
+      this.second = { client, results };
+      this.store.update({ other: null, otherFile: "" });
+      this.store.update({ other, otherFile: file.name });
+    } catch (error) {
+      this.bar.say((error as Error).message);
+    }
+  }
+
+  private closeWorld(): void {
+    this.world?.close();
+    this.world = null;
+  }
+
+  private fill(view: HTMLElement): void {
+    this.root.replaceChildren(this.bar.node, view, this.chooser, this.secondChooser, this.help);
+  }
+}
+
+startTheme();
+new App();

@@ -1,0 +1,192 @@
+import type { World } from "../data/results";
+import { element, oncePerFrame } from "../ui/dom";
+import type { Store } from "../ui/state";
+import { colour } from "../ui/theme";
+import { type Clock, SPEEDS } from "./clock";
+import { times } from "./poses";
+import { markers, type Strip, strips } from "./strips";
+
+const FONT = "11px ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
+const TOP = 16;
+const BOTTOM = 18;
+const LEFT = 116;
+const RIGHT = 16;
+
+/** The time line: curves, samples, first moves, and the place where one is; drag it to go through time. */
+export class TimePanel {
+  readonly node: HTMLElement;
+  private readonly canvas = element("canvas", {
+    tabindex: 0,
+    role: "slider",
+    "aria-label": "Time",
+    "aria-valuemin": 0,
+  });
+  private readonly context = this.canvas.getContext("2d")!;
+  private readonly button = element("button", { class: "play", onclick: () => this.clock.toggle() });
+  private readonly readout = element("output", { class: "readout" });
+  private readonly strips: Strip[];
+  private readonly samples: Float64Array;
+  private readonly marks: { time: number; boxes: number[] }[];
+  readonly redraw = oncePerFrame(() => this.draw());
+
+  constructor(
+    private readonly world: World,
+    firstMove: Int32Array,
+    private readonly clock: Clock,
+    private readonly store: Store,
+  ) {
+    this.samples = times(world);
+    this.strips = strips(world, this.samples[this.samples.length - 1]);
+    this.marks = markers(world, firstMove);
+    const speed = element(
+      "select",
+      { "aria-label": "Speed", onchange: () => clock.setSpeed(Number(speed.value)) },
+      ...SPEEDS.map((value) => element("option", { value, selected: value === clock.speed }, `${value}×`)),
+    );
+    clock.listen(() => {
+      this.showPlaying();
+      speed.value = String(clock.speed);
+    });
+    this.node = element(
+      "section",
+      { class: "time", "aria-label": "Time" },
+      element("div", { class: "player" }, this.button, speed, this.readout),
+      element("div", { class: "line" }, this.canvas),
+    );
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      clock.pause();
+      this.scrub(event);
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons & 1) this.scrub(event);
+    });
+    new ResizeObserver(() => this.measure()).observe(this.canvas.parentElement!);
+    this.showPlaying();
+  }
+
+  /** Goes to the next sample, or back. */
+  stepSample(step: 1 | -1): void {
+    this.stepTo([...this.samples], step);
+  }
+
+  /** Goes to the next first move of a box, or back. */
+  stepMarker(step: 1 | -1): void {
+    this.stepTo([0, ...this.marks.map(({ time }) => time), this.clock.end], step);
+  }
+
+  private stepTo(stops: number[], step: 1 | -1): void {
+    this.clock.pause();
+    const { time } = this.store.state;
+    const next = step > 0 ? stops.find((stop) => stop > time + 1e-6) : stops.findLast((stop) => stop < time - 1e-6);
+    if (next !== undefined) this.clock.seek(next);
+  }
+
+  private showPlaying(): void {
+    const { playing } = this.clock;
+    this.button.textContent = playing ? "❙❙" : "▶";
+    this.button.setAttribute("aria-label", playing ? "Pause" : "Play");
+    this.button.title = `${playing ? "Pause" : "Play"} (space)`;
+  }
+
+  private scrub(event: PointerEvent): void {
+    const box = this.canvas.getBoundingClientRect();
+    this.clock.seek(((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * this.clock.end);
+  }
+
+  private measure(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    this.canvas.width = Math.round(clientWidth * devicePixelRatio);
+    this.canvas.height = Math.round(clientHeight * devicePixelRatio);
+    this.canvas.style.width = `${clientWidth}px`;
+    this.canvas.style.height = `${clientHeight}px`;
+    this.draw();
+  }
+
+  private draw(): void {
+    const { context, canvas, store, clock } = this;
+    const { time } = store.state;
+    const width = canvas.width / devicePixelRatio;
+    const height = canvas.height / devicePixelRatio;
+    const end = clock.end || 1;
+    const x = (at: number) => LEFT + (at / end) * (width - LEFT - RIGHT);
+    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    context.font = FONT;
+    context.textBaseline = "middle";
+
+    const room = Math.min(64, (height - TOP - BOTTOM) / this.strips.length);
+    for (const [index, strip] of this.strips.entries()) this.drawStrip(strip, TOP + index * room, room - 8, x);
+    if (!this.world.series) {
+      context.fillStyle = colour("faint");
+      context.textAlign = "center";
+      const said =
+        this.world.boxes.id.length > 0
+          ? "No series in this file: boxes go straight from where they stood to where they end, without turning."
+          : "This world was not simulated.";
+      context.fillText(said, (width + LEFT) / 2, height - BOTTOM - 34);
+    }
+
+    // Samples: what is between them is interpolated.
+    context.fillStyle = colour("faint");
+    if (this.world.series && (width - LEFT - RIGHT) / this.samples.length >= 2)
+      for (const sample of this.samples) context.fillRect(x(sample) - 0.5, height - BOTTOM, 1, 4);
+    this.drawScale(x, end, height);
+    for (const mark of this.marks) {
+      const at = x(mark.time);
+      context.fillStyle = colour("problem");
+      context.beginPath();
+      context.moveTo(at - 4, 3);
+      context.lineTo(at + 4, 3);
+      context.lineTo(at, 10);
+      context.fill();
+    }
+    context.fillStyle = colour("ink");
+    context.fillRect(x(time) - 0.75, 2, 1.5, height - BOTTOM + 2);
+    this.readout.textContent = `${time.toFixed(2)} s`;
+    canvas.setAttribute("aria-valuenow", time.toFixed(3));
+    canvas.setAttribute("aria-valuemax", end.toFixed(3));
+    canvas.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
+  }
+
+  private drawScale(x: (at: number) => number, end: number, height: number): void {
+    const { context } = this;
+    const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+    const step = steps.find((value) => x(value) - x(0) >= 56) ?? 200;
+    context.textAlign = "center";
+    for (let at = 0; at <= end + 1e-9; at += step) context.fillText(`${Number(at.toFixed(3))}`, x(at), height - 6);
+    context.textAlign = "right";
+    context.fillText("s", LEFT - 14, height - 6);
+  }
+
+  private drawStrip(strip: Strip, top: number, height: number, x: (at: number) => number): void {
+    const { context } = this;
+    const y = (value: number) => top + height - ((value - strip.low) / (strip.high - strip.low)) * height;
+    context.strokeStyle = colour("line");
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(LEFT, Math.round(y(0)) + 0.5);
+    context.lineTo(x(this.clock.end || 1), Math.round(y(0)) + 0.5);
+    context.stroke();
+    context.textAlign = "right";
+    context.fillStyle = colour("soft");
+    context.fillText(strip.name, LEFT - 14, top + height / 2 - 6);
+    context.fillStyle = colour("faint");
+    const most = Math.abs(strip.high) >= Math.abs(strip.low) ? strip.high : strip.low;
+    context.fillText(`${Number(most.toPrecision(3))} ${strip.unit}`, LEFT - 14, top + height / 2 + 7);
+    for (const line of strip.lines) {
+      context.beginPath();
+      for (let i = 0; i < line.time.length; ++i) {
+        if (i > 0 && line.steps) context.lineTo(x(line.time[i]), y(line.values[i - 1]));
+        context.lineTo(x(line.time[i]), y(line.values[i]));
+      }
+      context.strokeStyle = colour(line.colour);
+      context.lineWidth = 1.5;
+      context.stroke();
+      if (!line.label) continue;
+      context.fillStyle = colour(line.colour);
+      context.textAlign = "left";
+      context.fillText(line.label, x(this.clock.end) + 4, y(line.values[line.values.length - 1]));
+    }
+  }
+}
