@@ -9,6 +9,7 @@
 #include "core/engine/series_recorder.hpp"
 #include "core/engine/simulate.hpp"
 #include "core/model/replica_draw.hpp"
+#include "core/model/replica_inputs.hpp"
 #include "core/model/verdict.hpp"
 
 namespace holdfast::internal {
@@ -38,15 +39,13 @@ class ReplicaRun {
         abort_(abort),
         plan_(recording_plan(settings, false)),
         planned_(static_cast<std::uint32_t>(settings.screening.replicas)),
+        inputs_(layout, settings),
         box_failures_(layout.boxes.size()) {
     plan_.damage_boundary.reset();  // of the nominal world only
-    const std::uint64_t boxes = boxes_hash(layout);
-    for (std::uint32_t number = 1; number <= planned_; ++number)
-      draws_.push_back(draw_replica(layout, boxes, number, settings.screening));
   }
 
   std::optional<ReplicaOutcome> run() {
-    if (settings_.screening.acceleration_spread == 0.0) {
+    if (settings_.screening.acceleration_spread == 0.0 && !inputs_.shifts_boxes()) {
       const std::optional<bool> rests = rests_with_least_friction();
       if (!rests) return std::nullopt;
       if (*rests) outcome_.count = planned_;
@@ -70,9 +69,9 @@ class ReplicaRun {
 
   /// Nothing when aborted.
   std::optional<bool> rests_with_least_friction() {
-    ReplicaDraw least = draws_.front();
-    for (const ReplicaDraw& draw : draws_) lower_friction(least, draw);
-    const std::optional<std::vector<WorldRecord>> worlds = simulate_draws({&least, 1});
+    ReplicaDraw least = inputs_.draws().front();
+    for (const ReplicaDraw& draw : inputs_.draws()) lower_friction(least, draw);
+    const std::optional<std::vector<WorldRecord>> worlds = simulate_draws({&least, 1}, outcome_.count);
     if (!worlds) return std::nullopt;
     const std::vector<float>& peaks = worlds->front().end.peak_displacement;
     return verdict_of(worlds->front(), plan_.thresholds) == Verdict::stayed &&
@@ -83,7 +82,7 @@ class ReplicaRun {
   bool run_block() {
     const std::uint32_t size = std::min(kReplicaBlock, planned_ - outcome_.count);
     const std::optional<std::vector<WorldRecord>> worlds =
-        simulate_draws(std::span(draws_).subspan(outcome_.count, size));
+        simulate_draws(std::span(inputs_.draws()).subspan(outcome_.count, size), outcome_.count);
     if (!worlds) return false;
     for (const WorldRecord& world : *worlds) count(world);
     return true;
@@ -100,14 +99,18 @@ class ReplicaRun {
   }
 
   /// Simulates the worlds of some draws together. Nothing when aborted.
-  std::optional<std::vector<WorldRecord>> simulate_draws(std::span<const ReplicaDraw> draws) {
+  /// @param before number of the replica before them
+  std::optional<std::vector<WorldRecord>> simulate_draws(std::span<const ReplicaDraw> draws, std::uint32_t before) {
     std::list<Acceleration> accelerations;  // worlds keep their addresses
+    std::list<Layout> shifted;
     WorldBatch batch;
     std::vector<std::unique_ptr<SeriesRecorder>> owners;
     std::vector<Recorder*> recorders;
     for (const ReplicaDraw& draw : draws) {
       accelerations.push_back(scaled(acceleration_, draw.acceleration));
-      append_world(batch, layout_, accelerations.back(), with_friction(settings_, draw));
+      if (inputs_.shifts_boxes()) shifted.push_back(inputs_.layout(++before));
+      const Layout& layout = inputs_.shifts_boxes() ? shifted.back() : layout_;
+      append_world(batch, layout, accelerations.back(), with_friction(settings_, draw));
       owners.push_back(std::make_unique<SeriesRecorder>(plan_));
       recorders.push_back(owners.back().get());
     }
@@ -125,7 +128,7 @@ class ReplicaRun {
   const std::atomic<bool>& abort_;
   RecordingPlan plan_;
   std::uint32_t planned_;
-  std::vector<ReplicaDraw> draws_;  ///< of all replicas
+  ReplicaInputs inputs_;
   std::vector<std::uint32_t> box_failures_;
   ReplicaOutcome outcome_;
 };

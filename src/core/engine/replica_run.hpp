@@ -18,7 +18,7 @@ inline constexpr double kRestDisplacement = 1e-4;
 ///
 /// First comes the world with the least friction of all draws. Where its boxes stay at rest, there are forces that
 /// balance it; with more friction the same forces balance it too (they lie in larger friction cones), and all replicas
-/// hold without being simulated. With `AccelerationSpread` that says nothing, and is left out.
+/// hold without being simulated. With `AccelerationSpread` or `PlayShift` that says nothing, and is left out.
 /// @param settings replicas end as worlds do: with StopWhen as soon as they are decided
 /// @return nothing when aborted
 std::optional<ReplicaOutcome> run_replicas(const Engine& engine, const Layout& layout, const Acceleration& acceleration,

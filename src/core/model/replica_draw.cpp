@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/byte_hash.hpp"
+#include "core/base/mixed_bits.hpp"
 
 namespace holdfast::internal {
 
@@ -15,27 +16,20 @@ constexpr double kLargestDeviation = 3.0;
 /// What is drawn. A material's number is added to the last one.
 enum class Quantity : std::uint64_t { container, box_box, box_floor, box_wall, acceleration, material };
 
-/// A step of the generator splitmix64 (Steele, Lea and Flood 2014): a well mixed number from any other.
-std::uint64_t mixed(std::uint64_t number) {
-  number += 0x9e3779b97f4a7c15ULL;
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebULL;
-  return number ^ (number >> 31U);
-}
-
 /// The numbers of one replica of a layout, each drawn by its name alone.
 class Generator {
  public:
-  Generator(std::uint64_t boxes, std::uint32_t number) : seed_(mixed(mixed(boxes) ^ number)) {}
+  Generator(std::uint64_t boxes, std::uint32_t number) : seed_(mixed_bits(mixed_bits(boxes) ^ number)) {}
 
   /// A normal number with mean 0 and variance 1, cut off. The sum of twelve uniform numbers (Irwin-Hall): additions
   /// have the same bits everywhere, which logarithms of the C library do not have.
   double normal(Quantity quantity, int material = 0) const {
-    std::uint64_t state = mixed(seed_ ^ (static_cast<std::uint64_t>(quantity) + static_cast<std::uint32_t>(material)));
+    std::uint64_t state =
+        mixed_bits(seed_ ^ (static_cast<std::uint64_t>(quantity) + static_cast<std::uint32_t>(material)));
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) {
-      state = mixed(state);
-      sum += static_cast<double>(state >> 11U) * 0x1p-53;
+      state = mixed_bits(state);
+      sum += unit_number(state);
     }
     return std::clamp(sum, -kLargestDeviation, kLargestDeviation);
   }

@@ -207,6 +207,8 @@ std::vector<SettingKey> make_table() {
       "Standard deviation of a friction coefficient in replicas, divided by its mean.");
   add(Spread{}, "AccelerationSpread", "", "0", MEMBER(screening.acceleration_spread),
       "The same of a factor that scales a replica's acceleration.");
+  add(NotNegative{}, "PlayShift", "m", "0", MEMBER(screening.play_shift),
+      "Largest distance that replicas shift each box along and across the container, within the gaps around it.");
   add(NotNegative{}, "Gravity", "m/s²", "9.81", MEMBER(gravity), "Acceleration of free fall, downwards.");
 
   section = "Native";
@@ -340,9 +342,10 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
     add("Screening", "ReferencePose", "the settled pose is requested without time to settle",
         "give SettleSeconds, or set ReferencePose = layout");
   const ScreeningSettings& screening = settings.screening;
-  if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0)
-    add("Screening", "Replicas", "replicas are all the same where neither friction nor acceleration varies",
-        "leave Replicas out, or give FrictionSpread or AccelerationSpread");
+  if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0 &&
+      screening.play_shift == 0.0)
+    add("Screening", "Replicas", "replicas are all the same where neither friction, acceleration nor places vary",
+        "leave Replicas out, or give FrictionSpread, AccelerationSpread or PlayShift");
   return conflicts;
 }
 

@@ -87,6 +87,7 @@ struct ScreeningSettings {
   int replicas = 0;                       ///< of each world, with friction drawn anew; 0: none
   double friction_spread = 0.1;           ///< standard deviation over mean of a friction coefficient in replicas
   double acceleration_spread = 0.0;       ///< the same of the accelerations
+  double play_shift = 0.0;                ///< largest distance that replicas shift a box within the gaps around it, m
   bool first_failure = false;             ///< leave out the accelerations of a layout that has failed one
   bool wall_forces = false;               ///< also record the forces on the sides of the container
   std::optional<WallNorm> walls;          ///< the same, and compare them with the limits of a norm

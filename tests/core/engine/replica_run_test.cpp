@@ -3,6 +3,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
+#include "core/model/play.hpp"
 #include "core/model/replica_draw.hpp"
 #include "scenes.hpp"
 
@@ -89,6 +90,27 @@ TEST_CASE("replica_run: with a spread of accelerations every replica that is nee
   REQUIRE(sliding > 3);
   const ReplicaOutcome outcome = replicas_of("native", layout, constant(0.48 * kGravity, 2.0), settings);
   CHECK(outcome.failed == sliding);
+  CHECK(outcome.simulated == 32);
+}
+
+TEST_CASE("replica_run: boxes are shifted within their play", "[replica_run]") {
+  // A board stands out of a box, and falls when that box, or it, is shifted so far that its centre is beyond the edge.
+  Settings settings = floor_with_replicas();
+  settings.screening.friction_spread = 0.0;
+  settings.screening.play_shift = 0.1;
+  Layout layout = layout_of({box({9, 9, 0}, {1, 1, 1}), box({9.45, 9, 1}, {1, 1, 0.2})});
+  const std::vector<BoxPlay> play = play_of(layout, settings.container, 0.1);
+  std::uint32_t falling = 0;
+  for (std::uint32_t number = 1; number <= 32; ++number) {
+    const Layout shifted = shifted_layout(layout, play, boxes_hash(layout), number);
+    const double beyond = shifted.boxes[1].corner_min.x() - shifted.boxes[0].corner_min.x() - 0.5;
+    REQUIRE(std::abs(beyond) > 1e-4);
+    if (beyond > 0.0) ++falling;
+  }
+  REQUIRE(falling > 3);
+  const ReplicaOutcome outcome = replicas_of("native", layout, constant(0.0, 3.0), settings);
+  CHECK(outcome.count == 32);
+  CHECK(outcome.failed == falling);
   CHECK(outcome.simulated == 32);
 }
 
