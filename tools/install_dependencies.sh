@@ -37,6 +37,7 @@ test_packages=(
   python3-scipy      # the linear programs that tests compare the proof of rest with
   python3-pandas     # tables in examples and benchmarks
   python3-matplotlib # plots in examples and benchmarks
+  weasyprint         # PDF of `holdfast report`
 )
 dev_packages=(
   clang              # the second compiler

@@ -32,6 +32,26 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([options, &chosen] { chosen.run = [options] { return run_summary_command(*options); }; });
 }
 
+void add_report_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command =
+      program.add_subcommand("report", "Write a page to print for each layout that does not hold, as HTML or PDF");
+  command->footer(
+      "A page shows the load from three sides, what fails under what, and which box goes first; margins and forces on\n"
+      "the walls, where the run was asked for them. PDF takes WeasyPrint, Debian's package weasyprint.\n\n"
+      "Example:\n"
+      "  holdfast report results.h5 -o report.pdf");
+  auto options = std::make_shared<ReportOptions>();
+  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
+  command->add_option("-o,--output", options->output_path, "Report to write, .html or .pdf")
+      ->capture_default_str()
+      ->type_name("FILE");
+  command->add_option("--most", options->most, "Most layouts that get a page, the worst first")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000))
+      ->type_name("N");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_report_command(*options); }; });
+}
+
 void add_view_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("view", "Show a results file in a browser");
   command->footer(
@@ -58,6 +78,7 @@ void add_view_command(CLI::App& program, ChosenCommand& chosen) {
 
 void add_results_commands(CLI::App& program, ChosenCommand& chosen) {
   add_summary_command(program, chosen);
+  add_report_command(program, chosen);
   add_view_command(program, chosen);
 }
 

@@ -54,6 +54,13 @@ struct SummaryOptions {
 };
 ExitCode run_summary_command(const SummaryOptions& options);
 
+struct ReportOptions {
+  std::string results_path;
+  std::string output_path = "report.html";
+  int most = 50;  ///< layouts that get a page
+};
+ExitCode run_report_command(const ReportOptions& options);
+
 struct ViewOptions {
   std::string results_path;
   std::optional<std::string> page_path;  ///< absent: beside the results, with their name

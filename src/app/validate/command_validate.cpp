@@ -1,6 +1,4 @@
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/program_folder.hpp"
 #include "app/report.hpp"
+#include "app/shared_script.hpp"
 #include "app/stop_signal.hpp"
 #include "app/validate/validation_files.hpp"
 #include "app/validate/validation_run.hpp"
@@ -155,19 +154,8 @@ void print_table(const ValidationResult& result) {
 
 /// Draws the report with the Python script that comes with the program.
 std::optional<Error> draw_report(const std::string& folder) {
-  const std::string script = (share_folder() / "validation_report.py").string();
-  std::string interpreter = "/usr/bin/python3";
-  std::string script_word = script;
-  std::string folder_word = folder;
-  char* const words[] = {interpreter.data(), script_word.data(), folder_word.data(), nullptr};
-  pid_t child = 0;
-  int status = 0;
-  if (posix_spawn(&child, interpreter.c_str(), nullptr, nullptr, words, environ) == 0 &&
-      waitpid(child, &status, 0) == child && status == 0) {
-    return std::nullopt;
-  }
-  return Error{.file = script,
-               .what = "the report could not be drawn",
+  if (run_shared_script("validation_report.py", {folder}) == 0) return std::nullopt;
+  return Error{.what = "the report could not be drawn",
                .accepted = "python3 with matplotlib and pandas is needed; the numbers are in " + folder};
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace holdfast::internal {
+
+/// Runs a Python script that comes with the program, with the streams of the program, and waits for its end.
+/// @param name of the file in `share_folder()`
+/// @return its exit status; nothing when it could not be started, or was killed
+std::optional<int> run_shared_script(const std::string& name, const std::vector<std::string>& arguments);
+
+}  // namespace holdfast::internal

@@ -1,0 +1,101 @@
+"""`holdfast report`: which layouts get a page, what stands on it, and what is refused."""
+import re
+import unittest
+import xml.etree.ElementTree as ET
+
+from cli import SOURCE, CliTest, datasets
+
+LAYOUTS = SOURCE / "configs/layouts"
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Report(CliTest):
+    def screen(self, *arguments):
+        self.assert_exit(self.run_here("screen", "--quiet", "--norm", "road", "--accuracy", "screening", *arguments), 0)
+
+    def report(self, *arguments):
+        done = self.run_here("report", "results.h5", *arguments)
+        self.assert_exit(done, 0)
+        return done.stdout, (self.folder / "report.html").read_text()
+
+    def test_every_layout_that_fails_has_a_page_and_no_other(self):
+        self.screen("--layouts", LAYOUTS / "BR5_020_layer_h60.txt", LAYOUTS / "seed_example.txt", LAYOUTS / "BR8_009_ep.txt",
+                    "--margins", "--walls", "en12642-l")
+        data = datasets(self.folder / "results.h5")
+        failing = {data["/inputs/layouts/name"][layout].decode() for layout, verdict
+                   in zip(data["/worlds/layout"], data["/summary/worlds/verdict"]) if verdict != 0}
+        self.assertEqual(failing, {"seed_example.txt", "BR8_009_ep.txt"})
+        told, text = self.report()
+        self.assertEqual(told, "report.html: 2 layouts that do not hold\n")
+        self.assertEqual(set(re.findall(r"<h2>(.*?)</h2>", text)), failing)
+        self.assertIn("2 of 3 layouts do not hold", text)
+
+        seed = next(part for part in text.split("<section>") if "<h2>seed_example.txt" in part)
+        # The margins of its documentation, what the road needs, and a side that is too weak.
+        self.assertIn("<td>right</td><td><span class=bad>0.28 g</span></td><td>0.5 g</td>", seed)
+        self.assertIn("<td>left</td><td>1.50 g or more</td><td>0.5 g</td><td>-</td>", seed)
+        self.assertRegex(seed, r"<td>right</td><td>[\d.]+ kN</td><td>[\d.]+ kN</td><td><span class=bad>\d+%</span>")
+        # One row per acceleration, each with its verdict.
+        self.assertEqual(len(re.findall(r"<tr><td>road-", seed)), 4)
+
+    def test_views_show_every_box_and_mark_the_first(self):
+        self.write("boxes.txt", "1 3\n0 0 0 100 100 100 1\n0 0 100 40 100 200 1\n300 100 0 400 200 20 1\n")
+        self.screen("--layouts", "boxes.txt")
+        _, text = self.report()
+        top, side, corner = (ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", text))
+        faces = {name: [p for p in view.iter(f"{SVG}polygon") if p.get("fill") != "none"]
+                 for name, view in (("top", top), ("side", side), ("corner", corner))}
+        self.assertEqual({name: len(found) for name, found in faces.items()}, {"top": 3, "side": 3, "corner": 9})
+
+        def extent(face):
+            points = [tuple(map(float, point.split(","))) for point in face.get("points").split()]
+            return tuple(max(axis) - min(axis) for axis in zip(*points))
+
+        scale = 298 / 5.87  # pixels per metre, in a container of 5.87 m
+        expected = {"top": [(0.4, 1), (1, 1), (1, 1)], "side": [(0.4, 1), (1, 0.2), (1, 1)]}
+        for name, sizes in expected.items():
+            for found, size in zip(sorted(map(extent, faces[name])), sorted(sizes)):
+                for a, b in zip(found, size):
+                    self.assertAlmostEqual(a, b * scale, delta=0.11)
+        # The tall box tips to the rear, and the flat one slides to the front; the one below stays.
+        self.assertEqual({element.text for element in corner.iter(f"{SVG}text")}, {"2", "3"})
+
+    def test_the_worst_come_first_and_the_rest_is_named(self):
+        self.screen("--layouts", LAYOUTS / "seed_example.txt", LAYOUTS / "unstable_BR2_007_bpjs.txt")
+        told, text = self.report("--most", "1")
+        self.assertEqual(told, "report.html: 1 of 2 layouts that do not hold; --most 2 writes all\n")
+        self.assertEqual(re.findall(r"<h2>(.*?)</h2>", text), ["unstable_BR2_007_bpjs.txt"])
+
+    def test_loads_that_hold_and_bad_layouts_are_told(self):
+        self.write("good.txt", "1 1\n0 0 0 100 100 20 1\n")
+        self.write("bad.txt", "1 1\n0 0 0 100 100\n")
+        self.write("rest.txt", "0 1 0 0 0\n")
+        self.run_here("screen", "--quiet", "--layouts", "good.txt", "bad.txt", "--accelerations", "rest.txt")
+        told, text = self.report()
+        self.assertIn("1 of 2 layouts do not hold", text)
+        self.assertIn("bad.txt:2", text)
+        self.run_here("screen", "--quiet", "--layouts", "good.txt", "--accelerations", "rest.txt", "--overwrite")
+        told, text = self.report()
+        self.assertEqual(told, "report.html: 0 layouts that do not hold\n")
+        self.assertNotIn("<section>", text)
+
+    def test_a_pdf_has_a_page_per_layout(self):
+        self.screen("--layouts", LAYOUTS / "seed_example.txt", LAYOUTS / "BR8_009_ep.txt", "--margins")
+        for _ in range(2):  # a report is replaced
+            self.assert_exit(self.run_here("report", "results.h5", "-o", "report.pdf"), 0)
+        data = (self.folder / "report.pdf").read_bytes()
+        self.assertTrue(data.startswith(b"%PDF"))
+        self.assertEqual(len(re.findall(rb"/Type /Page\b", data)), 3)  # and the front page
+
+    def test_what_cannot_be_done_is_refused_in_a_line(self):
+        self.screen("--layouts", LAYOUTS / "seed_example.txt")
+        self.assert_refused(self.run_here("report", "results.h5", "-o", "report.doc"), "report.doc", ".html or .pdf")
+        self.write("mine.html", "<p>mine</p>\n")
+        self.assert_refused(self.run_here("report", "results.h5", "-o", "mine.html"), "mine.html")
+        self.assertEqual((self.folder / "mine.html").read_text(), "<p>mine</p>\n")
+        self.write("text.h5", "no results\n")
+        self.assert_refused(self.run_here("report", "text.h5"), "text.h5")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+"""Writes a page to print for each layout of a results file that does not hold, as HTML or, with WeasyPrint, as PDF.
+
+Each page shows the load from above, from the side and from a corner, what fails under what, which box goes first, and
+margins and wall forces where the run has them. Example: load_report.py results.h5 report.html
+"""
+import argparse
+import html
+import os
+import sys
+
+try:
+    import h5py
+    import numpy as np
+except ImportError as missing:
+    sys.exit(f"a report needs python3-h5py: {missing}")
+from load_views import draw
+
+VERDICTS = ("stayed", "moved", "fell", "unstable", "failed", "gave way", "not needed")
+STAYED, FAILED, NOT_NEEDED = 0, 4, 6
+REPLICA_VERDICTS = ("", "holds", "fails", "uncertain")
+SIDES = ("front", "rear", "left", "right")
+PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container's acceleration that pushes to each side
+GRAVITY = 9.81  # m/s2: what norms call 1 g
+MOST_BOXES = 10  # rows of a page's table
+STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
+h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
+table{border-collapse:collapse;margin:.6em 0;font-size:12px}td,th{border-bottom:1px solid #d5d9de;padding:2px 9px 2px 0;text-align:right}
+th{font-weight:600}td:first-child,th:first-child,.text{text-align:left}td,th{white-space:nowrap}
+.wrap td:last-child{white-space:normal}.views{display:flex}.views div{margin-right:5mm}
+h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:10mm}figure{margin:0}figcaption{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
+.key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}"""
+
+
+class Results:
+    """What the report needs of a results file."""
+
+    def __init__(self, file):
+        self.attributes = dict(file.attrs)
+        self.settings = dict(file["inputs/settings"].attrs)
+        self.container = [float(self.settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
+        inputs = file["inputs/layouts"]
+        self.layout_names = inputs["name"].asstr()[:]
+        self.begin, self.count = (inputs[name][:].astype(int) for name in ("box_begin", "box_count"))
+        self.low, self.high = inputs["corner_min"][:], inputs["corner_max"][:]
+        self.acceleration_names = file["inputs/accelerations/name"].asstr()[:]
+        self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count")}
+        self.status_text = file["worlds/status_text"].asstr()[:]
+        self.world_summary = {name: file[f"summary/worlds/{name}"][:] for name in file["summary/worlds"]}
+        self.box_summary = {name: file[f"summary/boxes/{name}"][:] for name in file["summary/boxes"]}
+        self.box_mass = file["boxes/mass"][:]
+        self.box_peak = file["boxes/peak_displacement"][:]
+        self.margins = file["margins/margin"][:] if "margins" in file else None
+        self.critical_box = file["margins/critical_box"][:] if "margins" in file else None
+        # The floor comes first there, and the roof last.
+        self.wall_force = file["walls/lasting_force"][:, 1:5] if "walls" in file else None
+        self.wall_limit = file["walls/limit"][:, 1:5] if "walls" in file else None
+        self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
+        self.needed = self.needed_margins(file)
+
+    def needed_margins(self, file):
+        """What the norm of the run asks for in each direction, g; zeros without a norm."""
+        if not str(self.settings.get("Screening/Norm", "")):
+            return np.zeros(len(SIDES))
+        values = file["inputs/accelerations/value"][:]
+        return np.array([max(0.0, (sign * values[:, axis]).max(initial=0.0)) for axis, sign in PUSHED_BY]) / GRAVITY
+
+    def worlds_of(self, layout):
+        return np.flatnonzero(self.worlds["layout"] == layout)
+
+    def rows_of(self, world):
+        begin = int(self.worlds["box_begin"][world])
+        return slice(begin, begin + int(self.worlds["box_count"][world]))
+
+    def fails(self, world):
+        return self.world_summary["verdict"][world] not in (STAYED, NOT_NEEDED)
+
+    def is_beyond(self, world):
+        """Per box of the world, whether it fell, moved, tilted or was unstable."""
+        rows = self.rows_of(world)
+        return np.any([self.box_summary[what][rows] for what in ("fallen", "moved", "tilted", "unstable")], axis=0)
+
+
+def table(heads, rows, text=(), kind=""):
+    """:param text: columns beside the first that are aligned to the left
+    :param kind: class of the table in the style
+    """
+    def cells(tag, row):
+        return "".join(f'<{tag}{" class=text" if i in text else ""}>{cell}</{tag}>' for i, cell in enumerate(row))
+
+    return f"<table class='{kind}'><tr>{cells('th', heads)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
+
+
+def seconds(time):
+    return "-" if np.isnan(time) else f"{time:.2f} s"
+
+
+def first_box(results, world):
+    """Index of the box that is first beyond a threshold, and when; None where none is."""
+    times = np.where(results.is_beyond(world), results.box_summary["first_move_time"][results.rows_of(world)], np.nan)
+    if not results.is_beyond(world).any():
+        return None
+    return (int(np.nanargmin(times)), float(np.nanmin(times))) if not np.isnan(times).all() else (int(np.argmax(results.is_beyond(world))), np.nan)
+
+
+def worlds_table(results, worlds):
+    rows = []
+    for world in worlds:
+        summary = {name: column[world] for name, column in results.world_summary.items()}
+        verdict = VERDICTS[summary["verdict"]]
+        name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
+        if summary["verdict"] in (FAILED, NOT_NEEDED):
+            rows.append([name, verdict, html.escape(results.status_text[world]), "", "", "", ""])
+            continue
+        first = first_box(results, world)
+        told = ""
+        if results.replicas is not None:
+            replicas = {key: column[world] for key, column in results.replicas.items()}
+            told = f"{REPLICA_VERDICTS[replicas['verdict']]}: {replicas['failed']} of {replicas['count']} fail" if replicas["count"] else ""
+        rows.append([name, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
+                     f"box {first[0] + 1} at {seconds(first[1])}" if first else "-", summary["fallen_boxes"],
+                     summary["moved_boxes"], summary["tilted_boxes"], told])
+    heads = ["acceleration", "verdict", "first", "fallen", "moved", "tilted", "replicas"]
+    if results.replicas is None:
+        heads, rows = heads[:-1], [row[:-1] for row in rows]
+    return table(heads, rows, text=(1, 2, 6))
+
+
+def margins_table(results, layout):
+    if results.margins is None or np.isnan(results.margins[layout]).all():
+        return ""
+    rows = []
+    for i, side in enumerate(SIDES):
+        margin, needed, box = results.margins[layout, i], results.needed[i], results.critical_box[layout, i]
+        size = "does not stand" if margin < 0 else f"{margin:.2f} g" + (" or more" if margin >= 1.5 else "")
+        rows.append([side, f"<span class=bad>{size}</span>" if margin < needed else size,
+                     f"{needed:g} g" if needed else "-", f"box {box}" if box else "-"])
+    return "<div><h3>How many g it stands</h3>" + table(["pushed to the", "stands", "needed", "first to go"], rows) + "</div>"
+
+
+def walls_table(results, worlds):
+    if results.wall_force is None:
+        return ""
+    force = results.wall_force[worlds]
+    if np.isnan(force).all():
+        return ""
+    rows = []
+    for i, side in enumerate(SIDES):
+        world = worlds[np.nanargmax(force[:, i])]
+        most, limit = results.wall_force[world, i], results.wall_limit[world, i]
+        share = f"{most / limit:.0%}" if limit > 0 else "-"
+        rows.append([side, f"{most / 1000:.1f} kN", f"{limit / 1000:.1f} kN" if limit > 0 else "-",
+                     f"<span class=bad>{share}</span>" if most > limit > 0 else share,
+                     html.escape(results.acceleration_names[results.worlds["acceleration"][world]])])
+    norm = str(results.settings.get("Screening/Walls", ""))
+    return (f"<div><h3>Force on the walls{', limits of ' + html.escape(norm) if norm else ''}</h3>"
+            + table(["wall", "largest", "limit", "share", "under"], rows, text=(4,)) + "</div>")
+
+
+def boxes_table(results, layout, worlds):
+    """The boxes that went, under the acceleration in which each went farthest."""
+    found = {}
+    for world in worlds:
+        rows = results.rows_of(world)
+        for box in np.flatnonzero(results.is_beyond(world)):
+            peak = float(results.box_peak[rows][box])
+            if box not in found or peak > found[box][0]:
+                found[box] = (peak, world)
+    order = sorted(found, key=lambda box: -found[box][0])
+    lines = []
+    for box in order[:MOST_BOXES]:
+        peak, world = found[box]
+        row = results.rows_of(world).start + box
+        size = results.high[results.begin[layout] + box] - results.low[results.begin[layout] + box]
+        lines.append([box + 1, " × ".join(f"{100 * part:.0f}" for part in size), f"{results.box_mass[row]:.0f}", f"{100 * peak:.0f}",
+                      f"{100 * results.box_summary['drop'][row]:.0f}", f"{results.box_summary['tilt'][row]:.0f}",
+                      seconds(results.box_summary["first_move_time"][row]),
+                      html.escape(results.acceleration_names[results.worlds["acceleration"][world]])])
+    more = f"<p>and {len(order) - MOST_BOXES} more boxes</p>" if len(order) > MOST_BOXES else ""
+    return "<h3>What moved</h3>" + table(["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "first moved", "under"], lines,
+                                         text=(7,)) + more
+
+
+def page(results, layout):
+    worlds = results.worlds_of(layout)
+    failing = [world for world in worlds if results.fails(world)]
+    simulated = [world for world in worlds if results.worlds["box_count"][world] > 0]
+    span = slice(int(results.begin[layout]), int(results.begin[layout]) + int(results.count[layout]))
+    boxes = list(zip(results.low[span], results.high[span]))
+    states = ["still"] * len(boxes)
+    for world in simulated:
+        for box in np.flatnonzero(results.is_beyond(world)):
+            states[box] = "later" if states[box] == "still" else states[box]
+    for world in simulated:
+        if first := first_box(results, world):
+            states[first[0]] = "first"
+    size = sum(np.prod(high - low) for low, high in boxes) / np.prod(results.container)
+    views = ""
+    if boxes:
+        top, side, corner = (
+            f"<figure>{draw(boxes, states, results.container, view, width)}<figcaption>{caption}</figcaption></figure>"
+            for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("side", 300, "from the left side"),
+                                         ("corner", 360, "from above the door")))
+        views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
+    key = ('<p class=key><span style="background:#d9534f;margin-left:0"></span>first to go under some acceleration'
+           '<span style="background:#f3c58b"></span>moved later<span style="background:#e9edf2"></span>stayed under all</p>')
+    moved = boxes_table(results, layout, simulated) if simulated and any(state != "still" for state in states) else ""
+    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{len(boxes)} boxes, {size:.0%} of the container's volume; "
+            f"fails under {len(failing)} of {len(worlds)} accelerations.</p>{views}{key if boxes else ''}"
+            f"{worlds_table(results, worlds)}<div class=beside>{margins_table(results, layout)}"
+            f"{walls_table(results, worlds) if simulated else ''}</div>{moved}</section>")
+
+
+def front_page(results, order, shown):
+    names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
+             "norm": str(results.settings.get("Screening/Norm", "")), "software": str(results.attributes["software"]),
+             "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
+    if names["engine"] != "native":
+        del names["accuracy"]
+    facts = table(["run", ""], [[key, html.escape(value)] for key, value in names.items() if value], text=(1,), kind="wrap")
+    rows = [[html.escape(results.layout_names[layout]), ", ".join(
+        f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {VERDICTS[results.world_summary['verdict'][world]]}"
+        for world in results.worlds_of(layout) if results.fails(world))] for layout in order[:shown]]
+    told = f"{len(order)} of {len(results.layout_names)} layouts do not hold."
+    if shown < len(order):
+        told += f" The {shown} worst have a page here."
+    return f"<h1>Loads that do not hold</h1><p>{told}</p>{facts}" + (table(["layout", "fails under"], rows, text=(1,), kind="wrap") if rows else "")
+
+
+def worst_first(results):
+    """Layouts that fail under some acceleration: those that fail under most first, then those in which most boxes go."""
+    ranks = []
+    for layout in range(len(results.layout_names)):
+        failing = [world for world in results.worlds_of(layout) if results.fails(world)]
+        if failing:
+            gone = np.mean([results.is_beyond(world).mean() if results.worlds["box_count"][world] else 1.0 for world in failing])
+            ranks.append((-len(failing), -float(gone), layout))
+    return [layout for *_, layout in sorted(ranks)]
+
+
+def write(text, path):
+    """Written beside and renamed, so that an interrupted report leaves the old one."""
+    beside = f"{path}.new"
+    if path.endswith(".pdf"):
+        try:
+            import weasyprint
+        except ImportError:
+            sys.exit("a PDF needs WeasyPrint, Debian's package weasyprint; a browser can also print the report as HTML")
+        weasyprint.HTML(string=text).write_pdf(beside)
+    else:
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write(text)
+    os.replace(beside, path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", help="results file of holdfast screen")
+    parser.add_argument("output", help="report to write, .html or .pdf")
+    parser.add_argument("--most", type=int, default=50, help="most layouts that get a page, the worst ones (default: %(default)s)")
+    options = parser.parse_args()
+    with h5py.File(options.results) as file:
+        results = Results(file)
+    order = worst_first(results)
+    shown = min(len(order), options.most)
+    pages = "".join(page(results, layout) for layout in order[:shown])
+    write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="holdfast report">'
+          f"<title>Loads that do not hold</title><style>{STYLE}</style></head><body>{front_page(results, order, shown)}{pages}</body></html>\n",
+          options.output)
+    told = f"{shown} of {len(order)} layouts that do not hold; --most {len(order)} writes all" if shown < len(order) else f"{shown} layouts that do not hold"
+    print(f"{options.output}: {told}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+"""Draws a load as it was packed, as SVG: from above, from the side, and from a corner."""
+import numpy as np
+
+FILLS = {"still": "#e9edf2", "later": "#f3c58b", "first": "#d9534f"}
+LINE, FRAME = "#5a6470", "#222831"
+# Where a point of the container goes on the page, per view: rows are the page's right and up.
+TOP = np.array([[1.0, 0, 0], [0, 1, 0]])
+SIDE = np.array([[1.0, 0, 0], [0, 0, 1]])
+CORNER = np.array([[0.87, 0.5, 0], [-0.3, 0.4, 0.85]])  # seen from above the door, on the left
+# Faces that a view sees: axis, and whether the one with the larger coordinate.
+FACES = {"top": [(2, True)], "side": [(1, False)], "corner": [(0, True), (1, False), (2, True)]}
+# Corners of a face, in units of the box, in the two other axes.
+SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
+SHADES = {0: 0.86, 1: 0.93, 2: 1.0}
+
+
+def face_corners(low, high, axis, far):
+    others = [i for i in range(3) if i != axis]
+    corners = np.tile(low, (4, 1))
+    corners[:, axis] = (high if far else low)[axis]
+    for corner, square in zip(corners, SQUARE):
+        for i, part in zip(others, square):
+            corner[i] = (high if part else low)[i]
+    return corners
+
+
+def is_behind(a, b, view):
+    """Whether box a can be hidden by box b, and never the other way round: on some axis it lies on the far side of it."""
+    (low_a, high_a), (low_b, high_b) = a, b
+    tolerance = 1e-4
+    return any((high_a[axis] <= low_b[axis] + tolerance) if far else (high_b[axis] <= low_a[axis] + tolerance)
+               for axis, far in FACES[view])
+
+
+def back_to_front(boxes, view):
+    """Indices of boxes in the order in which they are painted. Boxes that do not overlap have one, but for rare rings."""
+    if view == "top":
+        return sorted(range(len(boxes)), key=lambda i: boxes[i][1][2])
+    if view == "side":
+        return sorted(range(len(boxes)), key=lambda i: -boxes[i][0][1])
+    left, order = set(range(len(boxes))), []
+    before = {i: {j for j in left if j != i and is_behind(boxes[j], boxes[i], view)
+                  and not is_behind(boxes[i], boxes[j], view)} for i in left}
+    while left:
+        ready = [i for i in left if not before[i] & left] or [min(left, key=lambda i: len(before[i] & left))]
+        order += ready
+        left -= set(ready)
+    return order
+
+
+def shaded(colour, axis):
+    parts = [round(SHADES[axis] * int(colour[i:i + 2], 16)) for i in (1, 3, 5)]
+    return "#" + "".join(f"{part:02x}" for part in parts)
+
+
+def polygon(points, **attributes):
+    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    return f'<polygon points="{path}" ' + " ".join(f'{name.replace("_", "-")}="{value}"' for name, value in attributes.items()) + "/>"
+
+
+def draw(boxes, states, container, view, width):
+    """SVG of boxes in a container.
+
+    :param boxes: pairs of the corners with the smallest and the largest coordinates, m
+    :param states: per box a key of FILLS
+    :param container: inner length, width and height, m
+    :param width: of the picture, in pixels
+    """
+    projection = {"top": TOP, "side": SIDE, "corner": CORNER}[view]
+    room = np.array([np.zeros(3), np.asarray(container, dtype=float)])
+    edges = np.array([[room[i][0], room[j][1], room[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]) @ projection.T
+    low, high = edges.min(axis=0), edges.max(axis=0)
+    scale = (width - 2) / (high - low)[0]
+    height = scale * (high - low)[1] + 2
+
+    def place(points):
+        flat = (np.asarray(points) @ projection.T - low) * scale + 1
+        return np.column_stack([flat[:, 0], height - flat[:, 1]])
+
+    def outline(faces):
+        return [polygon(place(face_corners(*room, axis, far)), fill="none", stroke=FRAME, stroke_width=1) for axis, far in faces]
+
+    hidden = [(axis, not far) for axis, far in FACES[view]]
+    parts = outline(hidden)
+    for i in back_to_front(boxes, view):
+        for axis, far in FACES[view]:
+            face = place(face_corners(*boxes[i], axis, far))
+            parts.append(polygon(face, fill=shaded(FILLS[states[i]], axis), stroke=LINE, stroke_width=0.6, stroke_linejoin="round"))
+        if states[i] == "first":
+            front = place(face_corners(*boxes[i], *FACES[view][0 if view != "corner" else 1]))
+            x, y = front.mean(axis=0)
+            parts.append(f'<text x="{x:.1f}" y="{y + 3:.1f}" font-size="9" text-anchor="middle">{i + 1}</text>')
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}">'
+            + "".join(parts) + "</svg>")
