@@ -142,6 +142,13 @@ struct WorldOutcome {
   DamageOutcome damage;
 };
 
+/// Margins of the replicas of a layout, g, in the directions of `LayoutMargins`; not numbers without replicas.
+struct MarginSpread {
+  std::array<double, 4> low = {};     ///< 5 % of the replicas stand less
+  std::array<double, 4> median = {};  ///< half of them stand less
+  std::array<double, 4> high = {};    ///< 95 % of them stand less
+};
+
 /// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
 /// the right.
 struct LayoutMargins {
@@ -151,7 +158,8 @@ struct LayoutMargins {
   /// Index of the box that goes first above the margin; -1: none up to 1.5 g.
   std::array<std::ptrdiff_t, 4> critical_box = {-1, -1, -1, -1};
   std::uint32_t trials = 0;  ///< accelerations that were tried
-  double cpu_seconds = 0;    ///< processor time, s
+  double cpu_seconds = 0;    ///< processor time, s; of the spread too
+  MarginSpread spread;       ///< with `[Screening] Replicas`
 };
 
 /// What geometry alone says of a layout: docs/indicators.md.

@@ -49,6 +49,7 @@ class Screen:
     ) -> tuple[
         npt.NDArray[np.float64],
         npt.NDArray[np.int64],
+        npt.NDArray[np.float64],
         npt.NDArray[np.uint32],
         npt.NDArray[np.float64],
         tuple[Problem, ...],

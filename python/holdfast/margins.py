@@ -23,16 +23,19 @@ _MOST_SHOWN = 20
 class Margins:
     """How many g each layout stands in each direction. Arrays have shape (layouts, 4); columns are :data:`DIRECTIONS`."""
 
-    __slots__ = ("margin", "critical_box", "trials", "cpu_seconds", "problems", "layout_names")
+    __slots__ = ("margin", "critical_box", "low", "median", "high", "trials", "cpu_seconds", "problems", "layout_names")
 
-    def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.int64], trials: npt.NDArray[np.uint32],
-                 cpu_seconds: npt.NDArray[np.float64], problems: tuple[Problem, ...], layout_names: Sequence[str]) -> None:
+    def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.int64], spread: npt.NDArray[np.float64],
+                 trials: npt.NDArray[np.uint32], cpu_seconds: npt.NDArray[np.float64], problems: tuple[Problem, ...],
+                 layout_names: Sequence[str]) -> None:
         #: Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, g, up to 1.5.
         #: Negative where the layout does not stand under gravity alone; NaN where it cannot be used, or
         #: :meth:`Screen.cancel` came before.
         self.margin = margin
         #: Index of the box that goes first above the margin; -1: none up to 1.5 g.
         self.critical_box = critical_box
+        #: With ``[Screening] Replicas``: what 5 %, half and 95 % of the layout's replicas do not reach, g; NaN without.
+        self.low, self.median, self.high = spread
         #: Accelerations that were tried, one number per layout.
         self.trials = trials
         #: Processor time, s, one number per layout.
@@ -67,7 +70,7 @@ class Margins:
         return worst
 
     def frame(self) -> pandas.DataFrame:
-        """A data frame with one row per layout and direction: margin, critical_box."""
+        """A data frame with one row per layout and direction: margin, critical_box, and with replicas low, median, high."""
         import pandas
 
         count = len(self)
@@ -77,6 +80,8 @@ class Margins:
             "margin": self.margin.ravel(),
             "critical_box": self.critical_box.ravel(),
         })
+        if not np.isnan(self.median).all():
+            frame = frame.assign(low=self.low.ravel(), median=self.median.ravel(), high=self.high.ravel())
         if self.layout_names:
             frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
         return frame

@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -59,16 +60,20 @@ py::tuple BoundScreen::margins(const py::object& given, const py::object& offset
   const auto count = static_cast<py::ssize_t>(found.size());
   py::array_t<double> margin({count, py::ssize_t{4}});
   py::array_t<std::int64_t> critical_box({count, py::ssize_t{4}});
+  py::array_t<double> spread({py::ssize_t{3}, count, py::ssize_t{4}});
   py::array_t<std::uint32_t> trials(count);
   py::array_t<double> cpu_seconds(count);
   for (py::ssize_t i = 0; i < count; ++i) {
     const LayoutMargins& layout = found[static_cast<std::size_t>(i)];
     std::copy(layout.margin.begin(), layout.margin.end(), margin.mutable_data(i, 0));
     std::copy(layout.critical_box.begin(), layout.critical_box.end(), critical_box.mutable_data(i, 0));
+    const std::array quantiles = {layout.spread.low, layout.spread.median, layout.spread.high};
+    for (std::size_t k = 0; k < quantiles.size(); ++k)
+      std::copy(quantiles[k].begin(), quantiles[k].end(), spread.mutable_data(static_cast<py::ssize_t>(k), i, 0));
     trials.mutable_at(i) = layout.trials;
     cpu_seconds.mutable_at(i) = layout.cpu_seconds;
   }
-  return py::make_tuple(margin, critical_box, trials, cpu_seconds, problems_of(screen_.problems()));
+  return py::make_tuple(margin, critical_box, spread, trials, cpu_seconds, problems_of(screen_.problems()));
 }
 
 py::tuple BoundScreen::indicators(const py::object& given, const py::object& offsets, std::vector<std::string> names) {

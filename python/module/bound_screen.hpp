@@ -32,7 +32,8 @@ class BoundScreen {
   /// The verdict of the only acceleration, and the series, of one layout. For screens that keep series.
   pybind11::tuple replay(const pybind11::object& layout, bool on_main_thread);
 
-  /// Margins and critical boxes, of shape (layouts, 4), trials and processor seconds, and problems of marked layouts.
+  /// Margins and critical boxes, of shape (layouts, 4), quantiles of the replicas' margins, (3, layouts, 4), trials and
+  /// processor seconds, and problems of marked layouts.
   pybind11::tuple indicators(const pybind11::object& layouts, const pybind11::object& offsets,
                              std::vector<std::string> names);
   pybind11::tuple margins(const pybind11::object& layouts, const pybind11::object& offsets,

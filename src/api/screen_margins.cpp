@@ -21,14 +21,17 @@ class MarginSink final : public internal::ResultSink {
     return std::make_unique<internal::DoneUnit>();
   }
 
- private:
   static LayoutMargins public_margins(const internal::LayoutMargins& found) {
-    LayoutMargins margins{.margin = found.margin, .trials = found.trials, .cpu_seconds = found.cpu_seconds};
+    LayoutMargins margins{.margin = found.margin,
+                          .trials = found.trials,
+                          .cpu_seconds = found.cpu_seconds + found.spread.cpu_seconds,
+                          .spread = {found.spread.low, found.spread.median, found.spread.high}};
     for (std::size_t i = 0; i < internal::kDirectionCount; ++i)
       margins.critical_box.at(i) = static_cast<std::ptrdiff_t>(found.critical_box.at(i)) - 1;
     return margins;
   }
 
+ private:
   std::vector<LayoutMargins>& margins_;
 };
 
@@ -37,12 +40,11 @@ class MarginSink final : public internal::ResultSink {
 std::vector<LayoutMargins> Screen::State::margins(std::vector<internal::ReadLayout> layouts) {
   if (const auto error = internal::why_no_margins(*engine)) throw internal::exception_of({*error});
   std::vector<LayoutMargins> margins(layouts.size());
-  for (LayoutMargins& unknown : margins) unknown.margin = internal::LayoutMargins{}.margin;
+  for (LayoutMargins& unknown : margins) unknown = MarginSink::public_margins({});
   internal::MemoryLayouts source(std::move(layouts));
   MarginSink sink(margins);
   const std::vector<internal::ReadAcceleration> gravity = {{internal::gravity_alone(), ""}};
   internal::Settings margins_alone = settings;
-  margins_alone.screening.replicas = 0;
   margins_alone.screening.indicators = false;
   const internal::ScreeningEnd end = internal::screen_worlds(
       {*engine, margins_alone, *workers, source, gravity, false, true}, sink, observer, stop, costs);

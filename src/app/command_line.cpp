@@ -70,6 +70,13 @@ void add_recording_options(CLI::App& command, RunOptions& options) {
       .add_option("--costs", options.costs_path,
                   "Write the processor seconds of reading, simulating, writing, ... as JSON")
       ->type_name("FILE");
+  command
+      .add_option(
+          "--replicas", options.replicas,
+          "Also simulate each world, and find each margin, so many times with friction that is not known exactly, "
+          "32 for instance; stands in for [Screening] Replicas")
+      ->check(as_in_config("Screening", "Replicas"))
+      ->type_name("N");
   auto* go_on = command.add_flag("--resume", options.resume, "Go on with a run that was stopped or killed");
   command.add_flag("--overwrite", options.overwrite, "Replace the results of an earlier run")->excludes(go_on);
   command.add_flag("--json", options.json,
@@ -100,12 +107,6 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--indicators", options.indicators,
                    "Also tell base support, supported sides, centre of gravity and fill of the layouts; stands in for "
                    "[Screening] Indicators");
-  command
-      .add_option("--replicas", options.replicas,
-                  "Also simulate each world so many times with friction that is not known exactly, 32 for instance; "
-                  "stands in for [Screening] Replicas")
-      ->check(as_in_config("Screening", "Replicas"))
-      ->type_name("N");
   command
       .add_option(
           "--stop-when", options.stop_when,

@@ -25,7 +25,6 @@ ExitCode run_margins_command(const MarginOptions& options, const std::string& co
   job.command_line = command_line;
   if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   job.settings.screening.margins = true;
-  job.settings.screening.replicas = 0;
   job.record_series = false;
   return run_screening(job);
 }

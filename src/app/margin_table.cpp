@@ -52,10 +52,15 @@ std::string verdict_of(const Judged& layout) {
   const std::uint32_t box = layout.margins.critical_box.at(direction);
   if (layout.margins.margin.at(direction) < 0.0) return fmt::format("does not stand, box {}", box);
   if (box == 0) return "-";
+  const MarginSpread& spread = layout.margins.spread;
+  const std::string range =
+      std::isnan(spread.low.at(direction))
+          ? ""
+          : fmt::format(", {:.2f} to {:.2f} g", spread.low.at(direction), spread.high.at(direction));
   const double need = layout.needed.at(direction);
   const std::string lack =
       need > layout.margins.margin.at(direction) ? fmt::format("; needs {} g", number_text(need)) : "";
-  return fmt::format("{}, box {}{}", kMarginDirections.at(direction).name, box, lack);
+  return fmt::format("{}, box {}{}{}", kMarginDirections.at(direction).name, box, range, lack);
 }
 
 std::string line_of(std::string_view name, std::size_t width, const std::array<double, kDirectionCount>& margins,
@@ -92,7 +97,7 @@ Result<std::string> margin_table(const std::string& results_path) {
   std::string text = "\nmargins: the largest constant acceleration that a layout stands, in g\n";
   text += fmt::format("  {:<{}}", "layout", width);
   for (const MarginDirection& direction : kMarginDirections) text += fmt::format("  {:>6}", direction.name);
-  text += "  weakest\n";
+  text += info.has_margin_spread ? "  weakest, and from 5 to 95 % of its replicas\n" : "  weakest\n";
   if (norm) text += line_of(needed_name, width, needed, "");
   for (std::size_t i = 0; i < shown; ++i) {
     const LayoutMargins& layout = (*margins)[order[i]];

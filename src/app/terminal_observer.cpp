@@ -65,8 +65,7 @@ void TerminalObserver::warned(const Error& warning) {
 }
 
 void TerminalObserver::layout_finished(const LayoutRecord& layout) {
-  const ScreeningSettings& screening = job_.settings.screening;
-  if (job_.json) write_unless(stop_.drop, stdout, layout_json(layout, screening.margins, screening.indicators) + "\n");
+  if (job_.json) write_unless(stop_.drop, stdout, layout_json(layout, analyses_of(job_.settings)) + "\n");
 }
 
 void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {

@@ -96,17 +96,23 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   return one_line(json);
 }
 
-std::string layout_json(const LayoutRecord& layout, bool margins, bool indicators) {
+std::string layout_json(const LayoutRecord& layout, const std::vector<Analysis>& analyses) {
   nlohmann::ordered_json json;
   json["layout"] = layout.layout->name;
-  if (indicators) append_indicators(json["indicators"], layout.indicators);
-  if (!margins) return one_line(json);
+  if (includes(analyses, Analysis::indicators)) append_indicators(json["indicators"], layout.indicators);
+  if (!includes(analyses, Analysis::margins)) return one_line(json);
   for (std::size_t i = 0; i < kDirectionCount; ++i) {
     const std::string direction(kMarginDirections.at(i).name);
     json["margins_g"][direction] = layout.margins.margin.at(i);
     json["critical_boxes"][direction] = layout.margins.critical_box.at(i);
   }
-  json["cpu_seconds"] = layout.margins.cpu_seconds;
+  const MarginSpread& spread = layout.margins.spread;
+  if (includes(analyses, Analysis::margin_spread)) {
+    for (std::size_t i = 0; i < kDirectionCount; ++i)
+      json["margins_5_50_95_g"][std::string(kMarginDirections.at(i).name)] = {spread.low.at(i), spread.median.at(i),
+                                                                              spread.high.at(i)};
+  }
+  json["cpu_seconds"] = layout.margins.cpu_seconds + spread.cpu_seconds;
   return one_line(json);
 }
 

@@ -2,9 +2,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "core/engine/result_sink.hpp"
 #include "core/engine/world_record.hpp"
+#include "core/model/analysis.hpp"
 #include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
 
@@ -22,8 +24,8 @@ std::string one_line(const nlohmann::ordered_json& json);
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds, double time_saved);
 
-/// The margins and the indicators of one layout, of which a run was asked for one or both, as one line of JSON; null
-/// where one is not known.
-std::string layout_json(const LayoutRecord& layout, bool margins, bool indicators);
+/// What a run was asked for of layouts, margins or indicators or both, of one layout as one line of JSON; null where
+/// something is not known.
+std::string layout_json(const LayoutRecord& layout, const std::vector<Analysis>& analyses);
 
 }  // namespace holdfast::internal

@@ -70,6 +70,27 @@ class Margins(CliTest):
         np.testing.assert_array_equal(together["/margins/margin"][1:2], alone["/margins/margin"])
         np.testing.assert_array_equal(together["/margins/critical_box"][1:2], alone["/margins/critical_box"])
 
+    def test_replicas_tell_how_far_friction_moves_a_margin(self):
+        """One box on the floor stands its friction, and that of its replicas."""
+        self.write("config.ini", "[Contact]\nFrictionModel = pairs\nBoxFloor = 0.4\n[Screening]\nReplicas = 32\n")
+        self.write("box.txt", "1 1\n200 100 0 300 200 20 1\n")
+        done = self.run_here("margins", "-c", "config.ini", "--layouts", "box.txt", "--json", "-o", "margins.h5")
+        self.assert_exit(done, 0)
+        data = datasets(self.folder / "margins.h5")
+        low, median, high = (data[f"/margin_spread/{name}"][0] for name in ("low", "median", "high"))
+        # 5 and 95 % of a normal distribution with a standard deviation of 10 %, of which 32 numbers are known.
+        np.testing.assert_allclose(median, 0.4, atol=0.03)
+        np.testing.assert_allclose(low, 0.4 * (1 - 0.1645), atol=0.03)
+        np.testing.assert_allclose(high, 0.4 * (1 + 0.1645), atol=0.03)
+        self.assertTrue((low < data["/margins/margin"][0]).all() and (data["/margins/margin"][0] < high).all())
+        told = next(json.loads(line) for line in done.stdout.splitlines() if "margins_g" in line)
+        self.assertEqual(told["margins_5_50_95_g"]["rear"], [low[1], median[1], high[1]])
+        self.assert_exit(self.run_here("summary", "margins.h5", "--csv", "tables"), 0)
+        rows = list(csv.DictReader((self.folder / "tables/margins.csv").read_text().splitlines()))
+        self.assertEqual([float(rows[3][f"{name}_g"]) for name in ("low", "median", "high")], [low[3], median[3], high[3]])
+        table = self.run_here("summary", "margins.h5").stdout
+        self.assertRegex(table, r"box\.txt +0\.40 +0\.40 +0\.40 +0\.40  \w+, box 1, 0\.3\d to 0\.4\d g\n")
+
     def test_are_found_beside_worlds_and_change_nothing_of_them(self):
         slide = self.write("slide.txt", "0 1 6 0 0\n")
         files = ["--layouts", *BUNDLED, "--accelerations", slide]

@@ -28,7 +28,17 @@ class MarginsTest(unittest.TestCase):
         self.assertEqual(frame.shape, (12, 5))
         self.assertEqual(frame["direction"].iloc[:4].tolist(), ["front", "rear", "left", "right"])
         self.assertIn("3 layouts, the least", repr(margins))
+        self.assertTrue(np.isnan([margins.low, margins.median, margins.high]).all())
+        self.assertNotIn("low", frame)
         self.assertIn("<th>a</th>", margins._repr_html_())
+
+    def test_replicas_tell_how_far_friction_moves_them(self):
+        with holdfast.Screen([[[0.0, 1.0, 0.0, 0.0, 0.0]]], config="[Screening]\nReplicas = 32\n") as screen:
+            margins = screen.margins([BOX, STACK])
+        self.assertEqual(margins.low.shape, (2, 4))
+        self.assertTrue((margins.low < margins.margin).all() and (margins.margin < margins.high).all())
+        np.testing.assert_allclose(margins.median, 0.5, atol=0.03)
+        np.testing.assert_array_equal(margins.frame()["high"], margins.high.ravel())
 
     def test_a_fitness_is_the_worst_share_of_what_is_needed(self):
         with holdfast.Screen([[[0.0, 1.0, 0.0, 0.0, 0.0]]]) as screen:

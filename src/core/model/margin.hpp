@@ -31,19 +31,30 @@ inline Vec3 push_acceleration(std::size_t direction, double size) {
   return -size * kStandardGravity * Vec3(push[0], push[1], push[2]);
 }
 
+/// A number per direction, none of them known yet.
+inline constexpr std::array<double, kDirectionCount> kUnknownMargins = {
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+/// Margins of a layout's replicas, g, one entry per direction; see `margin_spread.hpp`. NaN where they are not known.
+struct MarginSpread {
+  std::array<double, kDirectionCount> low = kUnknownMargins;     ///< 5 % of the replicas stand less
+  std::array<double, kDirectionCount> median = kUnknownMargins;  ///< half of them
+  std::array<double, kDirectionCount> high = kUnknownMargins;    ///< 95 % of them
+  double cpu_seconds = 0.0;                                      ///< to find them, s
+};
+
 /// How much a layout stands in each direction, see `margin_search.hpp`; one entry per direction.
 struct LayoutMargins {
   /// Largest constant acceleration that the layout stands, g; NaN where it is not known. Negative: the layout does not
   /// stand under gravity alone, and this is minus the largest acceleration with which a box begins to move.
-  std::array<double, kDirectionCount> margin = filled(std::numeric_limits<double>::quiet_NaN());
+  std::array<double, kDirectionCount> margin = kUnknownMargins;
   /// The box that goes first where the acceleration is a little larger: position in the layout, from 1; 0 where none
   /// does up to the largest acceleration that is tried.
   std::array<std::uint32_t, kDirectionCount> critical_box = {};
   std::uint32_t trials = 0;  ///< accelerations that were tried, in all directions
   double cpu_seconds = 0.0;  ///< s
-
- private:
-  static constexpr std::array<double, kDirectionCount> filled(double value) { return {value, value, value, value}; }
+  MarginSpread spread;       ///< unknown where replicas were not asked for
 };
 
 }  // namespace holdfast::internal

@@ -112,6 +112,14 @@ void visit_margins(Visit&& visit) {
 }
 
 template <class Visit>
+void visit_margin_spread(Visit&& visit) {
+  visit("/margin_spread/low", &MarginSpread::low);
+  visit("/margin_spread/median", &MarginSpread::median);
+  visit("/margin_spread/high", &MarginSpread::high);
+  visit("/margin_spread/cpu_seconds", &MarginSpread::cpu_seconds);
+}
+
+template <class Visit>
 void visit_walls(Visit&& visit) {
   visit("/walls/peak_force", &WallForces::peak_force);
   visit("/walls/peak_time", &WallForces::peak_time);

@@ -144,6 +144,8 @@ std::string_view asked_by(Analysis analysis) {
       break;
     case Analysis::margins:
       return "\nOnly in files of runs with `Margins`, see [margins.md](margins.md).\n";
+    case Analysis::margin_spread:
+      return "\nOnly in files of runs with both `Margins` and `Replicas`, see [margins.md](margins.md).\n";
     case Analysis::wall_forces:
       return "\nOnly in files of runs with `WallForces` or `Walls`, see [walls.md](walls.md).\n";
     case Analysis::replicas:

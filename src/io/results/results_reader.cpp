@@ -95,6 +95,7 @@ struct ResultsReader::State {
     if (H5Aexists_by_name(file->id(), "/inputs/settings", "Screening/Norm", H5P_DEFAULT) > 0)
       info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
     info.has_margins = h5::exists(*file, "/margins");
+    info.has_margin_spread = h5::exists(*file, "/margin_spread");
     info.has_walls = h5::exists(*file, "/walls");
     info.has_replicas = h5::exists(*file, "/replicas");
     info.has_damage = h5::exists(*file, "/damage");
@@ -170,6 +171,10 @@ Result<std::vector<LayoutMargins>> ResultsReader::margins(std::uint64_t begin, s
   return h5::caught_result(state_->file->path(), [&] {
     std::vector<LayoutMargins> rows(count);
     visit_margins([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
+    if (!state_->info.has_margin_spread) return rows;
+    std::vector<MarginSpread> spreads(count);
+    visit_margin_spread([&](std::string_view path, auto member) { state_->read_member(path, begin, member, spreads); });
+    for (std::size_t i = 0; i < count; ++i) rows[i].spread = spreads[i];
     return rows;
   });
 }

@@ -27,6 +27,7 @@ struct ResultsInfo {
   Thresholds thresholds;           ///< of its summary
   std::string norm;                ///< of the run; empty: none
   bool has_margins = false;        ///< whether the run was asked for margins
+  bool has_margin_spread = false;  ///< whether it was asked for these and for replicas
   bool has_walls = false;          ///< whether the run was asked for wall forces
   bool has_replicas = false;       ///< whether it was asked for replicas
   bool has_damage = false;         ///< whether it was asked for damage

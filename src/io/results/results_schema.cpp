@@ -46,6 +46,16 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
      Origin::recorded, Analysis::margins},
     {"/margins/cpu_seconds", ElementType::f64, 1, Axis::layouts, "s", "processor time to find the margins",
      Origin::recorded, Analysis::margins},
+    // margin_spread: one row per layout, one column per direction in which the load is pushed
+    {"/margin_spread/low", ElementType::f64, kDirectionCount, Axis::layouts, "g",
+     "margin in each direction that 5 % of the layout's replicas do not reach; NaN if it is not known, as the next two",
+     Origin::recorded, Analysis::margin_spread},
+    {"/margin_spread/median", ElementType::f64, kDirectionCount, Axis::layouts, "g", "margin that half of them reach",
+     Origin::recorded, Analysis::margin_spread},
+    {"/margin_spread/high", ElementType::f64, kDirectionCount, Axis::layouts, "g", "margin that 5 % of them reach",
+     Origin::recorded, Analysis::margin_spread},
+    {"/margin_spread/cpu_seconds", ElementType::f64, 1, Axis::layouts, "s", "processor time to find them",
+     Origin::recorded, Analysis::margin_spread},
     // indicators: one row per layout, and one per box of a layout
     {"/indicators/centre_of_gravity", ElementType::f64, 3, Axis::layouts, "m",
      "x, y, z of the load's centre of gravity as loaded, container frame; NaN if the layout could not be used, as all",

@@ -83,7 +83,7 @@ inline constexpr std::uint64_t kFormatVersion = 2;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 109;
+inline constexpr std::size_t kDatasetCount = 113;
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all use this table.

@@ -63,8 +63,8 @@ std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& th
 std::optional<Error> write_summary(const std::string& results_path, const Thresholds& thresholds,
                                    const std::string& path);
 
-/// Writes the margins of a file that has them as `layout,direction,margin_g,critical_box`, one line per layout and
-/// direction. For src/io only; throws `h5::Failure`.
+/// Writes the margins of a file that has them as `layout,direction,margin_g,critical_box`, and with replicas
+/// `low_g,median_g,high_g`, one line per layout and direction. For src/io only; throws `h5::Failure`.
 void write_margin_csv(ResultsReader& results, const std::string& path);
 
 /// Writes the forces on the sides of a file that has them, one line per world that was simulated and side. For src/io

@@ -89,6 +89,9 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
     append_layout(columns, *record.layout, at(end, Axis::layout_boxes));
     if (includes(run.analyses, Analysis::margins))
       visit_margins([&](std::string_view path, auto member) { columns[path].append(record.margins.*member); });
+    if (includes(run.analyses, Analysis::margin_spread))
+      visit_margin_spread(
+          [&](std::string_view path, auto member) { columns[path].append(record.margins.spread.*member); });
     if (includes(run.analyses, Analysis::indicators)) {
       visit_indicators([&](std::string_view path, auto member) { columns[path].append(record.indicators.*member); });
       visit_box_indicators([&](std::string_view path, const auto& values) { columns[path].append(values); },

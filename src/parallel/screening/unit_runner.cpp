@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/engine/margin_search.hpp"
+#include "core/engine/margin_spread.hpp"
 #include "core/engine/replica_run.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
@@ -88,7 +89,13 @@ bool UnitRunner::add_margins(std::vector<LayoutRecord>& layouts) const {
     const std::optional<LayoutMargins> margins = find_margins(engine_, *record.layout, settings_, abort_);
     if (!margins) return false;
     record.margins = *margins;
-    record.margins.cpu_seconds = processor_seconds() - cpu_begin;
+    const double cpu_end = processor_seconds();
+    record.margins.cpu_seconds = cpu_end - cpu_begin;
+    if (settings_.screening.replicas == 0) continue;
+    const std::optional<MarginSpread> spread = find_margin_spread(engine_, *record.layout, settings_, abort_);
+    if (!spread) return false;
+    record.margins.spread = *spread;
+    record.margins.spread.cpu_seconds = processor_seconds() - cpu_end;
   }
   return true;
 }
