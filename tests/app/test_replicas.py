@@ -103,7 +103,7 @@ class Replicas(CliTest):
 
         refused("8; accepted is 0 or a whole number from 27 to 1000", "--replicas", 8)
         self.write("same.ini", CONFIG + "FrictionSpread = 0\n")
-        refused("replicas are all the same where neither friction nor acceleration varies", config="same.ini")
+        refused("replicas are all the same where neither friction, acceleration nor places vary", config="same.ini")
         self.write("unasked.ini", CONFIG.replace("Replicas = 32", "FrictionSpread = 0"))
         refused("replicas are all the same where neither friction nor acceleration varies", "--replicas", 32,
                 config="unasked.ini")

@@ -163,6 +163,8 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
     LayoutMargins margins;
     margins.margin = {0.5, 0.25, 1.5, 0.125 * static_cast<double>(layout)};
     margins.critical_box = {1, 2, 0, static_cast<std::uint32_t>(layout)};
+    margins.spread.low = {0.375, 0.125, 1.5, 0.0625 * static_cast<double>(layout)};
+    margins.spread.high = {0.625, 0.375, 1.5, 0.25 * static_cast<double>(layout)};
     LayoutIndicators indicators;
     indicators.centre_of_gravity = Vec3(1, 2, 0.25 * static_cast<double>(layout));
     indicators.centre_offset = Vec3(0.5, -0.25, 0.125);

@@ -78,7 +78,8 @@ TEST_CASE("results_reader: entries beyond the end are an error", "[io][results]"
 }
 
 TEST_CASE("results_reader: margins are read as they were found, over parts too", "[io][results]") {
-  const Run run = make_run({{3, 4}, {2, 2}, {1, 1}}, true, {Analysis::verdicts, Analysis::margins});
+  const Run run =
+      make_run({{3, 4}, {2, 2}, {1, 1}}, true, {Analysis::verdicts, Analysis::margins, Analysis::margin_spread});
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, run, every_unit());
@@ -88,6 +89,8 @@ TEST_CASE("results_reader: margins are read as they were found, over parts too",
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(margins[i].margin == run.units[i].layouts.front().margins.margin);
     CHECK(margins[i].critical_box == run.units[i].layouts.front().margins.critical_box);
+    CHECK(margins[i].spread.low == run.units[i].layouts.front().margins.spread.low);
+    CHECK(margins[i].spread.high == run.units[i].layouts.front().margins.spread.high);
   }
 }
 

@@ -11,8 +11,9 @@ using namespace results_fixture;
 
 namespace {
 
-const std::vector<Analysis> kAll = {Analysis::verdicts, Analysis::margins, Analysis::wall_forces,
-                                    Analysis::replicas, Analysis::damage,  Analysis::indicators};
+const std::vector<Analysis> kAll = {Analysis::verdicts,    Analysis::margins,  Analysis::margin_spread,
+                                    Analysis::wall_forces, Analysis::replicas, Analysis::damage,
+                                    Analysis::indicators};
 
 }  // namespace
 
