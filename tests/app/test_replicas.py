@@ -105,7 +105,7 @@ class Replicas(CliTest):
         self.write("same.ini", CONFIG + "FrictionSpread = 0\n")
         refused("replicas are all the same where neither friction, acceleration nor places vary", config="same.ini")
         self.write("unasked.ini", CONFIG.replace("Replicas = 32", "FrictionSpread = 0"))
-        refused("replicas are all the same where neither friction nor acceleration varies", "--replicas", 32,
+        refused("replicas are all the same where neither friction, acceleration nor places vary", "--replicas", 32,
                 config="unasked.ini")
         self.write("wide.ini", CONFIG + "FrictionSpread = 0.5\n")
         refused("a number from 0 to 0.3", config="wide.ini")
