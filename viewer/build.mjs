@@ -1,6 +1,7 @@
 // Builds the page: bundles the sources and puts script, worker and style into one HTML file.
 //   node build.mjs            build/viewer/viewer.html
 //   node build.mjs --tests    the unit tests, into build/viewer/tests
+import { existsSync } from "node:fs";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
@@ -8,6 +9,8 @@ import { build } from "esbuild";
 
 const here = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
 const output = path.join(here, "../build/viewer");
+/** The engine in WebAssembly, where `make viewer-engine` has built it. */
+const engine = path.join(output, "engine.mjs");
 
 /** One script of everything that an entry file uses. */
 async function bundle(entry) {
@@ -20,6 +23,7 @@ async function bundle(entry) {
     target: "es2022",
     charset: "utf8",
     legalComments: "none",
+    alias: { "holdfast-engine": engine },
     // h5wasm looks for these under Node only.
     external: ["node:*", "fs", "path", "module", "url", "crypto", "worker_threads"],
   });
@@ -27,24 +31,28 @@ async function bundle(entry) {
 }
 
 async function buildPage() {
-  const [page, style, script, worker] = await Promise.all([
+  const [page, style, script, worker, live] = await Promise.all([
     readFile(path.join(here, "index.html"), "utf8"),
-    build({ entryPoints: [path.join(here, "style.css")], minify: true, write: false }).then(
+    build({ entryPoints: [path.join(here, "style.css")], bundle: true, minify: true, write: false }).then(
       (r) => r.outputFiles[0].text,
     ),
     bundle("src/main.ts"),
     bundle("src/data/worker.ts"),
+    existsSync(engine) ? bundle("src/live/engine_worker.ts") : "",
   ]);
   const parts = {
     STYLE: style,
     SCRIPT: script.replaceAll("</script", "<\\/script"),
     // The worker is nearly all HDF5 in WebAssembly: packed, it is a third as large.
     WORKER: gzipSync(worker, { level: 9 }).toString("base64"),
+    ENGINE: live && gzipSync(live, { level: 9 }).toString("base64"),
   };
   const html = page.replaceAll(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
   await mkdir(output, { recursive: true });
   await writeFile(path.join(output, "viewer.html"), html);
-  console.log(`build/viewer/viewer.html: ${(html.length / 1e6).toFixed(2)} MB`);
+  console.log(
+    `build/viewer/viewer.html: ${(html.length / 1e6).toFixed(2)} MB${live ? "" : ", without the engine: make viewer-engine builds it"}`,
+  );
 }
 
 async function buildTests() {

@@ -1,10 +1,13 @@
 import type { Shown } from "./box/compare_table";
 import type { Place } from "./data/messages";
 import { fromBase64 } from "./data/packed";
-import type { Results } from "./data/results";
+import type { Results, World } from "./data/results";
 import { ResultsClient } from "./data/results_client";
 import { failing } from "./data/verdict";
 import { FleetView } from "./fleet/fleet_view";
+import { EngineClient } from "./live/engine_client";
+import { LiveView } from "./live/live_view";
+import { whyNotLive } from "./live/live_words";
 import { VIEWS } from "./load/camera_rig";
 import { firstOther, otherWorld, sameWorld } from "./load/other_world";
 import { WorldView } from "./load/world_view";
@@ -15,6 +18,9 @@ import { landing } from "./ui/landing";
 import { START, Store } from "./ui/state";
 import { startTheme } from "./ui/theme";
 import { TopBar } from "./ui/top_bar";
+
+/** No world is open. */
+const FLEET = { world: null, other: null, live: false } as const;
 
 /** Starts the page: a results file comes from the user, from the page itself or from the address that served it. */
 class App {
@@ -27,7 +33,7 @@ class App {
     "aria-label": "Second results file",
   });
   private readonly bar = new TopBar(
-    () => this.store.update({ world: null, other: null }),
+    () => this.store.update(FLEET),
     () => this.chooser.click(),
     () => this.help.showModal(),
   );
@@ -38,6 +44,7 @@ class App {
   private turn = 0;
   private fleet: FleetView | null = null;
   private world: WorldView | null = null;
+  private live: LiveView | null = null;
 
   constructor() {
     this.chooser.hidden = true;
@@ -60,9 +67,9 @@ class App {
     });
     addEventListener("popstate", () => this.store.restore(location.hash));
     this.store.listen((_, changed) => {
-      if (changed.has("world") || changed.has("other")) this.show();
+      if (changed.has("world") || changed.has("other") || changed.has("live")) this.show();
     });
-    listenToKeys(this.keys());
+    listenToKeys(() => ({ ...this.keys(), ...this.live?.keys }));
     this.begin();
   }
 
@@ -71,8 +78,12 @@ class App {
       if (this.world) action(this.world);
     };
     const flip = (key: "ghost" | "traces" | "centre") =>
-      world(() => this.store.update({ [key]: !this.store.state[key] }));
-    const views = Object.fromEntries(VIEWS.map((_, index) => [`${index + 1}`, world((view) => view.view(index))]));
+      either(() => this.store.update({ [key]: !this.store.state[key] }));
+    const either = (action: (view: WorldView | LiveView) => void) => () => {
+      const view = this.live ?? this.world;
+      if (view) action(view);
+    };
+    const views = Object.fromEntries(VIEWS.map((_, index) => [`${index + 1}`, either((view) => view.view(index))]));
     return {
       " ": world((view) => view.clock.toggle()),
       ArrowRight: world((view) => view.timePanel.stepSample(1)),
@@ -82,20 +93,22 @@ class App {
       Home: world((view) => view.clock.seek(0)),
       End: world((view) => view.clock.seek(view.clock.end)),
       ...views,
-      f: world((view) => view.focus()),
+      f: either((view) => view.focus()),
       g: flip("ghost"),
       t: flip("traces"),
       c: flip("centre"),
       n: () => this.goFailing(1),
       p: () => this.goFailing(-1),
-      m: () => this.store.update({ world: null, other: null }),
+      m: () => this.store.update(FLEET),
       x: () => this.compare(),
-      s: world((view) => this.savePicture(view)),
+      l: world(() => this.drive()),
+      s: either((view) => this.savePicture(view)),
       v: world((view) => this.saveVideo(view)),
       "?": () => this.help.showModal(),
       Escape: () => {
         if (this.store.state.box !== null) this.store.update({ box: null });
-        else if (!this.help.open) this.store.update({ world: null, other: null });
+        else if (this.store.state.live) this.store.update({ live: false });
+        else if (!this.help.open) this.store.update(FLEET);
       },
     };
   }
@@ -103,7 +116,7 @@ class App {
   /** Opens the next world, in the order of the matrix, that does not hold. */
   private goFailing(step: 1 | -1): void {
     const next = this.fleet?.nextFailing(this.store.state.world, step, failing);
-    if (next !== null && next !== undefined) this.store.update({ world: next, other: null, box: null, time: 0 });
+    if (next !== null && next !== undefined) this.store.update({ ...FLEET, world: next, box: null, time: 0 });
   }
 
   private nameOfSaved(ending: string): string {
@@ -113,7 +126,7 @@ class App {
     return `${layout}-${results?.accelerations[results.worlds.acceleration[world]]}.${ending}`;
   }
 
-  private async savePicture(view: WorldView): Promise<void> {
+  private async savePicture(view: WorldView | LiveView): Promise<void> {
     download(this.nameOfSaved("png"), await view.picture());
   }
 
@@ -158,7 +171,7 @@ class App {
   private async show(): Promise<void> {
     const { results, fleet } = this;
     if (!results || !fleet) return;
-    const { world, other } = this.store.state;
+    const { world, other, live } = this.store.state;
     const turn = ++this.turn;
     if (world === null || world >= results.worlds.layout.length) {
       this.closeWorld();
@@ -170,23 +183,84 @@ class App {
     this.root.setAttribute("aria-busy", "true");
     try {
       const shown = [{ results, world: await (await this.client).world(world) }];
+      if (live) {
+        await this.showLive(shown[0], turn);
+        return;
+      }
       const second = this.secondFile();
       if (other !== null && second && other < second.results.worlds.layout.length)
         shown.push({ results: second.results, world: await (await second.client).world(other) });
       if (turn !== this.turn) return;
       this.closeWorld();
-      this.world = new WorldView(shown, this.store, shown[1] ? this.chooserOf(shown[1]) : null, () => this.compare());
+      this.world = new WorldView(
+        shown,
+        this.store,
+        shown[1] ? this.chooserOf(shown[1]) : null,
+        this.actions(shown[0].world),
+      );
       this.bar.show(
         results,
         shown.map((of) => `${of.world.layout} · ${of.world.acceleration}`),
       );
       this.fill(this.world.node);
     } catch (error) {
-      this.store.update({ world: null, other: null });
+      this.store.update(FLEET);
       this.bar.say((error as Error).message);
     } finally {
       this.root.removeAttribute("aria-busy");
     }
+  }
+
+  /** The world in the engine of this page. */
+  private async showLive({ results, world }: Shown, turn: number): Promise<void> {
+    const why = whyNotLive(world);
+    if (why) {
+      this.store.update({ live: false });
+      this.bar.say(why);
+      return;
+    }
+    const client = await EngineClient.start();
+    const version = await client.ask("version", {});
+    if (turn !== this.turn) return client.close();
+    this.closeWorld();
+    this.store.update({ time: 0 });
+    const live = new LiveView(results, world, client, version, this.store, this.actions(world));
+    this.live = live;
+    await live.begin();
+    this.bar.show(results, [`${world.layout} · ${world.acceleration}`, "live"]);
+    this.fill(live.node);
+  }
+
+  /** What else can be done with a world. */
+  private actions(world: World): HTMLElement[] {
+    const { other, live } = this.store.state;
+    const why = whyNotLive(world);
+    return [
+      element(
+        "button",
+        {
+          title: why ?? "Drive it in the engine of this page (L)",
+          "aria-pressed": String(live),
+          "aria-disabled": why ? "true" : undefined,
+          onclick: () => this.drive(),
+        },
+        "Live",
+      ),
+      element(
+        "button",
+        {
+          title: "Side by side with another world (X)",
+          "aria-pressed": String(other !== null),
+          onclick: () => this.compare(),
+        },
+        "Compare",
+      ),
+    ];
+  }
+
+  private drive(): void {
+    const { world, live } = this.store.state;
+    if (world !== null) this.store.update({ live: !live, other: null, otherFile: "" });
   }
 
   /** The file that the second world of a comparison is from. */
@@ -199,7 +273,7 @@ class App {
   private compare(): void {
     const { world, other } = this.store.state;
     if (!this.results || world === null) return;
-    this.store.update({ other: other === null ? firstOther(this.results, world) : null, otherFile: "" });
+    this.store.update({ live: false, other: other === null ? firstOther(this.results, world) : null, otherFile: "" });
   }
 
   private chooserOf(shown: Shown): HTMLElement {
@@ -235,6 +309,8 @@ class App {
   private closeWorld(): void {
     this.world?.close();
     this.world = null;
+    this.live?.close();
+    this.live = null;
   }
 
   private fill(view: HTMLElement): void {

@@ -48,6 +48,11 @@ export class BoxList {
     this.sort("moved");
   }
 
+  /** Takes in numbers that have changed, in the order that the list has. */
+  refresh(): void {
+    this.redraw();
+  }
+
   select(box: number | null): void {
     if (box === this.selected) return;
     this.selected = box;

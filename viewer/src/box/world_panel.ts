@@ -17,6 +17,7 @@ export class WorldPanel {
   readonly list: BoxList;
   private readonly box = element("section", { class: "box", "aria-live": "polite" });
   private readonly walls = element("section", { class: "walls" });
+  private readonly top = element("div", { class: "top" });
 
   constructor(
     private readonly results: Results,
@@ -27,9 +28,17 @@ export class WorldPanel {
     hover: (box: number | null) => void,
   ) {
     this.list = new BoxList(world, derived, (box) => store.update({ box }), hover);
-    this.node = element("aside", { class: "panel" }, this.head(), this.first(), this.box, this.walls, this.list.node);
-    this.showBox(store.state.box);
+    this.node = element("aside", { class: "panel" }, this.top, this.box, this.walls, this.list.node);
+    this.refresh();
     this.showTime(store.state.time);
+  }
+
+  /** Shows numbers anew that have changed, as those of a live world do. */
+  refresh(): void {
+    const first = this.first();
+    this.top.replaceChildren(this.head(), ...(first ? [first] : []));
+    this.list.refresh();
+    this.showBox(this.store.state.box);
   }
 
   private head(): HTMLElement {

@@ -75,6 +75,12 @@ export class Hdf5File {
     return data as Numbers;
   }
 
+  /** Entries of a column of hashes, as 16 hexadecimal digits. */
+  hashes(path: string, begin: number, end: number): string[] {
+    const data = this.entries(path, begin, end) as unknown as BigUint64Array;
+    return Array.from(data, (hash) => hash.toString(16).padStart(16, "0"));
+  }
+
   texts(path: string, begin?: number, end?: number): string[] {
     return this.entries(path, begin, end) as string[];
   }

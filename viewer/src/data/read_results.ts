@@ -1,6 +1,7 @@
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
 import type {
   BoxColumns,
+  LoadedLayout,
   Margins,
   Replicas,
   Results,
@@ -21,7 +22,7 @@ export class ResultsReader {
   private constructor(
     private readonly file: Hdf5File,
     readonly results: Results,
-    private readonly offsets: Record<"boxes" | "samples" | "rows", number>,
+    private readonly offsets: Record<"boxes" | "samples" | "rows" | "layoutBoxes", number>,
   ) {}
 
   static read(file: Hdf5File, name: string, size: number): ResultsReader {
@@ -36,6 +37,7 @@ export class ResultsReader {
       boxes: Number(root.boxes_begin ?? 0),
       samples: Number(root.samples_begin ?? 0),
       rows: Number(root.rows_begin ?? 0),
+      layoutBoxes: Number(root.layout_boxes_begin ?? 0),
     };
     return new ResultsReader(file, readSummary(file, root, name, size), offsets);
   }
@@ -58,6 +60,8 @@ export class ResultsReader {
       boxes: this.boxes(index),
       series: this.series(index),
       walls: this.walls(index),
+      stateHash: file.hashes("worlds/state_hash", index, index + 1)[0],
+      loaded: this.loaded(layout),
     };
   }
 
@@ -90,6 +94,20 @@ export class ResultsReader {
       fallen: column("summary/boxes/fallen") as Uint8Array,
       moved: column("summary/boxes/moved") as Uint8Array,
     };
+  }
+
+  private loaded(layout: number): LoadedLayout | null {
+    const { file, results } = this;
+    if (layout < 0 || layout >= results.layouts.length || results.layoutBoxes[layout] === 0) return null;
+    const begin = file.numbers("inputs/layouts/box_begin", layout, layout + 1)[0] - this.offsets.layoutBoxes;
+    const count = results.layoutBoxes[layout];
+    const rows = new Float64Array(7 * count);
+    const lower = file.numbers("inputs/layouts/corner_min", begin, begin + count);
+    const upper = file.numbers("inputs/layouts/corner_max", begin, begin + count);
+    const material = file.numbers("inputs/layouts/material", begin, begin + count);
+    for (let box = 0; box < count; ++box)
+      rows.set([...lower.slice(3 * box, 3 * box + 3), ...upper.slice(3 * box, 3 * box + 3), material[box]], 7 * box);
+    return { header: file.texts("inputs/layouts/header", layout, layout + 1)[0], boxes: rows };
   }
 
   private series(index: number): Series | null {

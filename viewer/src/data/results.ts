@@ -119,6 +119,14 @@ export interface WallForces {
   force: Float32Array;
 }
 
+/** A layout as the engine takes it. */
+export interface LoadedLayout {
+  /** first line of the layout file */
+  header: string;
+  /** rows of seven numbers: corner with the smallest coordinates, corner with the largest (m), material */
+  boxes: Float64Array;
+}
+
 export interface World {
   index: number;
   layout: string;
@@ -133,4 +141,8 @@ export interface World {
   /** null: the file has no series, or the world was not simulated */
   series: Series | null;
   walls: WallForces | null;
+  /** 16 hexadecimal digits: of the bits of the state at the end */
+  stateHash: string;
+  /** null: it is described in another part of the run */
+  loaded: LoadedLayout | null;
 }

@@ -35,6 +35,11 @@ export class CameraRig {
     this.controls.push(controls);
   }
 
+  /** Whether the pointer moves the camera: not while it moves something else. */
+  enable(enabled: boolean): void {
+    for (const controls of this.controls) controls.enabled = enabled;
+  }
+
   detach(): void {
     for (const controls of this.controls) controls.dispose();
     this.controls.length = 0;

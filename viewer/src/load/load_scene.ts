@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import type { Results, World } from "../data/results";
 import { accelerationAt } from "../time/acceleration";
-import { Poses } from "../time/poses";
+import { type PoseSource, Poses } from "../time/poses";
 import { element, oncePerFrame } from "../ui/dom";
 import type { ViewState } from "../ui/state";
 import { gravities } from "../ui/text";
@@ -23,7 +23,7 @@ const GHOST_FROM = 0.01;
 export class LoadScene {
   readonly node: HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  readonly derived: Derived;
+  derived: Derived;
   legend: LegendEntry[] = [];
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -44,10 +44,10 @@ export class LoadScene {
       vertexColors: true,
     }),
   );
-  private readonly traces: THREE.Group;
+  private traces: THREE.Group;
   private readonly labels: Labels;
   private readonly picker: Picker;
-  private readonly poses: Poses;
+  private readonly poses: PoseSource;
   private readonly distance: Float32Array;
   private painted = "";
   private hovered: number | null = null;
@@ -60,9 +60,10 @@ export class LoadScene {
     readonly world: World,
     private readonly rig: CameraRig,
     private state: ViewState,
+    poses?: PoseSource,
   ) {
     this.derived = derive(results, world);
-    this.poses = new Poses(world);
+    this.poses = poses ?? new Poses(world);
     const boxes = world.boxes.id.length;
     this.distance = new Float32Array(boxes);
     this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
@@ -92,6 +93,28 @@ export class LoadScene {
     this.show(state);
   }
 
+  /** Takes in what has been simulated since: first moves, and the paths. */
+  refresh(): void {
+    Object.assign(this.derived, derive(this.results, this.world));
+    this.painted = "";
+    this.scene.remove(this.traces);
+    for (const child of this.traces.children) (child as THREE.Line).geometry.dispose();
+    this.traces = traces(this.world);
+    this.traces.visible = this.state.traces && this.state.exploded === 0;
+    this.colourTraces();
+    this.scene.add(this.traces);
+  }
+
+  /** m: length, width, height */
+  get container(): readonly [number, number, number] {
+    return this.results.container;
+  }
+
+  /** Shows more than the load. */
+  add(object: THREE.Object3D): void {
+    this.scene.add(object);
+  }
+
   resize(): void {
     const { clientWidth, clientHeight } = this.node;
     if (clientWidth === 0) return;
@@ -108,14 +131,18 @@ export class LoadScene {
     this.material.uniforms.chosen.value = new THREE.Color(colour("chosen"));
     this.material.uniforms.dark.value = isDark() ? 1 : 0;
     this.ghostMaterial.uniforms.edge.value = new THREE.Color(colour("faint"));
-    for (const child of this.traces.children)
-      ((child as THREE.Line | THREE.Points).material as THREE.LineBasicMaterial).color.set(colour("accent"));
+    this.colourTraces();
     const mark = new THREE.Color(colour("ink"));
     const before = new THREE.Color(colour("faint"));
     this.centreColumn("color").copyArray(Float32Array.of(...before.toArray(), ...mark.toArray()));
     this.centre.geometry.attributes.color.needsUpdate = true;
     this.painted = "";
     this.show(this.state);
+  }
+
+  private colourTraces(): void {
+    for (const child of this.traces.children)
+      ((child as THREE.Line | THREE.Points).material as THREE.LineBasicMaterial).color.set(colour("accent"));
   }
 
   /** Brings places and colours to what the state says. */
@@ -219,6 +246,28 @@ export class LoadScene {
       this.rig.camera,
       this.clipAt(),
     );
+  }
+
+  /** Ray from the camera through a pointer's event. */
+  rayAt(event: { clientX: number; clientY: number }): THREE.Ray {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      (2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height,
+    );
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(at, this.rig.camera);
+    return caster.ray;
+  }
+
+  /** A box as it is drawn now: its middle, its rotation and its edges. */
+  boxAt(box: number): { place: THREE.Vector3; rotation: THREE.Quaternion; size: THREE.Vector3 } {
+    const { rotation } = this.geometry;
+    return {
+      place: new THREE.Vector3().fromBufferAttribute(this.geometry.place, box),
+      rotation: new THREE.Quaternion(rotation.getX(box), rotation.getY(box), rotation.getZ(box), rotation.getW(box)),
+      size: new THREE.Vector3().fromBufferAttribute(this.geometry.size, box),
+    };
   }
 
   /** Where a box is now, and half its diagonal. */

@@ -20,7 +20,7 @@ export class OptionsBar {
   private readonly ranges: { key: "exploded" | "clip"; input: HTMLInputElement }[] = [];
   private readonly colouring: { node: HTMLElement; set: (value: Colouring) => void };
 
-  constructor(results: Results, world: World, store: Store, compare: () => void) {
+  constructor(results: Results, world: World, store: Store, extra: HTMLElement[]) {
     const { state } = store;
     this.colouring = choice<Colouring>("Colour", colouringsOf(results, world), state.colouring, (colouring) =>
       store.update({ colouring }),
@@ -48,15 +48,7 @@ export class OptionsBar {
       this.colouring.node,
       this.legendNode,
       element("span", { class: "gap" }),
-      element(
-        "button",
-        {
-          title: "Side by side with another world (X)",
-          "aria-pressed": String(store.state.other !== null),
-          onclick: compare,
-        },
-        "Compare",
-      ),
+      ...extra,
       ...this.buttons.values(),
       range("exploded", "Apart", "Move boxes apart"),
       range("clip", "Cut", "Cut away what is behind a plane along the length, from the door"),

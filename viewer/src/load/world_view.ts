@@ -9,9 +9,10 @@ import { pictureOf } from "../ui/picture";
 import type { Store, ViewState } from "../ui/state";
 import { onTheme } from "../ui/theme";
 import { Video } from "../ui/video";
-import { CameraRig, VIEWS } from "./camera_rig";
+import { CameraRig } from "./camera_rig";
 import { LoadScene } from "./load_scene";
 import { OptionsBar } from "./options_bar";
+import { viewButtons } from "./view_buttons";
 
 /** A world that is open, or two side by side with one camera and one clock. */
 export class WorldView {
@@ -32,7 +33,7 @@ export class WorldView {
     private readonly shown: Shown[],
     private readonly store: Store,
     chooser: HTMLElement | null,
-    compare: () => void,
+    actions: HTMLElement[],
   ) {
     const { results, world } = shown[0];
     const worlds = shown.map((of) => of.world);
@@ -53,7 +54,7 @@ export class WorldView {
       (box) => this.focus(box),
       (box) => first.hover(box),
     );
-    this.options = new OptionsBar(results, world, store, compare);
+    this.options = new OptionsBar(results, world, store, actions);
     this.timePanel = new TimePanel(world, first.derived.firstMove, this.clock, store);
     const pictures = element(
       "div",
@@ -62,7 +63,7 @@ export class WorldView {
         if (worlds.length > 1) scene.node.append(this.caption(worlds[i], i === 1 ? chooser : null));
         return scene.node;
       }),
-      this.viewButtons(),
+      viewButtons((index) => this.view(index)),
       this.hint,
     );
     this.node = element(
@@ -91,16 +92,6 @@ export class WorldView {
       }),
     ];
     this.showLegend();
-  }
-
-  private viewButtons(): HTMLElement {
-    return element(
-      "div",
-      { class: "views", role: "group", "aria-label": "Views" },
-      ...VIEWS.map(({ name }, index) =>
-        element("button", { class: "plain", title: `${name} (${index + 1})`, onclick: () => this.view(index) }, name),
-      ),
-    );
   }
 
   private caption(world: World, chooser: HTMLElement | null): HTMLElement {

@@ -1,4 +1,5 @@
 import type { Store } from "../ui/state";
+import type { TimeControl } from "./time_control";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 
@@ -6,7 +7,7 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 const LONGEST_STEP = 0.1;
 
 /** Plays time: one clock for all that is shown. */
-export class Clock {
+export class Clock implements TimeControl {
   speed = 1;
   /** s, of the longest world shown */
   end = 0;

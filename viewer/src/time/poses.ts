@@ -26,10 +26,17 @@ export function between(time: Float64Array, at: number): Between {
   return { sample: low, share: (at - time[low]) / (time[high] - time[low]) };
 }
 
-/** Displacements (m) and rotations of all boxes at a time. */
-export class Poses {
+/** Displacements (m) and rotations of all boxes, at the time that was set last. */
+export interface PoseSource {
   readonly displacement: Float32Array;
   /** x, y, z, w, as WebGL programs have it */
+  readonly rotation: Float32Array;
+  set(time: number): void;
+}
+
+/** Those of a world at any time. */
+export class Poses implements PoseSource {
+  readonly displacement: Float32Array;
   readonly rotation: Float32Array;
 
   constructor(private readonly world: World) {

@@ -2,9 +2,10 @@ import type { World } from "../data/results";
 import { element, oncePerFrame } from "../ui/dom";
 import type { Store } from "../ui/state";
 import { colour } from "../ui/theme";
-import { type Clock, SPEEDS } from "./clock";
+import { SPEEDS } from "./clock";
 import { times } from "./poses";
 import { markers, type Strip, strips } from "./strips";
+import type { TimeControl } from "./time_control";
 
 const FONT = "11px ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
 const TOP = 16;
@@ -24,20 +25,19 @@ export class TimePanel {
   private readonly context = this.canvas.getContext("2d")!;
   private readonly button = element("button", { class: "play", onclick: () => this.clock.toggle() });
   private readonly readout = element("output", { class: "readout" });
-  private readonly strips: Strip[];
-  private readonly samples: Float64Array;
-  private readonly marks: { time: number; boxes: number[] }[];
+  private strips: Strip[] = [];
+  private samples: Float64Array = new Float64Array();
+  private marks: { time: number; boxes: number[] }[] = [];
   readonly redraw = oncePerFrame(() => this.draw());
 
   constructor(
     private readonly world: World,
     firstMove: Int32Array,
-    private readonly clock: Clock,
+    private readonly clock: TimeControl,
     private readonly store: Store,
+    private readonly live = false,
   ) {
-    this.samples = times(world);
-    this.strips = strips(world, this.samples[this.samples.length - 1]);
-    this.marks = markers(world, firstMove);
+    this.refresh(firstMove);
     const speed = element(
       "select",
       { "aria-label": "Speed", onchange: () => clock.setSpeed(Number(speed.value)) },
@@ -63,6 +63,14 @@ export class TimePanel {
     });
     new ResizeObserver(() => this.measure()).observe(this.canvas.parentElement!);
     this.showPlaying();
+  }
+
+  /** Takes in samples that have come since. */
+  refresh(firstMove: Int32Array): void {
+    this.samples = times(this.world);
+    this.strips = strips(this.world, Math.max(this.samples[this.samples.length - 1], this.live ? this.clock.end : 0));
+    this.marks = markers(this.world, firstMove);
+    this.redraw();
   }
 
   /** Goes to the next sample, or back. */

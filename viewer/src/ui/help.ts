@@ -10,6 +10,7 @@ const KEYS: readonly [string, string][] = [
   ["N, P", "next, previous world that does not hold"],
   ["M", "matrix of all worlds"],
   ["X", "compare with another world"],
+  ["L", "live: drive the world in the engine of this page"],
   ["G, T, C", "ghost, traces, centre of gravity"],
   ["S", "picture, PNG at twice the size"],
   ["V", "video, WebM"],
@@ -17,17 +18,32 @@ const KEYS: readonly [string, string][] = [
   ["?", "this list"],
 ];
 
+const LIVE: readonly [string, string][] = [
+  ["space, .", "run or pause; a single step"],
+  ["R", "reset: before it started"],
+  ["B", "replay the file's world: are these its bits?"],
+  ["← →, ↑ ↓", "accelerate along, across, by 0.1 g"],
+  ["page up, down", "accelerate upwards, downwards"],
+  ["0", "no acceleration"],
+  ["shift arrows", "push the chosen box; at the start, move it by 1 cm"],
+];
+
+const list = (keys: readonly [string, string][]) =>
+  element(
+    "dl",
+    {},
+    ...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]),
+  );
+
 /** The list of keys. */
 export function helpDialog(): HTMLDialogElement {
   const dialog = element(
     "dialog",
     { class: "help", "aria-label": "Keys", onclick: () => dialog.close() },
     element("h2", {}, "Keys"),
-    element(
-      "dl",
-      {},
-      ...KEYS.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]),
-    ),
+    list(KEYS),
+    element("h2", {}, "Live"),
+    list(LIVE),
     element(
       "p",
       { class: "faint" },

@@ -4,7 +4,8 @@ export type Keymap = Record<string, () => void>;
 /** Fields that keys belong to while they have the focus. */
 const TYPING = /^(INPUT|SELECT|TEXTAREA)$/;
 
-export function listenToKeys(keymap: Keymap): void {
+/** @param keymapNow what keys do at the moment */
+export function listenToKeys(keymapNow: () => Keymap): void {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const target = event.target as HTMLElement;
@@ -12,6 +13,7 @@ export function listenToKeys(keymap: Keymap): void {
     if (typing && event.key !== "Escape") return;
     // A button with the focus is pressed by space; everywhere else space plays.
     if (event.key === " " && target.tagName === "BUTTON") return;
+    const keymap = keymapNow();
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const action = (event.shiftKey ? keymap[`shift+${name}`] : undefined) ?? keymap[name];
     if (!action) return;

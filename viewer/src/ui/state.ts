@@ -9,6 +9,8 @@ export interface ViewState {
   other: number | null;
   /** name of the file that the second world is from; empty: the same */
   otherFile: string;
+  /** the world runs in the engine of this page */
+  live: boolean;
   /** selected box of the world, from 0 */
   box: number | null;
   /** s */
@@ -30,6 +32,7 @@ export const START: ViewState = {
   world: null,
   other: null,
   otherFile: "",
+  live: false,
   box: null,
   time: 0,
   sort: "worst",
@@ -81,7 +84,7 @@ export class Store {
 
   update(change: Partial<ViewState>): void {
     const changed = this.set(change);
-    if (changed.size > 0) this.writeAddress(changed.has("world") || changed.has("other"));
+    if (changed.size > 0) this.writeAddress(changed.has("world") || changed.has("other") || changed.has("live"));
   }
 
   /** Shows what an address says. */

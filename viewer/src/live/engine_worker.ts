@@ -1,0 +1,81 @@
+import { type Engine, loadEngine, type World } from "holdfast-engine";
+import type { Answer, Changes, Frame, LiveInputs, Order, Saved } from "./messages";
+
+/** The native engine, so that the page never waits for it. It has one world at a time. */
+
+const loading = loadEngine();
+let world: World | null = null;
+/** The box that is pulled: its force ends with the pull. */
+let pulled: number | null = null;
+
+function frame(began: number, hashed: boolean): Frame {
+  const at = world!;
+  const { time, endTime } = at;
+  return {
+    time,
+    endTime,
+    poses: at.poses(),
+    velocities: at.velocities(),
+    stateHash: hashed ? at.stateHash() : null,
+    computed: (performance.now() - began) / 1000,
+  };
+}
+
+function change({ acceleration, friction, force }: Changes): void {
+  const at = world!;
+  if (friction !== undefined) at.setFriction(friction, friction, friction);
+  if (acceleration) at.setAcceleration(acceleration);
+  if (pulled !== null && pulled !== force?.box) {
+    at.setForce(pulled, [0, 0, 0]);
+    pulled = null;
+  }
+  if (force) {
+    at.setForce(force.box, force.force, force.point);
+    pulled = force.box;
+  }
+}
+
+function start(engine: Engine, { boxes, segments, settings }: LiveInputs): void {
+  world?.free();
+  world = null;
+  pulled = null;
+  world = engine.world({ boxes, segments, settings });
+}
+
+function screen(engine: Engine, order: Extract<Order, { kind: "screen" }>): Saved {
+  const { settings } = order;
+  const boxes = engine.readLayout(order.layout, { settings });
+  const segments = engine.readAcceleration(order.acceleration);
+  return {
+    outcome: engine.screen({ boxes, segments, settings }),
+    same: boxes.length === order.boxes.length && boxes.every((value, i) => Math.abs(value - order.boxes[i]) < 1e-9),
+  };
+}
+
+async function answer(order: Order) {
+  const engine = await loading;
+  const began = performance.now();
+  switch (order.kind) {
+    case "version":
+      return engine.version;
+    case "start":
+      start(engine, order);
+      return frame(began, false);
+    case "advance":
+      change(order.changes);
+      world!.advance(order.to);
+      return frame(began, order.hashed);
+    case "screen":
+      return screen(engine, order);
+  }
+}
+
+self.onmessage = async ({ data: order }: MessageEvent<Order>) => {
+  let reply: Answer;
+  try {
+    reply = { id: order.id, value: await answer(order) };
+  } catch (error) {
+    reply = { id: order.id, error: (error as Error).message };
+  }
+  self.postMessage(reply);
+};

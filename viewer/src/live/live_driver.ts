@@ -1,0 +1,287 @@
+import type { Results, Segment, World } from "../data/results";
+import { accelerationAt } from "../time/acceleration";
+import type { TimeControl } from "../time/time_control";
+import type { Store } from "../ui/state";
+import { DrivenAcceleration } from "./driven_acceleration";
+import type { EngineClient } from "./engine_client";
+import { LiveRecord } from "./live_record";
+import type { Changes, Frame, LiveInputs, Vector } from "./messages";
+import { engineSettings } from "./saved_files";
+import { SpeedMeter } from "./speed_meter";
+
+/** s: a driven world could go on until then. */
+const LONGEST = 3600;
+/** s of the picture's time that one picture may take: what takes longer goes slower. */
+const LONGEST_STEP = 0.1;
+/** s that the time line is longer than what was driven, at least. */
+const AHEAD = 2;
+/** s of a single step: that of the engine at its least accuracy. */
+const STEP = 1 / 60;
+
+/** What can be chosen before a world starts. */
+export interface Choices {
+  /** rows of seven numbers, m */
+  boxes: Float64Array;
+  accuracy: string;
+  /** of all pairs; null: as in the file */
+  friction: number | null;
+}
+
+/** Whether the world of the file is replayed, or the user drives. */
+export type Mode = "replay" | "drive";
+
+/** One world in the engine: started, taken forward with the time of the pictures, changed on the way, and recorded. */
+export class LiveDriver implements TimeControl {
+  readonly record: LiveRecord;
+  readonly meter = new SpeedMeter();
+  mode: Mode = "drive";
+  speed = 1;
+  /** what the engine says of inputs that it cannot use */
+  problem = "";
+  /** of the world that was replayed to its end */
+  hash: string | null = null;
+  choices: Choices;
+  driven: DrivenAcceleration;
+  /** what pulls at a box now, asked for before each step */
+  force: (time: number) => Changes["force"] = () => undefined;
+  private running = false;
+  private frictionChanged = false;
+  /** the acceleration that the engine has been told of; null: it has that of the file */
+  private told: Vector | null = null;
+  /** s: where it pauses */
+  private stop = LONGEST;
+  /** Orders to the engine, one after the other. */
+  private last: Promise<unknown> = Promise.resolve();
+  private started = 0;
+  private readonly listeners = new Set<() => void>();
+
+  constructor(
+    private readonly client: EngineClient,
+    private readonly file: Results,
+    private readonly of: World,
+    private readonly store: Store,
+    private readonly sampled: () => void,
+  ) {
+    this.record = new LiveRecord(file, of);
+    this.choices = this.fileChoices();
+    this.driven = new DrivenAcceleration(of.segments);
+  }
+
+  /** What the world of the file was simulated with. */
+  fileChoices(): Choices {
+    return {
+      boxes: this.of.loaded!.boxes.slice(),
+      accuracy: this.file.settings["Native/Accuracy"] ?? "standard",
+      friction: null,
+    };
+  }
+
+  get playing(): boolean {
+    return this.running;
+  }
+
+  get time(): number {
+    return this.record.time;
+  }
+
+  get end(): number {
+    const { endTime } = this.of;
+    if (this.mode === "replay") return endTime;
+    return Math.max(endTime || 0, Math.ceil(this.time + AHEAD), 5);
+  }
+
+  /** True before the first step: boxes can be placed. */
+  get atStart(): boolean {
+    return this.time === 0 && !this.running;
+  }
+
+  /** What the container does now, m/s². */
+  get acceleration(): Vector {
+    return this.driven.at(this.time);
+  }
+
+  /** A world that does as the file pauses at its end. It can go on from there, and one that is driven goes on. */
+  private setStop(): void {
+    const { endTime } = this.of;
+    const follows = !this.driven.taken && this.time < endTime;
+    this.stop = this.mode === "replay" || follows ? endTime : LONGEST;
+  }
+
+  /** The settings of the world, and with them a configuration that repeats it. */
+  settings(mode: Mode, saved = false): LiveInputs["settings"] {
+    if (mode === "replay") return engineSettings(this.file.settings, {});
+    const { accuracy, friction } = this.choices;
+    const changed: Record<string, string> = {
+      "Simulation Settings/TimeoutInSeconds": saved ? "" : String(LONGEST),
+      "Simulation Settings/StoppingCondition": "timeout",
+      "Screening/StopWhen": "end",
+      "Native/Accuracy": accuracy,
+    };
+    if (friction !== null) {
+      changed["Contact/FrictionModel"] = "pairs";
+      for (const pair of ["BoxBox", "BoxFloor", "BoxWall"]) changed[`Contact/${pair}`] = String(friction);
+    }
+    return engineSettings(this.file.settings, changed);
+  }
+
+  /** What the container did, and will do when nothing is changed. */
+  segments(end: number): Segment[] {
+    return this.mode === "replay" ? this.of.segments : this.driven.segments(end);
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  /** Starts the world anew, at rest at time 0: that of the file, or what was chosen. */
+  restart(mode: Mode): Promise<void> {
+    this.pause();
+    const turn = ++this.started;
+    return this.inTurn(async () => {
+      if (turn !== this.started) return;
+      const boxes = mode === "replay" ? this.of.loaded!.boxes : this.choices.boxes;
+      const segments = Float64Array.from(
+        this.of.segments.flatMap(({ start, duration, value }) => [start, duration, ...value]),
+      );
+      try {
+        const frame = await this.client.ask("start", { boxes, segments, settings: this.settings(mode) });
+        this.mode = mode;
+        this.hash = null;
+        this.problem = "";
+        this.driven = new DrivenAcceleration(this.of.segments);
+        this.told = null;
+        this.setStop();
+        this.frictionChanged = false;
+        this.meter.clear();
+        this.record.restart(boxes, frame, this.acceleration);
+        this.record.world.segments = this.segments(this.end);
+        this.store.update({ time: 0 });
+        this.sampled();
+      } catch (error) {
+        this.problem = (error as Error).message;
+      }
+      this.tell();
+    });
+  }
+
+  toggle(): void {
+    if (this.running) this.pause();
+    else this.play();
+  }
+
+  play(): void {
+    this.setStop();
+    if (this.running || this.problem !== "" || this.time >= this.stop) return;
+    this.running = true;
+    this.store.update({ time: this.time });
+    this.tell();
+    this.run();
+  }
+
+  pause(): void {
+    if (!this.running) return;
+    this.running = false;
+    this.tell();
+  }
+
+  /** Takes one step. */
+  async step(): Promise<void> {
+    this.pause();
+    this.setStop();
+    if (this.problem !== "" || this.time >= this.stop) return;
+    await this.advance(this.time + STEP);
+    this.tell();
+  }
+
+  /** Looks back at what was simulated, while it does not run. */
+  seek(time: number): void {
+    if (!this.running) this.store.update({ time: Math.min(this.time, Math.max(0, time)) });
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = speed;
+    this.meter.clear();
+    this.tell();
+  }
+
+  /** m/s², from now on. */
+  accelerate(value: Vector): void {
+    if (this.mode === "replay") return;
+    this.driven.set(this.time, value);
+    this.stop = LONGEST;
+    this.record.world.segments = this.segments(this.end);
+    this.tell();
+  }
+
+  /** Of all pairs, from now on. */
+  setFriction(value: number): void {
+    this.choices.friction = value;
+    this.frictionChanged = true;
+    this.tell();
+  }
+
+  private async run(): Promise<void> {
+    let before = performance.now();
+    let due = this.time;
+    while (this.running) {
+      const now = await new Promise<number>((go) => requestAnimationFrame(go));
+      // A picture that is late is followed by one that is early: no time is lost between them.
+      due = Math.max(due, this.time) + this.speed * Math.min(LONGEST_STEP, Math.max(0, now - before) / 1000);
+      before = Math.max(before, now);
+      while (this.running && this.time < Math.min(due - 1e-9, this.stop)) await this.advance(due);
+      this.meter.picture(performance.now() / 1000, this.time);
+      if (this.time >= this.stop) this.pause();
+    }
+  }
+
+  /** Until a time, the next sample or the end, whichever comes first. */
+  private advance(wanted: number): Promise<void> {
+    return this.inTurn(async () => {
+      const { record } = this;
+      const to = Math.min(wanted, record.nextSample, this.stop);
+      const ends = to >= this.stop;
+      try {
+        const changes = this.changes();
+        const frame = await this.client.ask("advance", { to, changes, hashed: ends && this.mode === "replay" });
+        this.meter.step(frame.time - record.time, frame.computed);
+        this.take(frame);
+      } catch (error) {
+        this.problem = (error as Error).message;
+        this.pause();
+      }
+    });
+  }
+
+  private changes(): Changes {
+    if (this.mode === "replay") return {};
+    const { friction } = this.choices;
+    const changes: Changes = { force: this.force(this.time) };
+    // The engine takes a step of its own after each change: it is told of real ones only.
+    const { latest } = this.driven;
+    if (latest?.some((part, axis) => part !== this.told?.[axis])) changes.acceleration = this.told = latest;
+    if (this.frictionChanged && friction !== null) changes.friction = friction;
+    this.frictionChanged = false;
+    return changes;
+  }
+
+  private take(frame: Frame): void {
+    const { record } = this;
+    record.world.segments = this.segments(this.end);
+    // At a change, the value before it, as in a results file.
+    const acceleration = accelerationAt(record.world.segments, frame.time - 1e-9);
+    if (frame.stateHash !== null) this.hash = frame.stateHash;
+    const sampled = record.add(frame, acceleration);
+    if (sampled) this.sampled();
+    this.store.update({ time: frame.time });
+  }
+
+  private inTurn<T>(work: () => Promise<T>): Promise<T> {
+    const done = this.last.then(work);
+    this.last = done.catch(() => {});
+    return done;
+  }
+}

@@ -1,0 +1,241 @@
+import type { Results, World } from "../data/results";
+import { choice, element } from "../ui/dom";
+import { newtons } from "../ui/text";
+import type { LiveDriver } from "./live_driver";
+import { bitsSentence, floorFriction } from "./live_words";
+import type { Vector } from "./messages";
+import { placed } from "./placing";
+import { Slider } from "./slider";
+
+const GRAVITY = 9.81;
+const ACCURACIES = ["screening", "standard", "reference"] as const;
+const AXES = [
+  { name: "along", title: "Acceleration of the container along its length, to the door (→ ←)" },
+  { name: "across", title: "Acceleration of the container across, to the right (↑ ↓)" },
+  { name: "up", title: "Acceleration of the container upwards (page up, page down)" },
+] as const;
+
+/** What the panel does beside driving. */
+export interface LiveActions {
+  leave(): void;
+  save(kind: "layout" | "acceleration" | "settings"): void;
+}
+
+/** The driver's seat: run and step, acceleration, friction, accuracy, the place of a box, files. */
+export class LivePanel {
+  readonly node: HTMLElement;
+  private readonly run = element("button", { class: "run", onclick: () => this.driver.toggle() });
+  private readonly state = element("p", { class: "soft speed", role: "status" });
+  private readonly bits = element("p", { class: "bits", role: "status" });
+  private readonly problem = element("p", { class: "problem", role: "alert" });
+  private readonly saved = element("p", { class: "faint saved", role: "status" });
+  private readonly axes: Slider[];
+  private readonly friction: Slider;
+  private readonly source = element("span", { class: "faint" });
+  private readonly accuracy: { node: HTMLElement; set: (value: (typeof ACCURACIES)[number]) => void };
+  private readonly corner: HTMLInputElement[];
+  private readonly boxName = element("h2", {}, "Box");
+  private readonly boxHint = element("p", { class: "faint" });
+  private box: number | null = null;
+
+  constructor(
+    private readonly driver: LiveDriver,
+    private readonly file: Results,
+    private readonly of: World,
+    private readonly version: string,
+    actions: LiveActions,
+  ) {
+    this.axes = AXES.map(
+      ({ name, title }, axis) =>
+        new Slider(name, title, { low: -1, high: 1, step: 0.01, zero: 0 }, (value) => {
+          const next = driver.acceleration;
+          next[axis] = value * GRAVITY;
+          driver.accelerate(next);
+        }),
+    );
+    this.friction = new Slider(
+      "μ",
+      "Coefficient of friction of all pairs",
+      { low: 0, high: 1, step: 0.01, zero: null },
+      (value) => driver.setFriction(value),
+    );
+    this.accuracy = choice(
+      "Accuracy",
+      ACCURACIES.map((value) => ({ value, label: value })),
+      driver.choices.accuracy as (typeof ACCURACIES)[number],
+      (accuracy) => {
+        driver.choices.accuracy = accuracy;
+        driver.restart("drive");
+      },
+    );
+    this.corner = ["x", "y", "z"].map((name, axis) =>
+      element("input", {
+        type: "number",
+        step: 0.1,
+        "aria-label": `${name} of its corner with the smallest coordinates, cm`,
+        onchange: () => this.place(axis),
+      }),
+    );
+    const button = (label: string, title: string, onclick: () => void) => element("button", { title, onclick }, label);
+    this.node = element(
+      "section",
+      { class: "drive", "aria-label": "Live" },
+      element(
+        "p",
+        { class: "title" },
+        element("span", { class: "strong" }, "Live"),
+        element("span", { class: "faint" }, `native ${version}`),
+        element(
+          "button",
+          { class: "plain", title: "Back to the file (L)", "aria-label": "Leave", onclick: actions.leave },
+          "×",
+        ),
+      ),
+      element(
+        "div",
+        { class: "buttons" },
+        this.run,
+        button("Step", "A sixtieth of a second (.)", () => driver.step()),
+        button("Reset", "As it was before it started (R)", () => driver.restart("drive")),
+        button("Replay", "The world of the file, unchanged, to its end: are these its bits? (B)", () => {
+          driver.restart("replay").then(() => driver.play());
+        }),
+      ),
+      this.state,
+      this.bits,
+      this.problem,
+      element(
+        "div",
+        { class: "group" },
+        element(
+          "h2",
+          {},
+          "Acceleration",
+          this.source,
+          element(
+            "button",
+            { class: "plain small", title: "None from now on (0)", onclick: () => driver.accelerate([0, 0, 0]) },
+            "none",
+          ),
+        ),
+        ...this.axes.map(({ node }) => node),
+      ),
+      element("div", { class: "group" }, element("h2", {}, "Contact"), this.friction.node, this.accuracy.node),
+      element(
+        "div",
+        { class: "group" },
+        this.boxName,
+        element(
+          "div",
+          { class: "corner" },
+          ...this.corner.map((input, axis) => element("label", {}, "xyz"[axis], input)),
+          element("span", { class: "faint" }, "cm"),
+        ),
+        this.boxHint,
+      ),
+      element(
+        "div",
+        { class: "group" },
+        element("h2", {}, "Save"),
+        element(
+          "div",
+          { class: "buttons" },
+          button("Layout", "A layout file of how the boxes stood at the start", () => actions.save("layout")),
+          button("Acceleration", "An acceleration file of what was driven", () => actions.save("acceleration")),
+          button("Settings", "A configuration with friction and accuracy", () => actions.save("settings")),
+        ),
+        this.saved,
+      ),
+    );
+    this.show();
+  }
+
+  /** m/s² along an axis, more than now. */
+  nudge(axis: number, by: number): void {
+    const next: Vector = this.driver.acceleration;
+    next[axis] = (Math.round(Math.min(1, Math.max(-1, next[axis] / GRAVITY + by)) * 100) / 100) * GRAVITY;
+    this.driver.accelerate(next);
+  }
+
+  say(text: string): void {
+    this.saved.textContent = text;
+  }
+
+  showBox(box: number | null): void {
+    this.box = box;
+    this.show();
+  }
+
+  private place(axis: number): void {
+    const { driver, box } = this;
+    if (box === null || !driver.atStart || driver.mode === "replay") return;
+    const { boxes } = driver.choices;
+    const corner = [0, 1, 2].map((of) => (of === axis ? Number(this.corner[of].value) / 100 : boxes[7 * box + of]));
+    if (!corner.every(Number.isFinite)) return;
+    driver.choices.boxes = placed(boxes, box, corner);
+    driver.restart("drive");
+  }
+
+  /** Brings all of it to how the world is. */
+  show(pull = 0): void {
+    const { driver } = this;
+    const replay = driver.mode === "replay";
+    this.run.textContent = driver.playing ? "Pause" : "Run";
+    this.run.title = `${driver.playing ? "Pause" : "Run"} (space)`;
+    this.state.textContent = this.sentence(pull);
+    this.showBits();
+    this.problem.textContent = driver.problem;
+    this.problem.hidden = driver.problem === "";
+    const now = driver.acceleration;
+    for (const [axis, slider] of this.axes.entries()) {
+      const value = now[axis] / GRAVITY;
+      slider.show(value, `${value.toFixed(2)} g`, replay);
+    }
+    this.source.textContent = driver.driven.taken ? "by hand" : "as in the file";
+    const { friction } = driver.choices;
+    const given = replay || friction === null;
+    const shown = given ? floorFriction(this.file.settings) : friction;
+    this.friction.show(shown, given ? "file" : shown.toFixed(2), replay);
+    this.accuracy.set(driver.choices.accuracy as (typeof ACCURACIES)[number]);
+    this.showCorner();
+  }
+
+  private sentence(pull: number): string {
+    const { driver } = this;
+    const { shown, possible } = driver.meter;
+    const times = (value: number) => `${value >= 9.95 ? value.toFixed(0) : value.toFixed(1)} ×`;
+    if (driver.problem !== "") return "It does not start.";
+    if (pull > 0) return `Pulls with ${newtons(pull)}.`;
+    const could = Number.isFinite(possible) ? `; the engine alone does ${times(possible)}` : "";
+    if (driver.playing && Number.isFinite(shown)) return `${times(shown)} real time${could}.`;
+    if (driver.mode === "replay") return driver.hash ? `Replayed to its end${could}.` : "Replays the file.";
+    return driver.time === 0 ? "Stands at the start." : `Paused at ${driver.time.toFixed(2)} s${could}.`;
+  }
+
+  private showBits(): void {
+    const { hash } = this.driver;
+    this.bits.hidden = hash === null;
+    if (hash === null) return;
+    const { same, text } = bitsSentence(this.file, this.of, this.version, hash);
+    this.bits.className = same ? "bits same" : "bits";
+    this.bits.replaceChildren(text, element("code", {}, hash));
+  }
+
+  private showCorner(): void {
+    const { driver, box } = this;
+    const placing = driver.atStart && driver.mode === "drive";
+    const boxes = driver.choices.boxes;
+    const some = box !== null && 7 * box < boxes.length;
+    this.boxName.textContent = some ? `Box ${this.of.boxes.id[box]}` : "Box";
+    for (const [axis, input] of this.corner.entries()) {
+      input.disabled = !some || !placing;
+      if (document.activeElement !== input || input.disabled)
+        input.value = some ? String(Number((100 * boxes[7 * box + axis]).toFixed(3))) : "";
+    }
+    this.boxHint.textContent = placing
+      ? "Drag a box on its level, or choose it and type its place."
+      : driver.mode === "drive"
+        ? "Drag a box to pull at it; shift with arrows pushes the chosen one."
+        : "Reset takes the wheel.";
+  }
+}

@@ -1,0 +1,54 @@
+import type { GivenSettings, WorldOutcome } from "holdfast-engine";
+
+export type Vector = [number, number, number];
+
+/** What the engine is given: rows of seven and of five numbers, and settings, as of its `world`. */
+export interface LiveInputs {
+  boxes: Float64Array;
+  segments: Float64Array;
+  settings: NonNullable<GivenSettings["settings"]>;
+}
+
+/** What the driver changes from the time of the world on. */
+export interface Changes {
+  /** m/s² */
+  acceleration?: Vector;
+  /** of all pairs */
+  friction?: number;
+  /** N, at a point of the container that goes with the box */
+  force?: { box: number; force: Vector; point: Vector };
+}
+
+/** The world at a time. */
+export interface Frame {
+  time: number;
+  endTime: number;
+  /** rows of seven: centre of mass (m), quaternion w, x, y, z */
+  poses: Float64Array;
+  /** rows of six: velocity (m/s), angular velocity (rad/s) */
+  velocities: Float64Array;
+  /** where it was asked for */
+  stateHash: string | null;
+  /** s that the engine took */
+  computed: number;
+}
+
+/** What the files that are saved give in the program. */
+export interface Saved {
+  outcome: WorldOutcome;
+  /** the texts, read as the program reads them, are what was to be saved */
+  same: boolean;
+}
+
+/** What page and engine say to each other. */
+export interface Orders {
+  version: { ask: object; answer: string };
+  start: { ask: LiveInputs; answer: Frame };
+  advance: { ask: { to: number; changes: Changes; hashed: boolean }; answer: Frame };
+  screen: {
+    ask: { layout: string; acceleration: string; boxes: Float64Array; settings: LiveInputs["settings"] };
+    answer: Saved;
+  };
+}
+export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];
+export type Answer = { id: number } & ({ value: Orders[keyof Orders]["answer"] } | { error: string });

@@ -1,0 +1,59 @@
+import type { Segment } from "../data/results";
+import type { LiveInputs } from "./messages";
+
+/** Files that `holdfast screen` reads, from what was driven. Numbers are written so that they are read as the same bits. */
+
+/** cm: the shortest number that is the same in m. */
+function centimetres(metres: number): string {
+  for (let digits = 6; digits < 17; ++digits) {
+    const text = String(Number((100 * metres).toPrecision(digits)));
+    if (Number(text) / 100 === metres) return text;
+  }
+  return String(100 * metres);
+}
+
+/**
+ * A layout file: its header, and a line per box. `UpAxis = y` turns the frame of the file: y is up there, and z goes across from
+ * right to left.
+ */
+export function layoutText(header: string, boxes: Float64Array, upAxis: string, width: number): string {
+  const lines = [header.trim() === "" ? "Layout" : header];
+  for (let row = 0; row < boxes.length; row += 7) {
+    const [x1, y1, z1, x2, y2, z2, material] = boxes.subarray(row, row + 7);
+    const corners = upAxis === "y" ? [x1, z1, width - y2, x2, z2, width - y1] : [x1, y1, z1, x2, y2, z2];
+    lines.push([...corners.map(centimetres), String(material)].join("\t"));
+  }
+  return `${lines.join("\n")}\n`;
+}
+
+export function accelerationText(segments: readonly Segment[], what: string): string {
+  const lines = segments.map(({ start, duration, value }) => [start, duration, ...value].join("\t"));
+  return `# ${what}\n# s, s, m/s2 along x, y, z\n${lines.join("\n")}\n`;
+}
+
+/** Keys that name files and runs, not the world. */
+const OF_THE_RUN =
+  /^(Renderer Engine|Export Settings|OpenCL|Bullet)\/|\/(Batch\w+|Layout|Acceleration|Norm|Threads|Scheduler|Margins|Replicas|FirstFailure|Indicators|Damage)$/;
+
+/** Settings of a results file as the engine of this page takes them. */
+export function engineSettings(
+  settings: Readonly<Record<string, string>>,
+  changed: Readonly<Record<string, string>>,
+): LiveInputs["settings"] {
+  const all = { ...settings, "Screening/Engine": "native", ...changed };
+  return Object.entries(all)
+    .filter(([key, value]) => value !== "" && (key in changed || !OF_THE_RUN.test(key)))
+    .map(([key, value]) => {
+      const slash = key.indexOf("/");
+      return [key.slice(0, slash), key.slice(slash + 1), value] as const;
+    });
+}
+
+/** The same as a configuration file. */
+export function settingsText(settings: LiveInputs["settings"], what: string): string {
+  const sections = new Map<string, string[]>();
+  for (const [section, key, value] of settings)
+    sections.set(section, [...(sections.get(section) ?? []), `${key} = ${value}`]);
+  const blocks = [...sections].map(([section, lines]) => `[${section}]\n${lines.join("\n")}\n`);
+  return `# ${what}\n\n${blocks.join("\n")}`;
+}
