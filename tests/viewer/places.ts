@@ -6,3 +6,6 @@ export const RESULTS = path.join(BUILD, "results");
 export const PAGE = path.join(BUILD, "viewer.html");
 /** Packages are looked up from here. */
 export const PACKAGES = path.resolve(BUILD, "../../viewer/package.json");
+/** The engine in WebAssembly, where `make viewer-engine` has built it. */
+export const ENGINE = path.join(BUILD, "engine.mjs");
+export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/bin/holdfast");

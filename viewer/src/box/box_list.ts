@@ -23,6 +23,7 @@ export class BoxList {
   private readonly scroller: HTMLElement;
   private sorted: number[] = [];
   private selected: number | null = null;
+  private order: Order = "moved";
   private readonly redraw = oncePerFrame(() => this.draw());
 
   constructor(
@@ -48,9 +49,10 @@ export class BoxList {
     this.sort("moved");
   }
 
-  /** Takes in numbers that have changed, in the order that the list has. */
-  refresh(): void {
-    this.redraw();
+  /** Takes in numbers that have changed; `anew` also puts the rows in order, where the user does not go through them. */
+  refresh(anew: boolean): void {
+    if (anew && document.activeElement !== this.scroller) this.sort(this.order);
+    else this.redraw();
   }
 
   select(box: number | null): void {
@@ -66,6 +68,8 @@ export class BoxList {
   }
 
   private sort(order: Order): void {
+    if (order !== this.order) this.scroller.scrollTop = 0;
+    this.order = order;
     const { boxes } = this.world;
     const { firstMove, endDistance } = this.derived;
     const key: Record<Order, (box: number) => number> = {
@@ -92,7 +96,6 @@ export class BoxList {
       ),
     );
     this.body.style.height = `${this.sorted.length * ROW}px`;
-    this.scroller.scrollTop = 0;
     this.redraw();
   }
 

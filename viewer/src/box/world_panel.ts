@@ -34,10 +34,10 @@ export class WorldPanel {
   }
 
   /** Shows numbers anew that have changed, as those of a live world do. */
-  refresh(): void {
+  refresh(orderAnew = true): void {
     const first = this.first();
     this.top.replaceChildren(this.head(), ...(first ? [first] : []));
-    this.list.refresh();
+    this.list.refresh(orderAnew);
     this.showBox(this.store.state.box);
   }
 

@@ -12,5 +12,5 @@ export function hitBox(
   );
   const half = size.clone().multiplyScalar(0.5);
   const hit = inside.intersectBox(new THREE.Box3(half.clone().negate(), half), new THREE.Vector3());
-  return hit && hit.applyQuaternion(rotation).add(place);
+  return hit ? hit.applyQuaternion(rotation).add(place) : null;
 }

@@ -141,7 +141,7 @@ export class LiveRecord {
 
   /** s: the time at which the next sample is due. */
   get nextSample(): number {
-    return Math.round(this.time / this.interval + 1 - 1e-6) * this.interval;
+    return (Math.floor(this.time / this.interval + 1e-6) + 1) * this.interval;
   }
 
   /** Takes in the world as it is now; whether a sample was due. */

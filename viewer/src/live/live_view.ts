@@ -90,7 +90,12 @@ export class LiveView {
       }
     });
     this.observer.observe(pictures);
-    this.driver.listen(() => this.showDriver());
+    let playing = false;
+    this.driver.listen(() => {
+      this.showDriver();
+      if (playing && !this.driver.playing) this.panel.refresh();
+      playing = this.driver.playing;
+    });
     this.quit = [
       store.listen((next, changed) => this.update(next, changed)),
       onTheme(() => {
@@ -112,7 +117,8 @@ export class LiveView {
   private takeSample(): void {
     this.scene.refresh();
     this.timePanel.refresh(this.scene.derived.firstMove);
-    this.panel.refresh();
+    // Rows keep their places while numbers change.
+    this.panel.refresh(!this.driver.playing);
   }
 
   private point(box: number | null, event: PointerEvent | null): void {

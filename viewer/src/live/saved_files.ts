@@ -1,9 +1,9 @@
 import type { Segment } from "../data/results";
 import type { LiveInputs } from "./messages";
 
-/** Files that `holdfast screen` reads, from what was driven. Numbers are written so that they are read as the same bits. */
+/** Files that `holdfast screen` reads, from what was driven. */
 
-/** cm: the shortest number that is the same in m. */
+/** cm: the shortest number that is the same bits in m, which any length that was read from a layout file has. */
 function centimetres(metres: number): string {
   for (let digits = 6; digits < 17; ++digits) {
     const text = String(Number((100 * metres).toPrecision(digits)));

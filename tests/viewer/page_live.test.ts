@@ -1,0 +1,212 @@
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, test } from "node:test";
+import type { Page } from "playwright-core";
+import { closeBrowser, openPage } from "./browser";
+import { ENGINE, PROGRAM } from "./places";
+
+const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
+
+after(closeBrowser);
+
+/** The fourth world of the file: 81 boxes under braking, of which some fall. */
+async function openLive(file = "demo.h5", world = 4): Promise<Page> {
+  const page = await openPage({ file });
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, `world=${world}`);
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await page.waitForTimeout(200);
+  return page;
+}
+
+/** Takes the keys from a field, so that they drive. */
+const leaveField = (page: Page) => page.evaluate(() => (document.activeElement as HTMLElement).blur());
+const seconds = async (page: Page) => Number.parseFloat(await page.innerText(".readout"));
+const reaches = (page: Page, time: number) =>
+  page.waitForFunction((least) => Number.parseFloat(document.querySelector(".readout")!.textContent!) >= least, time);
+/** Displacement in the list of boxes: that of a box, m. */
+const moved = (page: Page, box: number) =>
+  page.evaluate((id) => {
+    const row = [...document.querySelectorAll(".rows .row")].find((of) => of.firstChild?.textContent === String(id));
+    const [number, unit] = row!.children[2].textContent!.split(" ");
+    return number === "" ? 0 : Number(number) * { mm: 0.001, cm: 0.01, m: 1 }[unit]!;
+  }, box);
+
+test("a replayed world has the bits of the file, its verdict, its counts and what went first", { skip }, async () => {
+  const page = await openPage({ file: "demo.h5" });
+  await page.evaluate(() => {
+    location.hash = "world=4";
+  });
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  const recorded = await page.innerText(".panel .top");
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  assert.match(await page.innerText(".panel .top"), /^[^\w]*stayed/, "nothing has happened at the start");
+  await page.selectOption(".player select", "4");
+  await leaveField(page);
+  await page.keyboard.press("b");
+  await page.waitForSelector(".bits.same", { timeout: 120_000 });
+  assert.match(await page.innerText(".bits"), /^The same bits as the file\s+[0-9a-f]{16}$/);
+  const live = await page.innerText(".panel .top");
+  assert.equal(live.replace("live", "native"), recorded);
+  await page.close();
+});
+
+test("a world that is not touched ends as the file; accuracy starts it anew", { skip }, async () => {
+  const page = await openLive("demo.h5", 0);
+  await page.selectOption(".drive select", "screening");
+  await page.waitForFunction(() => /Stands at the start/.test(document.querySelector(".speed")!.textContent!));
+  await leaveField(page);
+  await page.keyboard.press(" ");
+  await page.waitForFunction(() => /Paused at 3\.00 s/.test(document.querySelector(".speed")!.textContent!));
+  await page.keyboard.press("r");
+  await page.waitForFunction(() => /Stands at the start/.test(document.querySelector(".speed")!.textContent!));
+  assert.equal(await seconds(page), 0);
+  await page.keyboard.press(".");
+  await reaches(page, 0.01);
+  assert.ok((await seconds(page)) < 0.03, "a step is a sixtieth of a second");
+  await page.close();
+});
+
+test("arrow keys drive: boxes move, and what was driven is screened by the program to the same bits", {
+  skip,
+}, async () => {
+  const page = await openLive();
+  await page.selectOption(".drive select", "screening");
+  await leaveField(page);
+  await page.keyboard.press("0");
+  for (let press = 0; press < 7; ++press) await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowUp");
+  assert.match(await page.innerText(".drive"), /by hand[\s\S]*along\s+-0\.70 g[\s\S]*across\s+0\.10 g/);
+  await page.keyboard.press(" ");
+  await reaches(page, 0.5);
+  await page.keyboard.press("ArrowUp");
+  await reaches(page, 0.8);
+  await page.keyboard.press(" ");
+  assert.match(await page.innerText(".panel .top"), /moved[\s\S]*went first/i);
+
+  const folder = mkdtempSync(path.join(tmpdir(), "holdfast-live-"));
+  try {
+    const files: Record<string, string> = {};
+    for (const name of ["Layout", "Acceleration", "Settings"]) {
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.click(`.drive .buttons button:text-is("${name}")`),
+      ]);
+      files[name] = path.join(folder, download.suggestedFilename());
+      await download.saveAs(files[name]);
+    }
+    await page.waitForFunction(() => /-live\.ini/.test(document.querySelector(".saved")!.textContent!));
+    const said = await page.innerText(".saved");
+    const words = ["screen", "-c", files.Settings, "--layouts", files.Layout, "--accelerations", files.Acceleration];
+    words.push("--json", "--quiet", "-o", path.join(folder, "results.h5"));
+    const world = JSON.parse(execFileSync(PROGRAM, words, { encoding: "utf8" }));
+    assert.equal(world.boxes, 81);
+    assert.match(said, new RegExp(`holdfast screen says ${world.verdict}, hash ${world.state_hash}\\.`));
+    assert.ok(world.moved_boxes > 10);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  await page.close();
+});
+
+test("the slider of friction acts on the way, and tells that it is no longer the file's", { skip }, async () => {
+  const page = await openLive("demo.h5", 0);
+  assert.match(await page.innerText(".drive"), /μ\s+file/);
+  await page.focus("input[aria-label='Coefficient of friction of all pairs']");
+  await page.keyboard.press("Home");
+  assert.match(await page.innerText(".drive"), /μ\s+0\.00/);
+  await page.keyboard.press(" ");
+  await page.waitForFunction(() => /Paused at 3\.00 s/.test(document.querySelector(".speed")!.textContent!));
+  assert.match(await page.innerText(".panel .top"), /moved/);
+  await page.close();
+});
+
+test("a box is pulled with the pointer", { skip }, async () => {
+  const page = await openLive("demo.h5", 0);
+  await page.selectOption(".drive select", "screening");
+  await leaveField(page);
+  await page.keyboard.press("0");
+  await page.keyboard.press(" ");
+  await reaches(page, 0.1);
+  // From the left, the picture's x is that of the container: the box that is taken goes along.
+  await page.keyboard.press("2");
+  await page.waitForTimeout(300);
+  const at = await findBox(page);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 40, at.y - 60, { steps: 3 });
+  await page.waitForFunction(() => /Pulls with [\d.]+ k?N/.test(document.querySelector(".speed")!.textContent!));
+  await page.waitForTimeout(1500);
+  await page.mouse.up();
+  await page.keyboard.press(" ");
+  const box = Number((await page.innerText(".panel .box h2")).replace(/\D/g, ""));
+  assert.ok((await moved(page, box)) > 0.05, `box ${box} has moved by ${await moved(page, box)} m`);
+  await page.close();
+});
+
+/** A place of the picture where a box is. */
+async function findBox(page: Page): Promise<{ x: number; y: number }> {
+  const scene = (await page.locator(".scene canvas").boundingBox())!;
+  for (let row = 0.75; row > 0.3; row -= 0.05)
+    for (let column = 0.15; column < 0.9; column += 0.1) {
+      const at = { x: scene.x + column * scene.width, y: scene.y + row * scene.height };
+      await page.mouse.move(at.x, at.y);
+      await page.waitForTimeout(120);
+      if (await page.isVisible(".hint")) return at;
+    }
+  throw new Error("no box is seen");
+}
+
+test("a box is put elsewhere by its number, by key and by pointer; the engine says what cannot be", {
+  skip,
+}, async () => {
+  const page = await openLive("demo.h5", 0);
+  const field = page.locator("input[aria-label^='x of its corner']");
+  await page.focus(".scroller");
+  await page.keyboard.press("ArrowDown");
+  const before = Number(await field.inputValue());
+  await page.keyboard.press("Shift+ArrowRight");
+  await page.waitForFunction(
+    (value) => document.querySelector<HTMLInputElement>("input[aria-label^='x of']")!.value === value,
+    String(before + 1),
+  );
+  await field.fill("9000");
+  await field.press("Enter");
+  await page.waitForSelector(".drive .problem:not([hidden])");
+  assert.match(await page.innerText(".drive .problem"), /outside/);
+  await field.fill(String(before));
+  await field.press("Enter");
+  await page.waitForSelector(".drive .problem[hidden]", { state: "attached" });
+  await page.keyboard.press("4");
+  await page.waitForTimeout(300);
+  const at = await findBox(page);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x - 8, at.y - 30, { steps: 3 });
+  await page.mouse.up();
+  await page.waitForFunction(
+    () =>
+      /Stands at the start/.test(document.querySelector(".speed")!.textContent!) ||
+      /./.test(document.querySelector(".drive .problem")!.textContent!),
+  );
+  assert.match(await page.innerText(".panel .box h2"), /box \d+/i);
+  await page.close();
+});
+
+test("escape and L go back to the file", { skip }, async () => {
+  const page = await openLive();
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world:not(.live)");
+  await page.keyboard.press("l");
+  await page.waitForSelector("main.live");
+  await page.keyboard.press("m");
+  await page.waitForSelector("main.fleet");
+  await page.close();
+});
