@@ -66,22 +66,28 @@ test("a layout file has centimetres that are the same bits in metres, with eithe
 test("settings leave out what is of the run, and what has no value", () => {
   const given = {
     "Contact/BoxBox": "0.5",
+    "Contact/FrictionModel": "product",
+    "Simulation Settings/BoxFriction": "0.7",
     "Material 3/Density": "300",
     "Native/Tolerance": "",
     "Screening/Engine": "bullet",
     "Screening/Norm": "road",
     "Screening/Margins": "true",
   };
-  const settings = engineSettings(given, { "Contact/BoxBox": "0.2", "Native/Accuracy": "screening" });
+  const asGiven = engineSettings(given, {}).map(([, key]) => key);
+  assert.deepEqual(asGiven, ["FrictionModel", "BoxFriction", "Density", "Engine"]);
+  const pairs = { "Contact/BoxBox": "0.2", "Contact/FrictionModel": "pairs", "Native/Accuracy": "screening" };
+  const settings = engineSettings(given, pairs);
   assert.deepEqual(settings, [
     ["Contact", "BoxBox", "0.2"],
+    ["Contact", "FrictionModel", "pairs"],
     ["Material 3", "Density", "300"],
     ["Screening", "Engine", "native"],
     ["Native", "Accuracy", "screening"],
   ]);
   assert.match(
     settingsText(settings, "why"),
-    /^# why\n\n\[Contact\]\nBoxBox = 0\.2\n\n\[Material 3\]\nDensity = 300\n/,
+    /^# why\n\n\[Contact\]\nBoxBox = 0\.2\nFrictionModel = pairs\n\n\[Material 3\]\nDensity = 300\n/,
   );
 });
 

@@ -1,5 +1,6 @@
-// Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER
+// Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
 //
+// With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
 // RESULTS is a file with series; the pictures of docs/ are of the layouts of configs/layouts and bench/layouts under the norm of the
 // road, with margins and wall forces. The film needs img2webp, of Debian's package webp.
 import { spawnSync } from "node:child_process";
@@ -10,7 +11,8 @@ import path from "node:path";
 
 const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "../..");
 const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
-const [results, folder] = process.argv.slice(2).map((argument) => path.resolve(argument));
+const [results, folder] = process.argv.slice(2, 4).map((argument) => path.resolve(argument));
+const liveOnly = process.argv[4] === "live";
 if (!folder) throw new Error("usage: node tests/viewer/pictures.mjs RESULTS FOLDER");
 mkdirSync(folder, { recursive: true });
 
@@ -65,8 +67,13 @@ async function worldOf(page, layout, acceleration) {
 for (const scheme of ["light", "dark"]) {
   const page = await open(scheme);
   await page.hover(".matrix", { position: { x: 360, y: 100 } });
-  await save(page, `fleet-${scheme}`);
+  if (!liveOnly) await save(page, `fleet-${scheme}`);
   const world = await worldOf(page, "BR15_077_ep", "front");
+  await live(page, world, scheme);
+  if (liveOnly) {
+    await page.close();
+    continue;
+  }
   await show(page, `world=${world}&time=1.2&ghost=1&box=59`);
   await page.keyboard.press("1");
   await save(page, `world-${scheme}`);
@@ -83,6 +90,37 @@ for (const scheme of ["light", "dark"]) {
   await page.close();
 }
 await browser.close();
+
+/** In the light, a load that is driven and pulled at; in the dark, a replay. */
+async function live(page, world, scheme) {
+  await show(page, `world=${world}`);
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await settled(page);
+  if (scheme === "light") await pull(page);
+  else {
+    await page.keyboard.press("b");
+    await page.waitForSelector(".bits.same", { timeout: 120_000 });
+  }
+  await save(page, `live-${scheme}`);
+  await page.mouse.up();
+  await page.keyboard.press("Escape");
+}
+
+/** Brakes for a second, and pulls at a box on top. */
+async function pull(page) {
+  await page.keyboard.press("0");
+  for (let press = 0; press < 6; ++press) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press(" ");
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector(".readout").textContent) >= 0.8);
+  await page.keyboard.press("0");
+  const scene = await page.locator(".scene canvas").boundingBox();
+  const at = { x: scene.x + 0.76 * scene.width, y: scene.y + 0.48 * scene.height };
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 60, at.y - 150, { steps: 4 });
+  await page.waitForTimeout(1500);
+}
 
 /** The load while it is braked, without the page around it, as an animated WebP. */
 async function film(page) {

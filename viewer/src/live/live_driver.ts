@@ -137,8 +137,13 @@ export class LiveDriver implements TimeControl {
     for (const listener of this.listeners) listener();
   }
 
+  /** Begins anew with what was chosen. What was driven before the first step still holds. */
+  rechoose(): Promise<void> {
+    return this.restart("drive", this.atStart && this.mode === "drive");
+  }
+
   /** Starts the world anew, at rest at time 0: that of the file, or what was chosen. */
-  restart(mode: Mode): Promise<void> {
+  restart(mode: Mode, keepDriven = false): Promise<void> {
     this.pause();
     const turn = ++this.started;
     return this.inTurn(async () => {
@@ -152,7 +157,7 @@ export class LiveDriver implements TimeControl {
         this.mode = mode;
         this.hash = null;
         this.problem = "";
-        this.driven = new DrivenAcceleration(this.of.segments);
+        if (!keepDriven) this.driven = new DrivenAcceleration(this.of.segments);
         this.told = null;
         this.setStop();
         this.frictionChanged = false;
@@ -217,10 +222,11 @@ export class LiveDriver implements TimeControl {
     this.tell();
   }
 
-  /** Of all pairs, from now on. */
+  /** Of all pairs, from now on; before the start also while the load settles. */
   setFriction(value: number): void {
     this.choices.friction = value;
-    this.frictionChanged = true;
+    this.frictionChanged = !this.atStart;
+    if (this.atStart) this.rechoose();
     this.tell();
   }
 

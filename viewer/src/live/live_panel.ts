@@ -65,7 +65,7 @@ export class LivePanel {
       driver.choices.accuracy as (typeof ACCURACIES)[number],
       (accuracy) => {
         driver.choices.accuracy = accuracy;
-        driver.restart("drive");
+        driver.rechoose();
       },
     );
     this.corner = ["x", "y", "z"].map((name, axis) =>
@@ -173,7 +173,7 @@ export class LivePanel {
     const corner = [0, 1, 2].map((of) => (of === axis ? Number(this.corner[of].value) / 100 : boxes[7 * box + of]));
     if (!corner.every(Number.isFinite)) return;
     driver.choices.boxes = placed(boxes, box, corner);
-    driver.restart("drive");
+    driver.rechoose();
   }
 
   /** Brings all of it to how the world is. */

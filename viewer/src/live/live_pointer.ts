@@ -108,7 +108,7 @@ export class LivePointer {
   private drop(): void {
     this.down = null;
     this.rig.enable(true);
-    if (this.placing && this.moved) this.driver.restart("drive");
+    if (this.placing && this.moved) this.driver.rechoose();
     this.placing = null;
     if (this.pull.box === null) return;
     this.pull.end();
@@ -126,7 +126,7 @@ export class LivePointer {
       const { boxes } = driver.choices;
       const corner = [boxes[7 * box] + by[0], boxes[7 * box + 1] + by[1], boxes[7 * box + 2]];
       driver.choices.boxes = placed(boxes, box, corner);
-      driver.restart("drive");
+      driver.rechoose();
     } else this.push = { box, direction, until: driver.time + PUSH };
   }
 

@@ -35,14 +35,19 @@ export function accelerationText(segments: readonly Segment[], what: string): st
 const OF_THE_RUN =
   /^(Renderer Engine|Export Settings|OpenCL|Bullet)\/|\/(Batch\w+|Layout|Acceleration|Norm|Threads|Scheduler|Margins|Replicas|FirstFailure|Indicators|Damage)$/;
 
+/** Keys that one model of friction has, and the other one warns of. */
+const OF_PAIRS = /^Contact\/Box(Box|Floor|Wall)$/;
+const OF_PRODUCTS = /\/(BoxFriction|ContainerFriction)$|^Material \d+\/Friction$/;
+
 /** Settings of a results file as the engine of this page takes them. */
 export function engineSettings(
   settings: Readonly<Record<string, string>>,
   changed: Readonly<Record<string, string>>,
 ): LiveInputs["settings"] {
-  const all = { ...settings, "Screening/Engine": "native", ...changed };
+  const all: Record<string, string> = { ...settings, "Screening/Engine": "native", ...changed };
+  const unused = all["Contact/FrictionModel"] === "pairs" ? OF_PRODUCTS : OF_PAIRS;
   return Object.entries(all)
-    .filter(([key, value]) => value !== "" && (key in changed || !OF_THE_RUN.test(key)))
+    .filter(([key, value]) => value !== "" && !unused.test(key) && (key in changed || !OF_THE_RUN.test(key)))
     .map(([key, value]) => {
       const slash = key.indexOf("/");
       return [key.slice(0, slash), key.slice(slash + 1), value] as const;
