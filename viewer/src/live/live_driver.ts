@@ -12,7 +12,7 @@ import { SpeedMeter } from "./speed_meter";
 /** s: a driven world could go on until then. */
 const LONGEST = 3600;
 /** s of the picture's time that one picture may take: what takes longer goes slower. */
-const LONGEST_STEP = 0.1;
+const LONGEST_STEP = 0.25;
 /** s that the time line is longer than what was driven, at least. */
 const AHEAD = 2;
 /** s of a single step: that of the engine at its least accuracy. */
@@ -199,6 +199,7 @@ export class LiveDriver implements TimeControl {
     this.setStop();
     if (this.problem !== "" || this.time >= this.stop) return;
     await this.advance(this.time + STEP);
+    this.store.update({ time: this.time });
     this.tell();
   }
 
@@ -240,21 +241,23 @@ export class LiveDriver implements TimeControl {
       before = Math.max(before, now);
       while (this.running && this.time < Math.min(due - 1e-9, this.stop)) await this.advance(due);
       this.meter.picture(performance.now() / 1000, this.time);
+      this.store.update({ time: this.time });
       if (this.time >= this.stop) this.pause();
     }
   }
 
-  /** Until a time, the next sample or the end, whichever comes first. */
+  /** Until a time, the next sample or the end, whichever comes first; a pull changes with each step. */
   private advance(wanted: number): Promise<void> {
     return this.inTurn(async () => {
       const { record } = this;
-      const to = Math.min(wanted, record.nextSample, this.stop);
+      const changes = this.changes();
+      const to = Math.min(wanted, record.nextSample, this.stop, changes.force ? record.time + STEP : wanted);
       const ends = to >= this.stop;
       try {
-        const changes = this.changes();
         const frame = await this.client.ask("advance", { to, changes, hashed: ends && this.mode === "replay" });
         this.meter.step(frame.time - record.time, frame.computed);
         this.take(frame);
+        if (changes.force) this.store.update({ time: frame.time });
       } catch (error) {
         this.problem = (error as Error).message;
         this.pause();
@@ -282,7 +285,6 @@ export class LiveDriver implements TimeControl {
     if (frame.stateHash !== null) this.hash = frame.stateHash;
     const sampled = record.add(frame, acceleration);
     if (sampled) this.sampled();
-    this.store.update({ time: frame.time });
   }
 
   private inTurn<T>(work: () => Promise<T>): Promise<T> {

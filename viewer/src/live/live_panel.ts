@@ -191,7 +191,7 @@ export class LivePanel {
       const value = now[axis] / GRAVITY;
       slider.show(value, `${value.toFixed(2)} g`, replay);
     }
-    this.source.textContent = driver.driven.taken ? "by hand" : "as in the file";
+    this.source.textContent = driver.driven.taken ? "by hand" : "the file's";
     const { friction } = driver.choices;
     const given = replay || friction === null;
     const shown = given ? floorFriction(this.file.settings) : friction;
@@ -207,7 +207,7 @@ export class LivePanel {
     if (driver.problem !== "") return "It does not start.";
     if (pull > 0) return `Pulls with ${newtons(pull)}.`;
     const could = Number.isFinite(possible) ? `; the engine alone does ${times(possible)}` : "";
-    if (driver.playing && Number.isFinite(shown)) return `${times(shown)} real time${could}.`;
+    if (driver.playing) return Number.isFinite(shown) ? `${times(shown)} real time${could}.` : "Runs.";
     if (driver.mode === "replay") return driver.hash ? `Replayed to its end${could}.` : "Replays the file.";
     return driver.time === 0 ? "Stands at the start." : `Paused at ${driver.time.toFixed(2)} s${could}.`;
   }

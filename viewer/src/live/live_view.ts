@@ -34,6 +34,7 @@ export class LiveView {
   private readonly observer: ResizeObserver;
   private readonly quit: (() => void)[];
   private legend = "";
+  private closed = false;
   private readonly showDriver = oncePerFrame(() => this.update(this.store.state, new Set(["time"])));
 
   constructor(
@@ -44,7 +45,13 @@ export class LiveView {
     private readonly store: Store,
     actions: HTMLElement[],
   ) {
-    this.driver = new LiveDriver(client, file, of, store, () => this.takeSample());
+    this.driver = new LiveDriver(
+      client,
+      file,
+      of,
+      store,
+      oncePerFrame(() => this.takeSamples()),
+    );
     const { record } = this.driver;
     this.rig = new CameraRig(() => this.scene?.redraw());
     this.rig.setContainer(file.container);
@@ -113,8 +120,9 @@ export class LiveView {
     return this.driver.restart("drive");
   }
 
-  /** A sample more: what is computed from all of them. */
-  private takeSample(): void {
+  /** Samples more: what is computed from all of them. */
+  private takeSamples(): void {
+    if (this.closed) return;
     this.scene.refresh();
     this.timePanel.refresh(this.scene.derived.firstMove);
     // Rows keep their places while numbers change.
@@ -131,6 +139,7 @@ export class LiveView {
   }
 
   private update(state: ViewState, changed: ReadonlySet<keyof ViewState>): void {
+    if (this.closed) return;
     this.scene.show(state);
     this.pointer.draw();
     this.timePanel.redraw();
@@ -166,6 +175,7 @@ export class LiveView {
   }
 
   close(): void {
+    this.closed = true;
     for (const quit of this.quit) quit();
     this.driver.pause();
     this.client.close();

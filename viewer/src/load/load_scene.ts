@@ -50,6 +50,7 @@ export class LoadScene {
   private readonly poses: PoseSource;
   private readonly distance: Float32Array;
   private painted = "";
+  private traced = true;
   private hovered: number | null = null;
   readonly redraw = oncePerFrame(() => this.render());
   /** Runs after a picture is drawn: the video is recorded from there. */
@@ -97,10 +98,16 @@ export class LoadScene {
   refresh(): void {
     Object.assign(this.derived, derive(this.results, this.world));
     this.painted = "";
+    this.traced = false;
+    this.show(this.state);
+  }
+
+  /** The paths, as far as they are known. */
+  private trace(): void {
+    this.traced = true;
     this.scene.remove(this.traces);
     for (const child of this.traces.children) (child as THREE.Line).geometry.dispose();
     this.traces = traces(this.world);
-    this.traces.visible = this.state.traces && this.state.exploded === 0;
     this.colourTraces();
     this.scene.add(this.traces);
   }
@@ -182,7 +189,9 @@ export class LoadScene {
     this.ghostGeometry.place.needsUpdate = true;
     this.ghostGeometry.size.needsUpdate = true;
     this.ghosts.visible = state.ghost;
-    this.traces.visible = state.traces && state.exploded === 0;
+    const traced = state.traces && state.exploded === 0;
+    if (traced && !this.traced) this.trace();
+    this.traces.visible = traced;
     this.centre.visible = state.centre && mass > 0;
     const centres = [...before, ...weight].map((sum) => sum / mass);
     this.centreColumn("position").copyArray(Float32Array.from(centres));
