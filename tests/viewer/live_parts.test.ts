@@ -107,6 +107,7 @@ test("a box that is dragged goes against what it comes near, and past it otherwi
   assert.equal(dragged(boxes, 0, [1.2, 0], container)[0], 1.2, "free");
   assert.equal(dragged(boxes, 0, [1.48, 1], container)[0], 1.48, "the other box does not face it");
   assert.equal(dragged(boxes, 0, [0, 1.89], container)[1], 1.9, "against the wall");
+  assert.equal(dragged(boxes, 0, [-3, 0], container)[0], 0, "not through the wall");
 });
 
 test("a ray meets a box that is turned where it should", () => {

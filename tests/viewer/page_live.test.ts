@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { ENGINE, PROGRAM } from "./places";
+import { ENGINE, PAGE, PROGRAM } from "./places";
 
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
 
@@ -214,6 +214,41 @@ test("a box is put elsewhere by its number, by key and by pointer; the engine sa
   assert.notEqual(stands, stood);
   assert.equal(stands.split(" ")[2], stood.split(" ")[2], "it stays on its level");
   await page.close();
+});
+
+test("reset at the start brings back the layout of the file", { skip }, async () => {
+  const page = await openLive("demo.h5", 0);
+  await page.focus(".scroller");
+  await page.keyboard.press("ArrowDown");
+  const field = page.locator("input[aria-label^='x of its corner']");
+  const before = await field.inputValue();
+  await field.fill("700");
+  await field.press("Enter");
+  await says(page, ".drive .problem", /outside/);
+  await page.click(".drive button:text-is('Restore')");
+  await page.waitForSelector(".drive .problem[hidden]", { state: "attached" });
+  assert.equal(await field.inputValue(), before);
+  await page.close();
+});
+
+test("a page without the engine says so", async () => {
+  const folder = mkdtempSync(path.join(tmpdir(), "holdfast-live-"));
+  try {
+    const file = path.join(folder, "viewer.html");
+    const whole = readFileSync(PAGE, "utf8");
+    writeFileSync(file, whole.replace(/(<script type="text\/plain" id="engine">)[^<]*/, "$1"));
+    const page = await openPage({ address: `file://${file}`, file: "demo.h5" });
+    await page.evaluate(() => {
+      location.hash = "world=4";
+    });
+    await page.waitForSelector("#app:not([aria-busy]) > main.world");
+    assert.equal(await page.getAttribute(".options button:text-is('Live')", "aria-disabled"), "true");
+    await page.keyboard.press("l");
+    await says(page, "header", /This page has no engine in it: make viewer-engine/);
+    await page.close();
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test("escape and L go back to the file", { skip }, async () => {

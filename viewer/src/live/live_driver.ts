@@ -76,6 +76,13 @@ export class LiveDriver implements TimeControl {
     };
   }
 
+  /** Whether layout, friction or accuracy are not those of the file. */
+  get changed(): boolean {
+    const { boxes, accuracy, friction } = this.fileChoices();
+    const now = this.choices;
+    return now.friction !== friction || now.accuracy !== accuracy || now.boxes.some((value, i) => value !== boxes[i]);
+  }
+
   get playing(): boolean {
     return this.running;
   }
@@ -135,6 +142,12 @@ export class LiveDriver implements TimeControl {
 
   private tell(): void {
     for (const listener of this.listeners) listener();
+  }
+
+  /** Back to the start; from there, back to layout, friction and accuracy of the file. */
+  reset(): Promise<void> {
+    if (this.mode === "drive" && this.atStart && !this.driven.taken) this.choices = this.fileChoices();
+    return this.restart("drive");
   }
 
   /** Begins anew with what was chosen. What was driven before the first step still holds. */

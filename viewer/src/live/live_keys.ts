@@ -12,7 +12,7 @@ export function liveKeys(driver: LiveDriver, panel: LivePanel, pointer: LivePoin
   return {
     " ": () => driver.toggle(),
     ".": () => void driver.step(),
-    r: () => void driver.restart("drive"),
+    r: () => void driver.reset(),
     b: () => void driver.restart("replay").then(() => driver.play()),
     l: () => store.update({ live: false }),
     "0": () => driver.accelerate([0, 0, 0]),

@@ -25,6 +25,7 @@ export interface LiveActions {
 export class LivePanel {
   readonly node: HTMLElement;
   private readonly run = element("button", { class: "run", onclick: () => this.driver.toggle() });
+  private readonly reset = element("button", { onclick: () => this.driver.reset() });
   private readonly state = element("p", { class: "soft speed", role: "status" });
   private readonly bits = element("p", { class: "bits", role: "status" });
   private readonly problem = element("p", { class: "problem", role: "alert" });
@@ -96,7 +97,7 @@ export class LivePanel {
         { class: "buttons" },
         this.run,
         button("Step", "A sixtieth of a second (.)", () => driver.step()),
-        button("Reset", "As it was before it started (R)", () => driver.restart("drive")),
+        this.reset,
         button("Replay", "The world of the file, unchanged, to its end: are these its bits? (B)", () => {
           driver.restart("replay").then(() => driver.play());
         }),
@@ -182,6 +183,11 @@ export class LivePanel {
     const replay = driver.mode === "replay";
     this.run.textContent = driver.playing ? "Pause" : "Run";
     this.run.title = `${driver.playing ? "Pause" : "Run"} (space)`;
+    const restores = driver.atStart && !replay && !driver.driven.taken && driver.changed;
+    this.reset.textContent = restores ? "Restore" : "Reset";
+    this.reset.title = restores
+      ? "Layout, friction and accuracy as in the file (R)"
+      : "As it was before it started (R)";
     this.state.textContent = this.sentence(pull);
     this.showBits();
     this.problem.textContent = driver.problem;

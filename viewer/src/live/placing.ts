@@ -44,6 +44,8 @@ export function dragged(
   for (const axis of [0, 1]) corner[axis] = Math.round((corner[axis] + by[axis]) / GRID) * GRID;
   for (const axis of [0, 1]) {
     const size = high(boxes, box, axis) - low(boxes, box, axis);
+    // Walls hold the pointer; numbers that are typed can be wrong.
+    corner[axis] = Math.max(0, Math.min(container[axis] - size, corner[axis]));
     const there = placed(boxes, box, corner);
     const stops = [0, container[axis] - size];
     for (let other = 0; 7 * other < boxes.length; ++other)

@@ -20,7 +20,7 @@ const KEYS: readonly [string, string][] = [
 
 const LIVE: readonly [string, string][] = [
   ["space, .", "run or pause; a single step"],
-  ["R", "reset: before it started"],
+  ["R", "reset: before it started; again: layout and settings of the file"],
   ["B", "replay the file's world: are these its bits?"],
   ["← →, ↑ ↓", "accelerate along, across, by 0.1 g"],
   ["page up, down", "accelerate upwards, downwards"],
