@@ -1,7 +1,7 @@
 import type { Shown } from "./box/compare_table";
 import type { Place } from "./data/messages";
 import { fromBase64 } from "./data/packed";
-import type { Results, World } from "./data/results";
+import type { Results } from "./data/results";
 import { ResultsClient } from "./data/results_client";
 import { failing } from "./data/verdict";
 import { FleetView } from "./fleet/fleet_view";
@@ -45,6 +45,8 @@ class App {
   private fleet: FleetView | null = null;
   private world: WorldView | null = null;
   private live: LiveView | null = null;
+  /** why the world that is shown cannot run here */
+  private whyNot: string | null = null;
 
   constructor() {
     this.chooser.hidden = true;
@@ -183,7 +185,8 @@ class App {
     this.root.setAttribute("aria-busy", "true");
     try {
       const shown = [{ results, world: await (await this.client).world(world) }];
-      if (live) {
+      this.whyNot = whyNotLive(shown[0].world);
+      if (live && !this.whyNot) {
         await this.showLive(shown[0], turn);
         return;
       }
@@ -192,17 +195,13 @@ class App {
         shown.push({ results: second.results, world: await (await second.client).world(other) });
       if (turn !== this.turn) return;
       this.closeWorld();
-      this.world = new WorldView(
-        shown,
-        this.store,
-        shown[1] ? this.chooserOf(shown[1]) : null,
-        this.actions(shown[0].world),
-      );
+      this.world = new WorldView(shown, this.store, shown[1] ? this.chooserOf(shown[1]) : null, this.actions());
       this.bar.show(
         results,
         shown.map((of) => `${of.world.layout} · ${of.world.acceleration}`),
       );
       this.fill(this.world.node);
+      if (live && this.whyNot) this.bar.say(this.whyNot);
     } catch (error) {
       this.store.update(FLEET);
       this.bar.say((error as Error).message);
@@ -213,35 +212,29 @@ class App {
 
   /** The world in the engine of this page. */
   private async showLive({ results, world }: Shown, turn: number): Promise<void> {
-    const why = whyNotLive(world);
-    if (why) {
-      this.store.update({ live: false });
-      this.bar.say(why);
-      return;
-    }
     const client = await EngineClient.start();
     const version = await client.ask("version", {});
     if (turn !== this.turn) return client.close();
     this.closeWorld();
     this.store.update({ time: 0 });
-    const live = new LiveView(results, world, client, version, this.store, this.actions(world));
+    const live = new LiveView(results, world, client, version, this.store, this.actions());
     this.live = live;
     await live.begin();
+    if (turn !== this.turn) return;
     this.bar.show(results, [`${world.layout} · ${world.acceleration}`, "live"]);
     this.fill(live.node);
   }
 
   /** What else can be done with a world. */
-  private actions(world: World): HTMLElement[] {
-    const { other, live } = this.store.state;
-    const why = whyNotLive(world);
+  private actions(): HTMLElement[] {
+    const { other } = this.store.state;
     return [
       element(
         "button",
         {
-          title: why ?? "Drive it in the engine of this page (L)",
-          "aria-pressed": String(live),
-          "aria-disabled": why ? "true" : undefined,
+          title: this.whyNot ?? "Drive it in the engine of this page (L)",
+          "aria-pressed": String(this.store.state.live && !this.whyNot),
+          "aria-disabled": this.whyNot ? "true" : undefined,
           onclick: () => this.drive(),
         },
         "Live",
@@ -260,7 +253,8 @@ class App {
 
   private drive(): void {
     const { world, live } = this.store.state;
-    if (world !== null) this.store.update({ live: !live, other: null, otherFile: "" });
+    if (this.whyNot) this.bar.say(this.whyNot);
+    else if (world !== null) this.store.update({ live: !live, other: null, otherFile: "" });
   }
 
   /** The file that the second world of a comparison is from. */
