@@ -69,7 +69,7 @@ $(VIEWER_PACKAGES): viewer/package-lock.json
 	npm --prefix viewer ci --no-audit --no-fund
 	@touch $@
 
-viewer: $(VIEWER_PACKAGES)  ## Build the page that shows results files: build/viewer/viewer.html
+viewer: $(VIEWER_PACKAGES)  ## Build the page that shows results files, with the engine where it is built
 	node viewer/build.mjs
 
 # The node modules that Debian's emscripten needs are where another node than Debian's does not look.

@@ -107,7 +107,7 @@ async function live(page, world, scheme) {
   await page.keyboard.press("Escape");
 }
 
-/** Brakes for a second, and pulls at a box on top. */
+/** Brakes for a second, and pulls a box on top to the front. */
 async function pull(page) {
   await page.keyboard.press("0");
   for (let press = 0; press < 6; ++press) await page.keyboard.press("ArrowRight");
@@ -118,7 +118,7 @@ async function pull(page) {
   const at = { x: scene.x + 0.76 * scene.width, y: scene.y + 0.48 * scene.height };
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  await page.mouse.move(at.x + 60, at.y - 150, { steps: 4 });
+  await page.mouse.move(at.x - 190, at.y - 40, { steps: 4 });
   await page.waitForTimeout(1500);
 }
 
