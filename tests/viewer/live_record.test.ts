@@ -6,7 +6,7 @@ import { bytesInMemory } from "../../viewer/src/data/byte_source";
 import { Hdf5File } from "../../viewer/src/data/hdf5_file";
 import { ResultsReader } from "../../viewer/src/data/read_results";
 import { LiveRecord } from "../../viewer/src/live/live_record";
-import { engineSettings } from "../../viewer/src/live/saved_files";
+import { engineSettings, layoutText } from "../../viewer/src/live/saved_files";
 import { accelerationAt } from "../../viewer/src/time/acceleration";
 import { firstMoves } from "../../viewer/src/time/first_moves";
 import { ENGINE, RESULTS } from "./places";
@@ -68,6 +68,19 @@ test("a world that is recorded live is the world of the file: hash, verdict, cou
       `${name}: first moves`,
     );
     near(record.world.boxes.endTilt, file.boxes.endTilt, 0.05, `${name}: tilt`);
+  }
+});
+
+test("a saved layout is read by the engine as the same boxes, with either axis up", { skip }, async () => {
+  const reader = await demo();
+  const { results } = reader;
+  for (let index = 0; index < results.worlds.layout.length; index += 4) {
+    const { boxes, header } = reader.world(index).loaded!;
+    for (const up of ["z", "y"]) {
+      const settings = [["Container", "UpAxis", up] as const];
+      const read = engine.readLayout(layoutText(header, boxes, up, results.container[1]), { settings });
+      near(read, boxes, up === "z" ? 0 : 1e-12, `${results.layouts[results.worlds.layout[index]]}, ${up} up`);
+    }
   }
 });
 
