@@ -26,6 +26,7 @@ LIBRARIES = {
     "CLI11": r"CLI/",
     "nlohmann": r"nlohmann/",
     "httplib": r"httplib\.h$",
+    "MPI": r"mpi\.h$",
     "Catch2": r"catch2/",
     "pybind11": r"pybind11/",
     "POSIX": r"(unistd|fcntl|dlfcn|signal|spawn|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
@@ -39,6 +40,7 @@ RULES = {
     "parallel": ({"core", "parallel"}, {"fmt", "TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),
     "api": ({"core", "io", "parallel", "api"}, {"fmt", "POSIX"}),
+    "mpi": ({"app", "core", "io", "mpi"}, {"MPI", "fmt"}),
     "app": ({"api", "core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "httplib", "fmt", "POSIX"}),
 }
 

@@ -32,6 +32,8 @@ test_packages=(
   catch2             # Catch2 2.13, the tests
   pocl-opencl-icd    # PoCL, the processor as an OpenCL device where there is no GPU
   hdf5-tools         # h5dump and h5ls, to look into a results file; tests read with them
+  libopenmpi-dev     # MPI, for holdfast-mpi, which is built where this is
+  openmpi-bin        # mpirun
   python3            # the checks in tools/, benchmarks and examples
   python3-h5py       # the tests read results files as a user would
   python3-scipy      # the linear programs that tests compare the proof of rest with

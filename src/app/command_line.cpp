@@ -86,6 +86,14 @@ void add_recording_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress, no table; errors only");
 }
 
+void add_part_option(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--part", options.part,
+                  "Simulate the K-th of N shards of the run alone, on one of several machines for instance; `holdfast "
+                  "merge` puts them together")
+      ->type_name("K/N");
+}
+
 /// Adds the options that `screen` and `run` share.
 void add_run_options(CLI::App& command, RunOptions& options) {
   add_recording_options(command, options);
@@ -135,9 +143,10 @@ void add_screen_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--accelerations", options->accelerations, "Accelerations; needed without a norm")
       ->type_name("PATH");
   command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
+  add_part_option(*command, options->run);
   add_run_options(*command, options->run);
   command->callback([options, &chosen] {
-    chosen.run = [options, &chosen] { return run_screen_command(*options, chosen.command_line); };
+    chosen.run = [options, &chosen] { return run_screen_command(*options, chosen.command_line, chosen.runner); };
   });
 }
 
@@ -170,9 +179,10 @@ void add_margins_command(CLI::App& program, ChosenCommand& chosen) {
       ->type_name("FILE");
   command->add_option("--layouts", options->layouts, "Layouts")->required()->type_name("PATH");
   command->add_option("-o,--output", options->results_path, "Results file")->capture_default_str()->type_name("FILE");
+  add_part_option(*command, options->run);
   add_recording_options(*command, options->run);
   command->callback([options, &chosen] {
-    chosen.run = [options, &chosen] { return run_margins_command(*options, chosen.command_line); };
+    chosen.run = [options, &chosen] { return run_margins_command(*options, chosen.command_line, chosen.runner); };
   });
 }
 
@@ -358,7 +368,7 @@ ExitCode run_within_memory(const ChosenCommand& chosen) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   CLI::App program{"Screens container loadings for dynamic stability: what slides, tips and falls."};
   program.footer(
       "Example:\n"
@@ -375,6 +385,7 @@ int run_command_line(int argc, char** argv) {
 
   ChosenCommand chosen;
   chosen.command_line = words_of(argc, argv);
+  chosen.runner = runner;
   add_screen_command(program, chosen);
   add_run_command(program, chosen);
   add_margins_command(program, chosen);

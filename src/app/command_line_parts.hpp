@@ -12,6 +12,7 @@ namespace holdfast::internal {
 struct ChosenCommand {
   std::function<ExitCode()> run;
   std::string command_line;  ///< as typed
+  ScreeningRunner runner;    ///< of `screen` and `margins`
 };
 
 /// Checks the values of an option as those of the key of the configuration.

@@ -8,6 +8,29 @@ namespace holdfast::internal {
 
 namespace {
 
+void add_merge_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("merge", "Put the shards of a run together, that were made with --part");
+  command->footer(
+      "The results file has the same bytes as that of a run on one machine, times aside. Shards stay where they "
+      "are.\n\n"
+      "Example:\n"
+      "  holdfast screen --layouts configs/layouts --norm road -o results.h5 --part 1/2\n"
+      "  holdfast screen --layouts configs/layouts --norm road -o results.h5 --part 2/2\n"
+      "  holdfast merge results.h5");
+  auto options = std::make_shared<MergeOptions>();
+  command->add_option("results", options->results_path, "Results file to write")->required()->type_name("FILE");
+  command
+      ->add_option("shards", options->shards,
+                   "Shards, and folders of shards; without any, those in the folder FILE.shards")
+      ->type_name("PATH");
+  command->add_option("--threads", options->threads, "Threads; 0: one per core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command->add_flag("--overwrite", options->overwrite, "Replace the results of an earlier run");
+  command->add_flag("--quiet", options->quiet, "No progress; errors only");
+  command->callback([options, &chosen] { chosen.run = [options] { return run_merge_command(*options); }; });
+}
+
 void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("summary", "Judge a results file again, with other thresholds if given");
   command->footer(
@@ -77,6 +100,7 @@ void add_view_command(CLI::App& program, ChosenCommand& chosen) {
 }  // namespace
 
 void add_results_commands(CLI::App& program, ChosenCommand& chosen) {
+  add_merge_command(program, chosen);
   add_summary_command(program, chosen);
   add_report_command(program, chosen);
   add_view_command(program, chosen);

@@ -7,7 +7,8 @@
 
 namespace holdfast::internal {
 
-ExitCode run_margins_command(const MarginOptions& options, const std::string& command_line) {
+ExitCode run_margins_command(const MarginOptions& options, const std::string& command_line,
+                             const ScreeningRunner& runner) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   if (options.results_path.empty())
@@ -26,7 +27,7 @@ ExitCode run_margins_command(const MarginOptions& options, const std::string& co
   if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
   job.settings.screening.margins = true;
   job.record_series = false;
-  return run_screening(job);
+  return runner(job);
 }
 
 }  // namespace holdfast::internal

@@ -19,7 +19,8 @@ bool is_listed(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line) {
+ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line,
+                            const ScreeningRunner& runner) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
   if (options.results_path.empty())
@@ -44,7 +45,7 @@ ExitCode run_screen_command(const ScreenOptions& options, const std::string& com
   job.acceleration_paths = *accelerations;
   job.results_path = options.results_path;
   job.command_line = command_line;
-  return run_screening(job);
+  return runner(job);
 }
 
 }  // namespace holdfast::internal

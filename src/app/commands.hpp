@@ -19,7 +19,8 @@ struct ScreenOptions {
   RunOptions run;
 };
 /// @param command_line as typed; the results file keeps it
-ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line);
+ExitCode run_screen_command(const ScreenOptions& options, const std::string& command_line,
+                            const ScreeningRunner& runner);
 
 struct ConfigRunOptions {
   std::string config_path;
@@ -33,7 +34,8 @@ struct MarginOptions {
   std::string results_path = "margins.h5";
   RunOptions run;
 };
-ExitCode run_margins_command(const MarginOptions& options, const std::string& command_line);
+ExitCode run_margins_command(const MarginOptions& options, const std::string& command_line,
+                             const ScreeningRunner& runner);
 
 struct ServeOptions {
   std::optional<std::string> config_path;
@@ -45,6 +47,15 @@ struct ServeOptions {
   bool ordered = false;  ///< answers in the order of the lines
 };
 ExitCode run_serve_command(const ServeOptions& options);
+
+struct MergeOptions {
+  std::string results_path;
+  std::vector<std::string> shards;  ///< files, and folders of them; empty: those beside the results file
+  int threads = 0;                  ///< 0: one per core
+  bool overwrite = false;
+  bool quiet = false;
+};
+ExitCode run_merge_command(const MergeOptions& options);
 
 struct SummaryOptions {
   std::string results_path;

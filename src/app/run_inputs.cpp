@@ -74,6 +74,7 @@ RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAccel
       describe_run(job.settings, std::move(names), std::move(layout_hashes), accelerations, job.record_series);
   run.command_line = job.command_line;
   run.config_text = job.config_text;
+  run.shard = job.shard;
   return run;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,21 @@
 #include "parallel/schedulers/scheduler.hpp"
 
 namespace holdfast::internal {
+
+namespace {
+
+/// Reads `K/N`.
+std::optional<ShardChoice> parse_part(const std::string& text) {
+  ShardChoice choice;
+  const char* const end = text.data() + text.size();
+  const auto [slash, bad_part] = std::from_chars(text.data(), end, choice.part);
+  if (bad_part != std::errc() || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, bad_parts] = std::from_chars(slash + 1, end, choice.parts);
+  if (bad_parts != std::errc() || rest != end || choice.part < 1 || choice.part > choice.parts) return std::nullopt;
+  return choice;
+}
+
+}  // namespace
 
 std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   ScreeningSettings& screening = job.settings.screening;
@@ -34,6 +51,11 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   if (indicators) screening.indicators = true;
   if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
+  if (part) {
+    job.part = parse_part(*part);
+    if (!job.part)
+      return Error{.what = "no shard", .value = *part, .accepted = "K/N, the K-th of N shards, with K from 1 to N"};
+  }
   job.costs_path = costs_path;
   job.record_series = !no_series;
   if (resume) job.existing = ExistingResults::resume;

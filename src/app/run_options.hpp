@@ -19,6 +19,7 @@ struct RunOptions {
   std::optional<std::string> text_folder;
   std::optional<std::string> costs_path;
   std::optional<std::string> replicas;
+  std::optional<std::string> part;
   bool margins = false;
   bool wall_forces = false;
   bool damage = false;

@@ -14,6 +14,7 @@
 #include "app/replica_table.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
+#include "app/shard_job.hpp"
 #include "app/stage_costs_file.hpp"
 #include "app/stop_signal.hpp"
 #include "app/terminal_observer.hpp"
@@ -109,6 +110,11 @@ std::optional<Error> check_job(const ScreeningJob& job) {
                  .accepted = "-o takes the name of a results file, such as results.h5"};
   if (job.text_folder && !job.record_series)
     return Error{.what = "text files need the series", .accepted = "leave out --no-series or --text"};
+  if (job.part && job.text_folder)
+    return Error{.what = "a shard writes no text files", .accepted = "leave out --text or --part"};
+  if (job.part && job.settings.screening.first_failure)
+    return Error{.what = "what FirstFailure leaves out depends on all layouts before, and a shard has not all",
+                 .accepted = "leave out --first-failure or --part"};
   return std::nullopt;
 }
 
@@ -129,12 +135,19 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-ExitCode run_screening(const ScreeningJob& job) {
-  if (const auto error = check_job(job)) return fail(ExitCode::bad_usage, *error);
-  const Result<std::unique_ptr<Engine>> engine = make_engine(job.settings.screening.engine, job.settings);
+ExitCode run_screening(const ScreeningJob& asked) {
+  if (const auto error = check_job(asked)) return fail(ExitCode::bad_usage, *error);
+  const Result<std::unique_ptr<Engine>> engine = make_engine(asked.settings.screening.engine, asked.settings);
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
 
-  const std::vector<ReadAcceleration> accelerations = read_accelerations(job);
+  const std::vector<ReadAcceleration> accelerations = read_accelerations(asked);
+  const Result<ScreeningJob> chosen = asked.part ? shard_job(asked, accelerations) : Result<ScreeningJob>(asked);
+  if (!chosen) return fail(ExitCode::some_failed, chosen.error());
+  const ScreeningJob& job = *chosen;
+  if (job.layout_paths.empty()) {
+    print_to(stderr, "nothing to do: the run has fewer blocks of layouts than shards\n");
+    return ExitCode::done;
+  }
   StageCosts costs;
   Recording recording{.path = job.results_path,
                       .description = describe_run(job, accelerations,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,12 @@
 
 namespace holdfast::internal {
 
+/// Which of how many shards.
+struct ShardChoice {
+  std::uint64_t part = 1;  ///< from 1
+  std::uint64_t parts = 1;
+};
+
 /// One screening run: every layout under every acceleration.
 struct ScreeningJob {
   Settings settings;
@@ -21,6 +29,8 @@ struct ScreeningJob {
   std::optional<std::string> text_folder;  ///< write the three text files there
   std::string batch_name = "batch";        ///< names the text file of the batch
   std::string command_line;                ///< as typed
+  std::optional<ShardChoice> part;  ///< simulate one of several shards alone, into `shard_path(results_path, ...)`
+  std::optional<ShardOfRun> shard;  ///< of a job that is one
   bool record_series = true;
   ExistingResults existing = ExistingResults::refuse;
   std::optional<std::string> costs_path;  ///< write there where the processor time went
@@ -30,6 +40,9 @@ struct ScreeningJob {
 
 /// "1 layout", "2 layouts".
 std::string counted(std::size_t count, std::string_view noun);
+
+/// What becomes of a job that a command has put together: `run_screening`, or a distribution over many processes.
+using ScreeningRunner = std::function<ExitCode(const ScreeningJob&)>;
 
 /// Runs the job: simulates, writes the results file, prints the outcome. Returns the exit code; errors are on standard
 /// error, one per line.

@@ -206,6 +206,22 @@ std::uint64_t read_count_attribute(const File& file, const std::string& object, 
   return read_scalar_attribute<std::uint64_t>(file, object, name, H5T_NATIVE_UINT64);
 }
 
+bool has_attribute(const File& file, const std::string& object, const std::string& name) {
+  return H5Aexists_by_name(file.id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> attribute_names(const File& file, const std::string& object) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+    return 0;
+  };
+  const Id open = open_object(file, object);
+  // Files of this format keep attributes in the object's header, in the order of writing, which is the native one.
+  file.check(H5Aiterate2(open, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add, &names), "cannot be read (" + object + ")");
+  return names;
+}
+
 double read_number_attribute(const File& file, const std::string& object, const std::string& name) {
   return read_scalar_attribute<double>(file, object, name, H5T_NATIVE_DOUBLE);
 }

@@ -149,6 +149,9 @@ void write_attribute(const File& file, const std::string& object, const std::str
 void write_attribute(const File& file, const std::string& object, const std::string& name, double value);
 std::string read_text_attribute(const File& file, const std::string& object, const std::string& name);
 std::uint64_t read_count_attribute(const File& file, const std::string& object, const std::string& name);
+bool has_attribute(const File& file, const std::string& object, const std::string& name);
+/// Names of the attributes of an object, in the order in which they were written.
+std::vector<std::string> attribute_names(const File& file, const std::string& object);
 double read_number_attribute(const File& file, const std::string& object, const std::string& name);
 
 /// Writes a single text as a dataset, for texts of several pages.

@@ -12,6 +12,19 @@ void Column::append(const Column& other) {
   count_ += other.count_;
 }
 
+void Column::append_stored(std::vector<std::byte>&& stored, std::size_t text_size) {
+  if (spec_->type == ElementType::text) {
+    for (std::string& text : texts_of(stored, text_size)) texts_.push_back(std::move(text));
+    count_ += stored.size() / text_size;
+    return;
+  }
+  count_ += stored.size() / (spec_->width * size_of(spec_->type));
+  if (bytes_.empty())
+    bytes_ = std::move(stored);
+  else
+    bytes_.insert(bytes_.end(), stored.begin(), stored.end());
+}
+
 std::vector<std::byte> Column::take() {
   assert(spec_->type != ElementType::text);
   count_ = 0;

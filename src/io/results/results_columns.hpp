@@ -195,6 +195,8 @@ class Column {
 
   /// Adds the entries of another column of the dataset.
   void append(const Column& other);
+  /// Adds entries in their stored form; texts padded to `text_size`.
+  void append_stored(std::vector<std::byte>&& stored, std::size_t text_size);
   /// Moves all entries out, in their stored form; not for texts.
   std::vector<std::byte> take();
 
@@ -217,6 +219,7 @@ class ColumnSet {
  public:
   ColumnSet();
   Column& operator[](std::string_view path) { return columns_[dataset_index(path)]; }
+  const Column& operator[](std::string_view path) const { return columns_[dataset_index(path)]; }
   const std::vector<Column>& columns() const { return columns_; }
   /// Adds the entries of another set.
   void append(const ColumnSet& other);

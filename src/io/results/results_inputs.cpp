@@ -12,6 +12,46 @@ namespace {
 const std::string kLayoutHashes = "/inputs/layout_hashes";
 constexpr std::size_t kHashBytes = 64;  // SHA-256, hexadecimal
 
+/// A whole column of numbers.
+template <class T>
+std::vector<T> read_numbers(const h5::File& file, std::string_view path) {
+  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
+  return values_of<T>(dataset.read(0, dataset.length()));
+}
+
+std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
+  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
+  return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
+}
+
+std::vector<Acceleration> read_accelerations(const h5::File& file) {
+  const std::vector<std::string> names = read_texts(file, "/inputs/accelerations/name");
+  const std::vector<std::string> hashes = read_texts(file, "/inputs/accelerations/sha256");
+  const auto counts = read_numbers<std::uint32_t>(file, "/inputs/accelerations/segment_count");
+  const auto start = read_numbers<double>(file, "/inputs/accelerations/start");
+  const auto duration = read_numbers<double>(file, "/inputs/accelerations/duration");
+  const auto value = read_numbers<double>(file, "/inputs/accelerations/value");
+  std::vector<Acceleration> accelerations;
+  std::size_t segment = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Acceleration& made = accelerations.emplace_back(Acceleration{.name = names[i], .sha256 = hashes.at(i)});
+    for (std::uint32_t k = 0; k < counts.at(i); ++k, ++segment)
+      made.segments.push_back({start.at(segment),
+                               duration.at(segment),
+                               {value.at(3 * segment), value.at(3 * segment + 1), value.at(3 * segment + 2)}});
+  }
+  return accelerations;
+}
+
+/// The analyses of which the file has datasets.
+std::vector<Analysis> analyses_in(const h5::File& file) {
+  std::vector<Analysis> analyses;
+  for (const DatasetSpec& spec : kSchema)
+    if (!includes(analyses, spec.analysis) && h5::exists(file, std::string(spec.path)))
+      analyses.push_back(spec.analysis);
+  return analyses;
+}
+
 }  // namespace
 
 void write_run(const h5::File& file, const RunDescription& run) {
@@ -26,10 +66,42 @@ void write_run(const h5::File& file, const RunDescription& run) {
   text("host", run.host);
   text("fingerprint", fingerprint(run));
 
+  if (run.shard) {
+    const Shard& shard = run.shard->shard;
+    for (const auto& [name, value] : {std::pair{"shard", shard.part}, std::pair{"shards", shard.parts},
+                                      std::pair{"shard_block", shard.block}, std::pair{"run_layouts", shard.layouts}})
+      h5::write_attribute(file, "/", name, value);
+    text("run_fingerprint", run.shard->run_fingerprint);
+  }
+
   h5::make_group(file, "/inputs/settings");
   h5::write_text(file, "/inputs/config", run.config_text, "configuration file as used");
   for (const auto& [key, value] : run.settings) h5::write_attribute(file, "/inputs/settings", key, value);
   write_thresholds(file, run.thresholds);
+}
+
+RunDescription read_run(const h5::File& file) {
+  const auto text = [&](const char* name) { return h5::read_text_attribute(file, "/", name); };
+  const auto count = [&](const char* name) { return h5::read_count_attribute(file, "/", name); };
+  RunDescription run;
+  run.software = text("software");
+  run.git_commit = text("git_commit");
+  run.engine = text("engine");
+  run.command_line = text("command_line");
+  run.created_utc = text("created_utc");
+  run.host = text("host");
+  run.config_text = h5::read_text(file, "/inputs/config");
+  for (std::string& key : h5::attribute_names(file, "/inputs/settings")) {
+    std::string value = h5::read_text_attribute(file, "/inputs/settings", key);
+    run.settings.emplace_back(std::move(key), std::move(value));
+  }
+  run.accelerations = read_accelerations(file);
+  run.analyses = analyses_in(file);
+  run.thresholds = read_thresholds(file);
+  if (h5::has_attribute(file, "/", "shard"))
+    run.shard = {{count("shard"), count("shards"), count("shard_block"), count("run_layouts")},
+                 text("run_fingerprint")};
+  return run;
 }
 
 void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes) {

@@ -12,6 +12,10 @@ namespace holdfast::internal {
 /// Root attributes (all but `complete`), /inputs/config, /inputs/settings and the thresholds of /summary.
 void write_run(const h5::File& file, const RunDescription& run);
 
+/// What `write_run` wrote. Not in the file, and empty or as by default: names and hashes of layouts, and whether series
+/// are recorded, which `fingerprint` has.
+RunDescription read_run(const h5::File& file);
+
 /// /inputs/layout_hashes, only in the first part of a run: hashes of all its layouts when it began. Layouts that the
 /// run has reached are also in /inputs/layouts.
 void write_layout_hashes(const h5::File& file, const std::vector<std::string>& hashes);

@@ -17,13 +17,6 @@ namespace {
   throw h5::Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
 }
 
-/// A dataset that every part has, and whose length is that of the axis.
-const DatasetSpec& representative(Axis axis) {
-  return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) {
-    return spec.axis == axis && spec.analysis == Analysis::verdicts;
-  });
-}
-
 std::string attribute_of(Axis axis) { return std::string(to_string(axis)) + "_begin"; }
 
 void check_follows(const std::string& path, const PartRange& before, const PartRange& part) {

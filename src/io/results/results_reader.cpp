@@ -92,7 +92,7 @@ struct ResultsReader::State {
     if (H5Aexists(file->id(), "complete") > 0) info.complete = h5::read_count_attribute(*file, "/", "complete") != 0;
     info.thresholds = read_thresholds(*file);
     // Files of earlier versions have no such setting.
-    if (H5Aexists_by_name(file->id(), "/inputs/settings", "Screening/Norm", H5P_DEFAULT) > 0)
+    if (h5::has_attribute(*file, "/inputs/settings", "Screening/Norm"))
       info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
     info.has_margins = h5::exists(*file, "/margins");
     info.has_margin_spread = h5::exists(*file, "/margin_spread");

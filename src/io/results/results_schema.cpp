@@ -277,6 +277,12 @@ std::size_t dataset_index(std::string_view path) {
   return 0;
 }
 
+const DatasetSpec& representative(Axis axis) {
+  return *std::find_if(kSchema.begin(), kSchema.end(), [&](const DatasetSpec& spec) {
+    return spec.axis == axis && spec.analysis == Analysis::verdicts;
+  });
+}
+
 const std::array<std::size_t, kLongDatasets>& long_datasets() {
   static const std::array<std::size_t, kLongDatasets> kPlaces = [] {
     std::array<std::size_t, kLongDatasets> places{};

@@ -34,6 +34,10 @@ std::string_view to_string(Axis axis);
 /// The axes whose length grows with the numbers of boxes and samples, not only with those of worlds and layouts.
 inline constexpr std::array<Axis, 4> kLongAxes = {Axis::boxes, Axis::samples, Axis::rows, Axis::layout_boxes};
 
+/// The axes along which successive worlds add entries: all but those of the accelerations, which are of the run.
+inline constexpr std::array<Axis, 6> kGrowingAxes = {Axis::worlds, Axis::boxes,   Axis::samples,
+                                                     Axis::rows,   Axis::layouts, Axis::layout_boxes};
+
 /// One number per axis.
 using AxisCounts = std::array<std::uint64_t, kAxisCount>;
 inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
@@ -99,6 +103,9 @@ inline const DatasetSpec& dataset_spec(std::string_view path) { return kSchema[d
 inline bool is_long(const DatasetSpec& spec) {
   return std::find(kLongAxes.begin(), kLongAxes.end(), spec.axis) != kLongAxes.end();
 }
+
+/// A dataset that every file has, and whose length is that of the axis.
+const DatasetSpec& representative(Axis axis);
 
 /// Indices in `kSchema` of the long datasets, in increasing order.
 inline constexpr std::size_t kLongDatasets = 43;

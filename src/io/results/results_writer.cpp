@@ -121,8 +121,9 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::open(const std::string& pa
 /// A unit on its way into the writer's open part.
 class ResultsWriter::Unit final : public SinkUnit {
  public:
-  Unit(State& state, UnitRecord& record) : state_(state) {
-    unit_.columns = columns_of(record, state.run, state.placed);
+  /// @param columns those up to `state.placed`
+  Unit(State& state, ColumnSet&& columns) : state_(state) {
+    unit_.columns = std::move(columns);
     unit_.end = state.placed;
     unit_.piece = state.grid.add(unit_.columns);
   }
@@ -152,7 +153,16 @@ class ResultsWriter::Unit final : public SinkUnit {
   UnitPiece unit_;
 };
 
-std::unique_ptr<SinkUnit> ResultsWriter::place(UnitRecord& unit) { return std::make_unique<Unit>(*state_, unit); }
+std::unique_ptr<SinkUnit> ResultsWriter::place(UnitRecord& unit) {
+  return std::make_unique<Unit>(*state_, columns_of(unit, state_->run, state_->placed));
+}
+
+std::unique_ptr<SinkUnit> ResultsWriter::place(ColumnSet&& columns) {
+  for (const Axis axis : kGrowingAxes) at(state_->placed, axis) += columns[representative(axis).path].count();
+  return std::make_unique<Unit>(*state_, std::move(columns));
+}
+
+const AxisCounts& ResultsWriter::placed() const { return state_->placed; }
 
 std::optional<Error> ResultsWriter::close_part_if_due(std::chrono::steady_clock::time_point now) {
   return state_->guarded([&] {

@@ -47,6 +47,12 @@ class ResultsWriter final : public ResultSink {
   ~ResultsWriter() override;
 
   std::unique_ptr<SinkUnit> place(UnitRecord& unit) override;
+  /// Gives the worlds of a shard their place; they follow those that were placed before. Called as the other one.
+  /// @param columns read for the entries that are `placed` now
+  std::unique_ptr<SinkUnit> place(ColumnSet&& columns);
+
+  /// Entries of the run that have their place.
+  const AxisCounts& placed() const;
 
   /// Closes the open part if it is older than its limit.
   std::optional<Error> close_part_if_due(std::chrono::steady_clock::time_point now);

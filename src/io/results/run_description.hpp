@@ -1,14 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/model/acceleration.hpp"
 #include "core/model/analysis.hpp"
+#include "core/model/shard.hpp"
 #include "core/model/verdict.hpp"
 
 namespace holdfast::internal {
+
+/// What a shard knows of the run that it is a part of.
+struct ShardOfRun {
+  Shard shard;
+  std::string run_fingerprint;  ///< `fingerprint` of the whole run
+};
 
 /// The properties of a run that its worlds share, as the results file stores them.
 struct RunDescription {
@@ -28,6 +36,7 @@ struct RunDescription {
   std::vector<Analysis> analyses = {Analysis::verdicts};  ///< what the run finds out
   bool record_series = true;                              ///< false: end states and peaks only
   Thresholds thresholds;                                  ///< of the summary
+  std::optional<ShardOfRun> shard;                        ///< of a run that is a part of another
 };
 
 /// Everything that must be the same for a run to be resumed, as text: `software=… settings=… engine=… layouts=…

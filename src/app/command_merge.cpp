@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "api/merged_run.hpp"
+#include "app/commands.hpp"
+#include "app/report.hpp"
+#include "app/screening.hpp"
+#include "app/stop_signal.hpp"
+#include "io/results/results_removal.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+/// The files of shards that the user named, and those in folders; in increasing order.
+Result<std::vector<std::string>> shard_paths(const MergeOptions& options) {
+  std::vector<std::string> given = options.shards;
+  if (given.empty()) given = {shards_folder(options.results_path)};
+  std::vector<std::string> paths;
+  for (const std::string& path : given) {
+    std::error_code failure;
+    if (!std::filesystem::is_directory(path, failure)) {
+      if (!std::filesystem::exists(path, failure))
+        return Error{.file = path, .what = "is not there", .accepted = "shards of `holdfast screen --part K/N`"};
+      paths.push_back(path);
+      continue;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(path, failure))
+      if (entry.path().extension() == ".h5") paths.push_back(entry.path().string());
+    if (failure) return Error{.file = path, .what = "cannot be read", .value = failure.message()};
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+}  // namespace
+
+ExitCode run_merge_command(const MergeOptions& options) {
+  const Result<std::vector<std::string>> paths = shard_paths(options);
+  if (!paths) return fail(ExitCode::bad_usage, paths.error());
+  const Result<RunOfShards> shards = RunOfShards::gather(*paths);
+  if (!shards) return fail(ExitCode::bad_usage, shards.errors());
+  std::optional<Error> warning;
+  const Result<OutputLock> lock = OutputLock::take(options.results_path, warning);
+  if (!lock) return fail(ExitCode::bad_usage, lock.error());
+  if (warning) warn(std::span(&*warning, 1));
+  if (options.overwrite) {
+    if (const auto error = remove_results(options.results_path)) return fail(ExitCode::bad_usage, *error);
+  }
+  const StopSignal& stop = watch_stop_signals();
+  Workers workers(Scheduler::tbb, options.threads);
+  const std::uint64_t blocks = shards->block_count();
+  std::uint64_t done = 0;
+  const auto error =
+      merge_shards(*shards, options.results_path, *lock, workers, stop, [&](std::uint64_t count) { done = count; });
+  if (error) return fail(ExitCode::some_failed, *error);
+  std::error_code unknown;
+  if (!std::filesystem::exists(options.results_path, unknown)) {
+    print_to(stderr, "stopped after {} of {} blocks; the same command continues\n", done, blocks);
+    return exit_code_of(stop);
+  }
+  if (!options.quiet)
+    print_to(stdout, "results: {}, {} of {}\n", options.results_path, counted(shards->world_count(), "world"),
+             counted(paths->size(), "shard"));
+  return ExitCode::done;
+}
+
+}  // namespace holdfast::internal

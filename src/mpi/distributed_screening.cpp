@@ -1,0 +1,109 @@
+#include "mpi/distributed_screening.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/report.hpp"
+#include "app/run_inputs.hpp"
+#include "core/model/shard.hpp"
+#include "io/results/shard_file.hpp"
+#include "mpi/shared_counter.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+/// The worst exit code of all ranks, on all ranks.
+ExitCode worst(ExitCode own) {
+  int code = static_cast<int>(own);
+  MPI_Allreduce(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return static_cast<ExitCode>(code);
+}
+
+/// What rank 0 finds before anything is simulated. The ranks do not lock the results file together, but each its shard.
+std::optional<Error> prepare(const ScreeningJob& job) {
+  const std::string folder = shards_folder(job.results_path);
+  std::error_code failure;
+  const auto is_there = [&](const std::string& path) { return std::filesystem::exists(path, failure); };
+  switch (job.existing) {
+    case ExistingResults::refuse:
+      if (is_there(job.results_path))
+        return Error{.file = job.results_path,
+                     .what = "exists already, and a finished results file is never overwritten",
+                     .accepted = "give another name, or --overwrite to replace it"};
+      if (is_there(folder))
+        return Error{.file = folder,
+                     .what = "contains shards of an interrupted run",
+                     .accepted = "--resume continues it, --overwrite starts anew"};
+      break;
+    case ExistingResults::overwrite:
+      std::filesystem::remove_all(folder, failure);
+      if (failure) return Error{.file = folder, .what = "cannot be removed", .value = failure.message()};
+      break;
+    case ExistingResults::resume:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t shards_of(const ScreeningJob& job) {
+  const Shard whole{.block = Shard::block_of(read_accelerations(job).size()), .layouts = job.layout_paths.size()};
+  return std::clamp<std::uint64_t>(whole.block_count(), 1, kMostShards);
+}
+
+/// Simulates shards until there are no more, or one cannot be simulated.
+ExitCode run_shards(const ScreeningJob& job, std::uint64_t count, SharedCounter& counter) {
+  ExitCode code = ExitCode::done;
+  ScreeningJob part = job;
+  part.quiet = true;
+  part.existing = ExistingResults::resume;
+  for (std::uint64_t next = counter.add(1); next < count; next = counter.add(1)) {
+    part.part = {next + 1, count};
+    if (!job.quiet && SharedCounter::rank() == 0) print_to(stderr, "shard {} of {}\n", next + 1, count);
+    const ExitCode ended = run_screening(part);
+    code = std::max(code, ended);
+    if (ended == ExitCode::done || ended == ExitCode::some_failed) continue;
+    counter.add(count);  // no rank takes another
+    break;
+  }
+  return code;
+}
+
+/// Merges the shards and removes them.
+ExitCode merge(const ScreeningJob& job) {
+  const bool overwrite = job.existing == ExistingResults::overwrite;
+  const ExitCode code =
+      run_merge_command({.results_path = job.results_path, .overwrite = overwrite, .quiet = job.quiet});
+  std::error_code ignored;
+  if (code == ExitCode::done) std::filesystem::remove_all(shards_folder(job.results_path), ignored);
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_distributed(const ScreeningJob& job) {
+  const bool first = SharedCounter::rank() == 0;
+  SharedCounter counter;
+  ExitCode code = ExitCode::done;
+  if (first) {
+    if (job.part) {
+      code =
+          fail(ExitCode::bad_usage, {.what = "ranks share the shards out themselves", .accepted = "leave out --part"});
+    } else if (const auto error = prepare(job)) {
+      code = fail(ExitCode::bad_usage, *error);
+    }
+  }
+  code = worst(code);
+  if (code != ExitCode::done) return code;
+  code = worst(run_shards(job, shards_of(job), counter));
+  if (code != ExitCode::done && code != ExitCode::some_failed) return code;
+  return worst(std::max(code, first ? merge(job) : ExitCode::done));
+}
+
+}  // namespace holdfast::internal

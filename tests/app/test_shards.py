@@ -1,0 +1,216 @@
+"""Runs that are simulated in shards and merged: the file is that of one run, whatever the shards were and whatever happened to them."""
+import random
+import shutil
+import signal
+import time
+import unittest
+
+import h5py
+
+from cli import CONFIG, SOURCE, CliTest, datasets, layout_text, start
+
+TIMES = ("/worlds/cpu_seconds", "/margins/cpu_seconds", "/margin_spread/cpu_seconds", "/replicas/cpu_seconds")
+
+
+def stored_chunks(path):
+    """Compressed bytes of all chunks of a file, by dataset; times left out."""
+    found = {}
+
+    def take(name, item):
+        if isinstance(item, h5py.Dataset) and item.chunks and f"/{name}" not in TIMES:
+            found[name] = [item.id.read_direct_chunk(item.id.get_chunk_info(i).chunk_offset)
+                           for i in range(item.id.get_num_chunks())]
+
+    with h5py.File(path) as file:
+        file.visititems(take)
+    return found
+
+
+class ShardTest(CliTest):
+    """Small layouts under two accelerations, which are blocks of 128 layouts."""
+
+    layouts = 600  # five blocks, the last of 88
+
+    def setUp(self):
+        super().setUp()
+        draw = random.Random(7)
+        for i in range(self.layouts):
+            boxes = [(30 * k, 10, 0, 30 * k + 20, 30, draw.randint(10, 90)) for k in range(draw.randint(1, 4))]
+            self.write(f"layouts/{i:04}.txt", layout_text(boxes))
+        self.write(f"layouts/{self.layouts // 2:04}.txt", layout_text([(0, 0, 0, 1000, 10, 10)]))  # outside the container
+        self.write("push.txt", "0 0.3 0 6 0\n")
+        self.write("rest.txt", "0 0.1 0 0 0\n")
+        self.arguments = ["screen", "--layouts", "layouts", "--accelerations", "push.txt", "rest.txt", "--accuracy",
+                          "screening", "--quiet"]
+
+    def screen(self, *arguments, output="results.h5", code=1):  # one layout is bad
+        done = self.run_here(*self.arguments, "-o", output, *arguments)
+        self.assert_exit(done, code)
+        return self.folder / output
+
+    def shards(self, count, *arguments):
+        for part in range(1, count + 1):
+            done = self.run_here(*self.arguments, "-o", "results.h5", "--part", f"{part}/{count}", *arguments)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+        return self.folder / "results.h5.shards"
+
+    def merge(self, *arguments, code=0):
+        done = self.run_here("merge", "results.h5", *arguments)
+        self.assert_exit(done, code)
+        return done
+
+    def assert_same_file(self, a, b):
+        left, right = datasets(a), datasets(b)
+        self.assertEqual(sorted(left), sorted(right))
+        for name in left:
+            if name not in TIMES:
+                self.assertEqual(left[name].tobytes() if hasattr(left[name], "tobytes") else left[name],
+                                 right[name].tobytes() if hasattr(right[name], "tobytes") else right[name], name)
+        self.assertEqual(stored_chunks(a), stored_chunks(b))
+        with h5py.File(a) as one, h5py.File(b) as two:
+            for group in ("/", "/summary", "/inputs/settings"):
+                self.assertEqual(list(one[group].attrs), list(two[group].attrs))
+                for name, value in one[group].attrs.items():
+                    if name not in ("created_utc", "command_line", "Screening/Threads"):
+                        self.assertEqual(value, two[group].attrs[name], name)
+
+
+class Shards(ShardTest):
+    def test_the_merged_file_is_that_of_one_run_whatever_the_shards_were(self):
+        whole = self.screen(output="whole.h5")
+        for count in (1, 2, 7):
+            with self.subTest(shards=count):
+                folder = self.shards(count)
+                self.assertEqual(len(list(folder.glob("*.h5"))), min(count, 5))
+                done = self.merge()
+                self.assertEqual(done.stdout, f"results: results.h5, 1200 worlds of {min(count, 5)} shard{'s' * (count > 1)}\n")
+                self.assert_same_file(whole, self.folder / "results.h5")
+                self.assertFalse((self.folder / "results.h5.parts").exists())
+                shutil.rmtree(folder)
+                (self.folder / "results.h5").unlink()
+
+    def test_shards_may_lie_anywhere_and_are_results_themselves(self):
+        whole = self.screen("--no-series", output="whole.h5")
+        folder = self.shards(2, "--no-series")
+        (self.folder / "node1").mkdir()
+        (folder / "shard-1-of-2.h5").rename(self.folder / "node1/a.h5")
+        self.merge("results.h5.shards/shard-2-of-2.h5", "node1")
+        self.assert_same_file(whole, self.folder / "results.h5")
+        done = self.run_here("summary", "node1/a.h5")
+        self.assert_exit(done, 0)
+        # Blocks 1, 3 and 5 of five.
+        self.assertEqual(len(datasets(self.folder / "node1/a.h5")["/worlds/layout"]), 2 * (128 + 128 + 88))
+
+    def test_all_analyses_are_merged(self):
+        shutil.rmtree(self.folder / "layouts")
+        for name in ("seed_example.txt", "BR5_020_layer_h60.txt"):
+            (self.folder / "layouts").mkdir(exist_ok=True)
+            shutil.copy(SOURCE / "configs/layouts" / name, self.folder / "layouts")
+        self.write("layouts/box.txt", layout_text([(0, 0, 0, 80, 60, 50)]))
+        names = [self.write(f"a/{i:03}.txt", f"0 0.05 {i % 5} {i % 3} 0\n") for i in range(130)]  # a block is one layout
+        self.arguments = ["screen", "--layouts", "layouts", "--accelerations", "a", "--accuracy", "screening", "--quiet",
+                          "--margins", "--walls", "en283", "--damage", "--indicators", "--replicas", 27]
+        self.assertEqual(len(names), 130)
+        whole = self.screen(output="whole.h5", code=0)
+        self.shards(3)
+        self.merge()
+        self.assert_same_file(whole, self.folder / "results.h5")
+
+    def test_what_is_missing_double_or_different_is_named(self):
+        folder = self.shards(3)
+        second = folder / "shard-2-of-3.h5"
+        kept = self.folder / "kept.h5"
+        second.rename(kept)
+        self.assert_refused(self.run_here("merge", "results.h5"), "a shard is missing", "2 of 3", "--resume")
+        shutil.copy(folder / "shard-1-of-3.h5", folder / "copy.h5")
+        self.assert_refused(self.run_here("merge", "results.h5", "results.h5.shards", kept), "is the same shard as", "1 of 3")
+        (folder / "copy.h5").unlink()
+
+        self.assert_exit(self.run_here(*self.arguments, "-o", "results.h5", "--part", "2/4"), 0)
+        self.assert_refused(self.run_here("merge", "results.h5", "results.h5.shards", kept), "shard-2-of-4.h5",
+                            "of another division", "2 of 4")
+        (folder / "shard-2-of-4.h5").unlink()
+        # Another accuracy, another version.
+        other = [word.replace("screening", "standard") for word in self.arguments]
+        self.run_here(*other, "-o", "results.h5", "--part", "2/3")
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5", "of a run with other settings")
+        shutil.copy(kept, second)
+        with h5py.File(second, "r+") as file:
+            fingerprint = file.attrs["run_fingerprint"]
+            file.attrs["run_fingerprint"] = fingerprint.replace("software=", "software=0")
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5", "of a run with other software")
+        second.write_bytes(kept.read_bytes()[:20000])
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5")
+        self.write("results.h5.shards/shard-2-of-3.h5", "no results\n")
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5")
+        second.unlink()
+        whole = self.screen(output="whole.h5")
+        self.assert_refused(self.run_here("merge", "results.h5", "results.h5.shards", whole), "whole.h5", "is no shard")
+        self.assertFalse((self.folder / "results.h5").exists())
+        self.merge("results.h5.shards", kept)
+
+    def test_a_merge_goes_on_and_never_overwrites(self):
+        whole = self.screen(output="whole.h5")
+        self.shards(2)
+        # As if killed before it assembled the file.
+        self.merge()
+        finished = (self.folder / "results.h5").read_bytes()
+        self.merge()  # nothing to do
+        self.assertEqual((self.folder / "results.h5").read_bytes(), finished)
+        self.write("push.txt", "0 0.3 0 7 0\n")
+        self.shards(2, "--overwrite")
+        done = self.run_here("merge", "results.h5")
+        self.assert_refused(done, "results.h5", "other accelerations", code=1)
+        self.assertEqual((self.folder / "results.h5").read_bytes(), finished)
+        self.assert_same_file(whole, self.folder / "results.h5")
+        self.merge("--overwrite")
+        self.assertNotEqual((self.folder / "results.h5").read_bytes(), finished)
+
+    def test_bad_parts_and_what_needs_the_whole_run_are_refused(self):
+        for part in ("0/3", "4/3", "1", "1/", "/2", "a/b", "-1/2", "1/2/3", "1/0"):
+            self.assert_refused(self.run_here(*self.arguments, f"--part={part}"), part, "K/N")
+        self.assert_refused(self.run_here(*self.arguments, "--part", "1/2", "--first-failure"), "FirstFailure")
+        self.assert_refused(self.run_here(*self.arguments, "--part", "1/2", "--text", "texts"), "text files")
+        self.assert_refused(self.run_here("merge", "none.h5"), "none.h5.shards", "is not there")
+
+
+class KilledShards(ShardTest):
+    """Shards of some seconds, some of which are killed at random times and go on, and a merge that is."""
+
+    layouts = 320
+
+    def setUp(self):
+        super().setUp()
+        # Bullet steps where nothing moves too.
+        self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 5\n")
+        self.write("push.txt", "0 90 0 1 0\n")
+        self.arguments = ["screen", "-c", "config.ini", "--layouts", "layouts", "--accelerations", "push.txt", "rest.txt",
+                          "--quiet", "--threads", 1]
+
+    def test_killed_shards_and_merges_go_on_to_the_same_bytes(self):
+        whole = self.screen(output="whole.h5")
+        draw = random.Random(3)
+        kills = 0
+        for part in (1, 2, 3):
+            command = [*map(str, self.arguments), "-o", "results.h5", "--part", f"{part}/3", "--resume"]
+            for _ in range(5):
+                process = start(*command, cwd=self.folder)
+                time.sleep(draw.uniform(0.05, 0.5))
+                process.send_signal(draw.choice([signal.SIGKILL, signal.SIGTERM]))
+                process.communicate()
+                kills += process.returncode not in (0, 1)
+                if process.returncode in (0, 1):
+                    break
+            self.assertIn(self.run_here(*command).returncode, (0, 1))
+        self.assertGreater(kills, 3)
+        for _ in range(5):
+            process = start("merge", "results.h5", cwd=self.folder)
+            time.sleep(draw.uniform(0.0, 0.05))
+            process.kill()
+            process.communicate()
+        self.merge()
+        self.assert_same_file(whole, self.folder / "results.h5")
+
+
+if __name__ == "__main__":
+    unittest.main()
