@@ -58,6 +58,7 @@ python_packages=(
   python3-setuptools # the build that pip starts
   python3-wheel      # what it makes
   mypy               # checks types and the stub
+  python3-distributed # Dask, worker processes on many machines, in an example and its test
   python3-deap       # DEAP, evolutionary algorithms, in an example and its test
 )
 # Node comes with npm in most other distributions of it; whatever is there is used.

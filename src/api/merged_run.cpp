@@ -77,9 +77,11 @@ Result<RunOfShards> RunOfShards::gather(const std::vector<std::string>& paths) {
   const Shard shard = found.front().shard().shard;
   const std::uint64_t needed = std::min(shard.parts, shard.block_count());
   std::vector<std::uint64_t> missing;
-  for (std::uint64_t part = 1; part <= needed; ++part)
-    if (std::none_of(found.begin(), found.end(), [&](const ShardFile& file) { return part_of(file) == part; }))
-      missing.push_back(part);
+  auto next = found.begin();
+  for (std::uint64_t part = 1; part <= needed; ++part) {
+    while (next != found.end() && part_of(*next) < part) ++next;
+    if (next == found.end() || part_of(*next) > part) missing.push_back(part);
+  }
   if (!missing.empty() && errors.empty())
     errors.push_back(
         {.what = missing.size() == 1 ? "a shard is missing" : fmt::format("{} shards are missing", missing.size()),

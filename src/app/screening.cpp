@@ -129,25 +129,8 @@ ExitCode check_parts_readable(const ScreeningJob& job, const RunDescription& des
       "--overwrite starts anew");
 }
 
-}  // namespace
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-ExitCode run_screening(const ScreeningJob& asked) {
-  if (const auto error = check_job(asked)) return fail(ExitCode::bad_usage, *error);
-  const Result<std::unique_ptr<Engine>> engine = make_engine(asked.settings.screening.engine, asked.settings);
-  if (!engine) return fail(ExitCode::bad_usage, engine.error());
-
-  const std::vector<ReadAcceleration> accelerations = read_accelerations(asked);
-  const Result<ScreeningJob> chosen = asked.part ? shard_job(asked, accelerations) : Result<ScreeningJob>(asked);
-  if (!chosen) return fail(ExitCode::some_failed, chosen.error());
-  const ScreeningJob& job = *chosen;
-  if (job.layout_paths.empty()) {
-    print_to(stderr, "nothing to do: the run has fewer blocks of layouts than shards\n");
-    return ExitCode::done;
-  }
+/// Simulates all layouts of a job.
+ExitCode run_whole(const ScreeningJob& job, const Engine& engine, const std::vector<ReadAcceleration>& accelerations) {
   StageCosts costs;
   Recording recording{.path = job.results_path,
                       .description = describe_run(job, accelerations,
@@ -173,7 +156,7 @@ ExitCode run_screening(const ScreeningJob& asked) {
   Workers workers(job.settings.screening.scheduler, job.settings.screening.threads);
   TerminalObserver observer(job, description, stop);
   const RecordedEnd end = record_run(
-      {**engine, job.settings, workers, layouts, accelerations, job.record_series, job.settings.screening.margins},
+      {engine, job.settings, workers, layouts, accelerations, job.record_series, job.settings.screening.margins},
       recording, *lock, observer, stop, costs);
   switch (end.kind) {
     case RecordedEnd::Kind::refused:
@@ -189,6 +172,30 @@ ExitCode run_screening(const ScreeningJob& asked) {
   }
   if (end.was_complete && !job.quiet) print_to(stderr, "{} is complete already\n", job.results_path);
   return conclude(job, description, costs);
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+ExitCode run_screening(const ScreeningJob& asked) {
+  if (const auto error = check_job(asked)) return fail(ExitCode::bad_usage, *error);
+  const Result<std::unique_ptr<Engine>> engine = make_engine(asked.settings.screening.engine, asked.settings);
+  if (!engine) return fail(ExitCode::bad_usage, engine.error());
+
+  const std::vector<ReadAcceleration> accelerations = read_accelerations(asked);
+  if (!asked.part) return run_whole(asked, **engine, accelerations);
+  const DividedJob divided(asked, accelerations, asked.part->parts);
+  if (asked.part->part > divided.shards_with_layouts()) {
+    print_to(stderr, "nothing to do: the run has {}, and this shard none of them\n",
+             counted(divided.shards_with_layouts(), "block"));
+    return ExitCode::done;
+  }
+  const Result<ScreeningJob> shard = divided.shard(asked.part->part);
+  if (!shard) return fail(ExitCode::some_failed, shard.error());
+  return run_whole(*shard, **engine, accelerations);
 }
 
 }  // namespace holdfast::internal

@@ -1,25 +1,36 @@
 #include "app/shard_job.hpp"
 
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "app/run_inputs.hpp"
 #include "io/results/shard_file.hpp"
 
 namespace holdfast::internal {
 
-Result<ScreeningJob> shard_job(const ScreeningJob& whole, const std::vector<ReadAcceleration>& accelerations) {
-  const Shard shard{.part = whole.part->part,
-                    .parts = whole.part->parts,
-                    .block = Shard::block_of(accelerations.size()),
-                    .layouts = whole.layout_paths.size()};
-  ScreeningJob job = whole;
-  job.part.reset();
-  job.shard = {shard, fingerprint(describe_run(whole, accelerations, {}))};
-  job.results_path = shard_path(whole.results_path, shard.part, shard.parts);
-  job.layout_paths.clear();
-  for (std::uint64_t layout = 0; layout < shard.layouts; ++layout)
-    if (shard.has(layout)) job.layout_paths.push_back(whole.layout_paths[layout]);
-  const std::string folder = shards_folder(whole.results_path);
+DividedJob::DividedJob(const ScreeningJob& whole, const std::vector<ReadAcceleration>& accelerations,
+                       std::uint64_t shards)
+    : whole_(whole),
+      without_layouts_(whole),
+      shard_{.parts = shards, .block = Shard::block_of(accelerations.size()), .layouts = whole.layout_paths.size()},
+      fingerprint_(fingerprint(describe_run(whole, accelerations, {}))) {
+  without_layouts_.layout_paths.clear();
+  without_layouts_.part.reset();
+}
+
+Result<ScreeningJob> DividedJob::shard(std::uint64_t part) const {
+  ScreeningJob job = without_layouts_;
+  Shard shard = shard_;
+  shard.part = part;
+  job.shard = {shard, fingerprint_};
+  job.results_path = shard_path(whole_.results_path, part, shard.parts);
+  for (std::uint64_t block = part - 1; block < shard.block_count(); block += shard.parts) {
+    const std::uint64_t end = std::min(shard.layouts, (block + 1) * shard.block);
+    for (std::uint64_t layout = block * shard.block; layout < end; ++layout)
+      job.layout_paths.push_back(whole_.layout_paths[layout]);
+  }
+  const std::string folder = shards_folder(whole_.results_path);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) return Error{.file = folder, .what = "cannot be created", .value = failure.message()};

@@ -1,14 +1,35 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "app/screening.hpp"
 #include "core/base/result.hpp"
 #include "core/engine/run_inputs.hpp"
+#include "core/model/shard.hpp"
 
 namespace holdfast::internal {
 
-/// The job of the shard that `whole.part` chooses: its layouts, and its results file, whose folder is made.
-Result<ScreeningJob> shard_job(const ScreeningJob& whole, const std::vector<ReadAcceleration>& accelerations);
+/// A job that is divided into shards. What all of its layouts have to be looked at for is done once.
+class DividedJob {
+ public:
+  /// @param whole  outlives this
+  /// @param shards how many
+  DividedJob(const ScreeningJob& whole, const std::vector<ReadAcceleration>& accelerations, std::uint64_t shards);
+
+  /// Shards that have layouts: not more than there are blocks.
+  std::uint64_t shards_with_layouts() const { return std::min(shard_.parts, shard_.block_count()); }
+
+  /// The job of a shard, from 1: its layouts, and its results file, whose folder is made.
+  Result<ScreeningJob> shard(std::uint64_t part) const;
+
+ private:
+  const ScreeningJob& whole_;
+  ScreeningJob without_layouts_;
+  Shard shard_;
+  std::string fingerprint_;  ///< of the whole run
+};
 
 }  // namespace holdfast::internal

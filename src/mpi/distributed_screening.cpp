@@ -11,7 +11,7 @@
 #include "app/commands.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
-#include "core/model/shard.hpp"
+#include "app/shard_job.hpp"
 #include "io/results/shard_file.hpp"
 #include "mpi/shared_counter.hpp"
 
@@ -52,21 +52,18 @@ std::optional<Error> prepare(const ScreeningJob& job) {
   return std::nullopt;
 }
 
-std::uint64_t shards_of(const ScreeningJob& job) {
-  const Shard whole{.block = Shard::block_of(read_accelerations(job).size()), .layouts = job.layout_paths.size()};
-  return std::clamp<std::uint64_t>(whole.block_count(), 1, kMostShards);
-}
-
 /// Simulates shards until there are no more, or one cannot be simulated.
-ExitCode run_shards(const ScreeningJob& job, std::uint64_t count, SharedCounter& counter) {
+ExitCode run_shards(const ScreeningJob& job, SharedCounter& counter) {
+  ScreeningJob of_shards = job;
+  of_shards.quiet = true;
+  of_shards.existing = ExistingResults::resume;
+  const DividedJob divided(of_shards, read_accelerations(job), kMostShards);
+  const std::uint64_t count = divided.shards_with_layouts();
   ExitCode code = ExitCode::done;
-  ScreeningJob part = job;
-  part.quiet = true;
-  part.existing = ExistingResults::resume;
   for (std::uint64_t next = counter.add(1); next < count; next = counter.add(1)) {
-    part.part = {next + 1, count};
     if (!job.quiet && SharedCounter::rank() == 0) print_to(stderr, "shard {} of {}\n", next + 1, count);
-    const ExitCode ended = run_screening(part);
+    const Result<ScreeningJob> shard = divided.shard(next + 1);
+    const ExitCode ended = shard ? run_screening(*shard) : fail(ExitCode::bad_usage, shard.error());
     code = std::max(code, ended);
     if (ended == ExitCode::done || ended == ExitCode::some_failed) continue;
     counter.add(count);  // no rank takes another
@@ -101,7 +98,7 @@ ExitCode run_distributed(const ScreeningJob& job) {
   }
   code = worst(code);
   if (code != ExitCode::done) return code;
-  code = worst(run_shards(job, shards_of(job), counter));
+  code = worst(run_shards(job, counter));
   if (code != ExitCode::done && code != ExitCode::some_failed) return code;
   return worst(std::max(code, first ? merge(job) : ExitCode::done));
 }

@@ -24,11 +24,6 @@ struct Shard {
 
   std::uint64_t block_count() const { return (layouts + block - 1) / block; }
 
-  /// The shard that has a block of the run, from 0.
-  std::uint64_t part_of_block(std::uint64_t number) const { return number % parts + 1; }
-
-  /// Whether the shard has a layout of the run, from 0.
-  bool has(std::uint64_t layout) const { return part_of_block(layout / block) == part; }
 };
 
 }  // namespace holdfast::internal

@@ -106,6 +106,17 @@ that has its first world. Long datasets are divided into the same chunks in the 
 assembling copies compressed chunks. Therefore the series of a part begin at a multiple of 16384 entries, its boxes and
 those of its layouts at a multiple of 4096, and they may repeat the end of the previous part.
 
+## How shards are merged
+
+`holdfast screen --part K/N -o results.h5` simulates shard K of N into `results.h5.shards/shard-K-of-N.h5`. The layouts
+of the run are divided into blocks of 256 worlds (256 / accelerations layouts, rounded down, at least one), and shard K
+has the blocks K, K + N, K + 2N, …. A shard is a results file of its layouts, with parts and a lock of its own: it is
+read and resumed like any other. These attributes of `/` say of which run it is a part: `shard` and `shards` (K and N),
+`shard_block` (layouts of a block), `run_layouts` (layouts of the run) and `run_fingerprint`.
+
+`holdfast merge results.h5` reads the blocks in the order of the run, corrects the indices, and compresses all chunks
+anew. The file has the same bytes as that of a run in one process, except for times and processor seconds.
+
 ## Which datasets it has
 
 Length is the number of entries: W worlds, N boxes over all worlds, S samples over all worlds, R (sample, box) pairs
