@@ -1,8 +1,9 @@
 // Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
 //
 // With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
-// RESULTS is a file with series; the pictures of docs/ are of the layouts of configs/layouts and bench/layouts under the norm of the
-// road, with margins and wall forces. The film needs img2webp, of Debian's package webp.
+// RESULTS is a file with series. The pictures of worlds in docs/ are of build/viewer/results/demo.h5, with which the tests compare
+// them; those of the fleet are of the layouts of configs/layouts and bench/layouts under the norm of the road, with margins and wall
+// forces. The film needs img2webp, of Debian's package webp.
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";

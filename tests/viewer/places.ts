@@ -9,3 +9,5 @@ export const PACKAGES = path.resolve(BUILD, "../../viewer/package.json");
 /** The engine in WebAssembly, where `make viewer-engine` has built it. */
 export const ENGINE = path.join(BUILD, "engine.mjs");
 export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/bin/holdfast");
+/** Pictures of the documentation. */
+export const PICTURES = path.resolve(BUILD, "../../docs/viewer");
