@@ -4,14 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "api/version.hpp"
+#include "app/command_line_pages.hpp"
 #include "app/command_line_parts.hpp"
 #include "app/commands.hpp"
 #include "app/report.hpp"
@@ -306,10 +309,10 @@ void add_norms_command(CLI::App& program, ChosenCommand& chosen) {
 
 /// An option that prints a page and ends the program.
 CLI::Option* add_page(CLI::App& program, const std::string& name, const std::string& description,
-                      std::string (*page)()) {
+                      std::function<std::string()> page) {
   return program.add_flag_callback(
       name,
-      [page] {
+      [page = std::move(page)] {
         print_to(stdout, "{}", page());
         throw CLI::Success();
       },
@@ -382,6 +385,10 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   add_page(program, "--config-page", "Print docs/config.md and exit", settings_page)->group("");
   add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");
   add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
+  add_page(program, "--man-page", "Print the manual page and exit", [&] { return man_page(program); })->group("");
+  add_page(program, "--bash-completion", "Print the completion for bash and exit", [&] {
+    return bash_completion(program);
+  })->group("");
 
   ChosenCommand chosen;
   chosen.command_line = words_of(argc, argv);
