@@ -23,7 +23,6 @@ struct Shard {
   }
 
   std::uint64_t block_count() const { return (layouts + block - 1) / block; }
-
 };
 
 }  // namespace holdfast::internal
