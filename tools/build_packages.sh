@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Builds the Debian packages of the committed sources.
+#   tools/build_packages.sh [FOLDER]   into FOLDER (build/packages)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+mkdir -p "${1:-build/packages}"
+folder=$(cd "${1:-build/packages}" && pwd)
+
+as_root=()
+((EUID == 0)) || as_root=(sudo)
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
+  build-essential debhelper dh-python chrpath lintian > /dev/null
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq build-dep -y --no-install-recommends . > /dev/null
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/holdfast"
+git archive HEAD | tar -x -C "$work/holdfast"
+(cd "$work/holdfast" && DEB_BUILD_OPTIONS="nocheck noautodbgsym parallel=$(tools/job_count.sh)" dpkg-buildpackage -b -us -uc > "$folder/build.log" 2>&1) ||
+  { tail -20 "$folder/build.log" >&2; exit 1; }
+rm -f "$folder"/*.deb "$folder"/*.changes
+mv "$work"/*.deb "$work"/*.changes "$folder"
+# They are not uploaded to Debian, so there is no bug to close.
+lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs "$folder"/*.changes
+ls "$folder"/*.deb
