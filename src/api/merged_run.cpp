@@ -41,6 +41,52 @@ std::string some_of(const std::vector<std::uint64_t>& numbers) {
   return shown < numbers.size() ? fmt::format("{} and {} more", text, numbers.size() - shown) : text;
 }
 
+std::uint64_t part_of(const ShardFile& file) { return file.shard().shard.part; }
+
+/// @param found by their part, as in the next one
+void name_double(const std::vector<ShardFile>& found, std::vector<Error>& errors) {
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    if (part_of(found[i]) != part_of(found[i - 1])) continue;
+    errors.push_back({.file = found[i].path(),
+                      .what = "is the same shard as " + found[i - 1].path(),
+                      .value = fmt::format("{} of {}", part_of(found[i]), found[i].shard().shard.parts),
+                      .accepted = "each shard once"});
+  }
+}
+
+/// Shards without layouts, of a run with few blocks, need not be there.
+void name_missing(const std::vector<ShardFile>& found, std::vector<Error>& errors) {
+  const Shard& shard = found.front().shard().shard;
+  std::vector<std::uint64_t> missing;
+  auto next = found.begin();
+  for (std::uint64_t part = 1; part <= std::min(shard.parts, shard.block_count()); ++part) {
+    while (next != found.end() && part_of(*next) < part) ++next;
+    if (next == found.end() || part_of(*next) > part) missing.push_back(part);
+  }
+  if (missing.empty()) return;
+  errors.push_back(
+      {.what = missing.size() == 1 ? "a shard is missing" : fmt::format("{} shards are missing", missing.size()),
+       .value = fmt::format("{} of {}", some_of(missing), shard.parts),
+       .accepted = "their commands make them; those that were stopped go on with --resume"});
+}
+
+/// The run of all shards as if it had been one.
+RunDescription whole_run(const std::vector<ShardFile>& shards) {
+  const Shard& shard = shards.front().shard().shard;
+  RunDescription whole = shards.front().run();
+  whole.shard.reset();
+  whole.layout_names.clear();
+  whole.layout_hashes.clear();
+  for (std::uint64_t layout = 0; layout < shard.layouts; ++layout) {
+    const std::uint64_t block = layout / shard.block;
+    const RunDescription& run = shards[block % shard.parts].run();
+    const std::uint64_t local = block / shard.parts * shard.block + layout % shard.block;
+    whole.layout_names.push_back(run.layout_names.at(local));
+    whole.layout_hashes.push_back(run.layout_hashes.at(local));
+  }
+  return whole;
+}
+
 }  // namespace
 
 Result<RunOfShards> RunOfShards::gather(const std::vector<std::string>& paths) {
@@ -65,42 +111,15 @@ Result<RunOfShards> RunOfShards::gather(const std::vector<std::string>& paths) {
       errors.push_back({.what = "there are no shards", .accepted = "files of `holdfast screen --part K/N`"});
     return errors;
   }
-  const auto part_of = [](const ShardFile& shard) { return shard.shard().shard.part; };
   std::stable_sort(found.begin(), found.end(),
-                   [&](const ShardFile& a, const ShardFile& b) { return part_of(a) < part_of(b); });
-  for (std::size_t i = 1; i < found.size(); ++i)
-    if (part_of(found[i]) == part_of(found[i - 1]))
-      errors.push_back({.file = found[i].path(),
-                        .what = "is the same shard as " + found[i - 1].path(),
-                        .value = fmt::format("{} of {}", part_of(found[i]), found[i].shard().shard.parts),
-                        .accepted = "each shard once"});
-  const Shard shard = found.front().shard().shard;
-  const std::uint64_t needed = std::min(shard.parts, shard.block_count());
-  std::vector<std::uint64_t> missing;
-  auto next = found.begin();
-  for (std::uint64_t part = 1; part <= needed; ++part) {
-    while (next != found.end() && part_of(*next) < part) ++next;
-    if (next == found.end() || part_of(*next) > part) missing.push_back(part);
-  }
-  if (!missing.empty() && errors.empty())
-    errors.push_back(
-        {.what = missing.size() == 1 ? "a shard is missing" : fmt::format("{} shards are missing", missing.size()),
-         .value = fmt::format("{} of {}", some_of(missing), shard.parts),
-         .accepted = "their commands make them; those that were stopped go on with --resume"});
+                   [](const ShardFile& a, const ShardFile& b) { return part_of(a) < part_of(b); });
+  name_double(found, errors);
+  // A shard that could not be used is not missing, too.
+  if (errors.empty()) name_missing(found, errors);
   if (!errors.empty()) return errors;
 
   RunOfShards all;
-  all.run_ = found.front().run();
-  all.run_.shard.reset();
-  all.run_.layout_names.clear();
-  all.run_.layout_hashes.clear();
-  for (std::uint64_t layout = 0; layout < shard.layouts; ++layout) {
-    const std::uint64_t block = layout / shard.block;
-    const RunDescription& run = found[block % shard.parts].run();
-    const std::uint64_t local = block / shard.parts * shard.block + layout % shard.block;
-    all.run_.layout_names.push_back(run.layout_names.at(local));
-    all.run_.layout_hashes.push_back(run.layout_hashes.at(local));
-  }
+  all.run_ = whole_run(found);
   if (const std::string expected = found.front().shard().run_fingerprint; fingerprint(all.run_) != expected)
     return Error{.file = found.front().path(),
                  .what = "does not fit the other shards",

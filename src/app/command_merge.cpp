@@ -6,6 +6,7 @@
 
 #include "api/merged_run.hpp"
 #include "app/commands.hpp"
+#include "app/crash_guard.hpp"
 #include "app/report.hpp"
 #include "app/screening.hpp"
 #include "app/stop_signal.hpp"
@@ -36,11 +37,22 @@ Result<std::vector<std::string>> shard_paths(const MergeOptions& options) {
   return paths;
 }
 
+/// `done` when HDF5 can open all shards, and does not crash on a damaged one.
+ExitCode check_readable(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    // What is wrong with a shard otherwise is said with all that is wrong, by `gather`.
+    const auto open = [&] { return ShardFile::open(path) ? ExitCode::done : ExitCode::some_failed; };
+    if (guard_reading(path, open, "simulate the shard again") == ExitCode::bad_usage) return ExitCode::bad_usage;
+  }
+  return ExitCode::done;
+}
+
 }  // namespace
 
 ExitCode run_merge_command(const MergeOptions& options) {
   const Result<std::vector<std::string>> paths = shard_paths(options);
   if (!paths) return fail(ExitCode::bad_usage, paths.error());
+  if (check_readable(*paths) == ExitCode::bad_usage) return ExitCode::bad_usage;
   const Result<RunOfShards> shards = RunOfShards::gather(*paths);
   if (!shards) return fail(ExitCode::bad_usage, shards.errors());
   std::optional<Error> warning;

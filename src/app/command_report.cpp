@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/crash_guard.hpp"
 #include "app/report.hpp"
 #include "app/shared_script.hpp"
 #include "io/export/text_output.hpp"
@@ -28,8 +29,14 @@ std::optional<Error> check_report(const std::string& path) {
 }  // namespace
 
 ExitCode run_report_command(const ReportOptions& options) {
-  Result<ResultsReader> results = ResultsReader::open(options.results_path);
-  if (!results) return fail(ExitCode::bad_usage, results.error());
+  const ExitCode readable = guard_reading(
+      options.results_path,
+      [&] {
+        const Result<ResultsReader> results = ResultsReader::open(options.results_path);
+        return results ? ExitCode::done : fail(ExitCode::bad_usage, results.error());
+      },
+      "simulate it again");
+  if (readable != ExitCode::done) return readable;
   if (const auto error = check_report(options.output_path)) return fail(ExitCode::bad_usage, *error);
   const std::vector<std::string> arguments = {"--most", fmt::format("{}", options.most), "--", options.results_path,
                                               options.output_path};
