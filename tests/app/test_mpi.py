@@ -19,6 +19,16 @@ class MpiTest(ShardTest):
     def command(self, ranks, *arguments):
         return ["mpirun", "-n", str(ranks), PROGRAM, *map(str, arguments)]
 
+    def running_ranks(self):
+        """Processes of the ranks of this test."""
+        def is_rank(pid):
+            try:
+                return os.readlink(f"/proc/{pid}/exe") == os.path.realpath(PROGRAM) and os.readlink(f"/proc/{pid}/cwd") == str(self.folder)
+            except OSError:  # it has ended
+                return False
+
+        return [int(pid) for pid in os.listdir("/proc") if pid.isdigit() and is_rank(pid)]
+
     def run_ranks(self, ranks, *arguments):
         return subprocess.run(self.command(ranks, *arguments), cwd=self.folder, env=ENVIRONMENT, capture_output=True,
                               text=True, timeout=PATIENCE, stdin=subprocess.DEVNULL, check=False)
@@ -68,8 +78,7 @@ class KilledRanks(MpiTest):
             process = subprocess.Popen(self.command(3, *self.arguments, "-o", "results.h5", "--resume"), cwd=self.folder,
                                        env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             time.sleep(draw.uniform(0.6, 1.4))
-            found = subprocess.run(["pgrep", "-f", f"^{PROGRAM} "], capture_output=True, text=True, check=False)
-            ranks = [int(pid) for pid in found.stdout.split() if os.path.realpath(f"/proc/{pid}/cwd") == str(self.folder)]
+            ranks = self.running_ranks()
             if ranks:
                 os.kill(draw.choice(ranks), signal.SIGKILL)
             process.wait(PATIENCE)
