@@ -232,6 +232,10 @@ std::vector<SettingKey> make_table() {
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
       "How many times impacts may divide a step of an island of up to 8 boxes; screening and standard 8, reference 32. "
       "Larger islands: 0, unless this key is given.");
+  add(Truth{}, "Sleep", "", "", MEMBER(native.sleep),
+      "Whether slow boxes of islands of more than 8 boxes sleep while others move: they stay where they are for up to "
+      "7 "
+      "steps; screening and standard true, reference false.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time jumps to the next change of the acceleration when all boxes are in static equilibrium; it does not "
       "affect the results.");

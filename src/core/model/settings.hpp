@@ -128,6 +128,7 @@ struct NativeSettings {
   std::optional<double>
       rest_tolerance;  ///< equilibrium residual below which a body is in equilibrium, relative to |g − a| m
   std::optional<int> impact_cuts;  ///< how many times impacts may divide a step of an island
+  std::optional<bool> sleep;       ///< let slow bodies of large islands that move sleep
   bool jump = true;                ///< jump to the end of a phase when all islands are in equilibrium
   bool freeze = true;              ///< let islands in equilibrium sleep until something touches them
 };

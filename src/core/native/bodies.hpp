@@ -19,8 +19,9 @@ struct Bodies {
   std::vector<Vec3> centre_of_mass;      ///< from the centroid, body axes, m
   std::vector<double> radius;            ///< from the centre of mass to the farthest corner, m
   std::vector<Surface> surface;
-  std::vector<std::uint8_t> fixed;  ///< 1: fixed to the container
-  std::vector<BoxForce> pushed;     ///< from outside
+  std::vector<std::uint8_t> fixed;   ///< 1: fixed to the container
+  std::vector<std::uint8_t> asleep;  ///< 1: stays where it is in this step, see `SleepingBodies`
+  std::vector<BoxForce> pushed;      ///< from outside
   StateColumns state;
   std::vector<OrientedBox> shape;          ///< the box at `state`
   std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²

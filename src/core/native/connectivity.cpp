@@ -16,7 +16,7 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
     while (root_[i] != i) i = root_[i] = root_[root_[i]];
     return i;
   };
-  const auto free = [&](std::int32_t body) { return body >= 0 && bodies.fixed[at(body)] == 0; };
+  const auto free = [&](std::int32_t body) { return !stays(bodies, body); };
   for (const Manifold& manifold : manifolds) {
     if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
     const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
@@ -27,7 +27,7 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
   island_of_.assign(count, kNone);
   ranges_.clear();
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (bodies.fixed[i] != 0) continue;
+    if (!free(static_cast<std::int32_t>(i))) continue;
     const std::uint32_t first = find(i);
     if (first == i) {
       island_of_[i] = static_cast<std::uint32_t>(ranges_.size());
@@ -62,6 +62,11 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
     const std::uint32_t island = island_of_manifold(manifolds[m]);
     if (island != kNone) inside_[ranges_[island].manifold_end++] = m;
   }
+}
+
+bool Connectivity::is_in_large_island(std::int32_t body) const {
+  const std::uint32_t island = body < 0 ? kNone : of(at(body));
+  return island != kNone && (*this)[island].bodies.size() > kSmallIslandBodies;
 }
 
 IslandView Connectivity::operator[](std::size_t island) const {

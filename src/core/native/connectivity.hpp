@@ -24,6 +24,9 @@ class Connectivity {
   /// The island of a body, or `kNone`.
   std::uint32_t of(std::size_t body) const { return island_of_[body]; }
 
+  /// Whether a body's island is a large one; false for sides, and for what belongs to none.
+  bool is_in_large_island(std::int32_t body) const;
+
  private:
   /// Bodies of one island as a range of `members_`, manifolds inside as a range of `inside_`.
   struct Range {

@@ -144,6 +144,13 @@ inline constexpr int kActivationRounds = 12;
 /// Half: boxes overlap by up to 2.3 mm instead of 1.2 mm; twice: no bit changes. Noticed by `native_impacts`.
 inline constexpr int kHalvings = 4;
 
+/// Overlap for which a step is halved where the contact was solved, over that where it was missed: a smaller step
+/// leaves less, and so does the next position correction.
+inline constexpr double kSolvedOverlap = 2.0;
+
+/// Times that a step is taken again with contacts that showed too late, before it is halved.
+inline constexpr int kLateContactRounds = 1;
+
 /// Overlaps are corrected to this share of the overlap that is left alone.
 /// Half and twice: insensitive.
 inline constexpr double kCorrectionTolerance = 0.1;
@@ -199,6 +206,9 @@ inline constexpr double kSlidingShare = 0.999;
 /// Half: 19 % more time, and 2 measurements fail; twice: case `stack_3_gap_1mm` fails at `screening`. Noticed by
 /// `native_engine`.
 inline constexpr int kRefitEvery = 12;
+/// The same in a moving step of a large island, most of which end at 16 iterations: a factor for the last four does not
+/// pay. 12: 4 % more time on loads under the road accelerations, with equal errors.
+inline constexpr int kLargeIslandRefitEvery = 16;
 /// Half: 5 % more time; twice: case `stack_3_gap_1mm` fails at `screening`.
 inline constexpr double kRefitShare = 0.2;
 /// The same share in a moving step of a large island at `screening` and `standard`.
@@ -244,6 +254,25 @@ inline constexpr int kAndersonPause = 3;
 /// Larger weights lead far away from all iterates so far: they come from directions that nearly depend on each other.
 /// Half and twice: insensitive.
 inline constexpr double kAndersonLargestWeight = 100.0;
+
+// --- Sleep ---
+
+/// Bodies slower than this many |g − a| h in this many steps fall asleep.
+inline constexpr double kSlowSpeed = 0.005;
+inline constexpr std::uint32_t kSlowSteps = 2;
+
+/// A step in which a body gains more speed than this many |g − a| h does not count as slow: what begins to slide or to
+/// tip, however slowly, gains speed in every step.
+inline constexpr double kRisingSpeed = 1e-7;
+
+/// All bodies are awake in every step of this count.
+inline constexpr std::uint32_t kWakeEvery = 8;
+
+/// Bodies that are this many contacts away from one that is hit do not sleep in the step.
+inline constexpr int kHitLayers = 2;
+
+/// Change of the force on a sleeping body and its sleeping neighbours that wakes it, over their mass times |g − a|.
+inline constexpr double kSleepingLoadChange = 0.5;
 
 // --- Rest ---
 
@@ -301,6 +330,10 @@ inline constexpr double kPressingMargin = 1.01;
 /// |g − a|.
 /// Half: 3 % more time; twice: insensitive.
 inline constexpr double kLeaningAcceleration = 1e-3;
+
+/// Residual of the motion with which a large island begins to move that is clearly not at rest, over |g − a| h: what it is
+/// needed for is `kLeaningAcceleration`, and a start for the step.
+inline constexpr double kBeginningMotion = 1e-3;
 
 /// Bodies that lean on others are asked for a proof of rest where none begins to move faster than this share of
 /// |g − a| h. With 0.02 the verdict of rows near their limit depends on the accuracy; with 0.3 worlds under the road

@@ -8,6 +8,12 @@ bool is_missed_contact(const ContactSet& contact, const ContactSet& before, doub
   return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
 }
 
+const Side* floor_of(const Scene& scene) {
+  const auto floor = std::find_if(scene.sides.begin(), scene.sides.end(),
+                                  [](const Side& side) { return side.surface.kind == SurfaceKind::floor; });
+  return floor == scene.sides.end() ? nullptr : &*floor;
+}
+
 double penetration_slop(const StepTerms& terms, double least) {
   return std::max(
       {least, kTouch, std::min(kPenetrationSlop, kPenetrationSlopShare * terms.velocity_unit * terms.step)});

@@ -36,6 +36,11 @@ inline double normal_velocity(const Bodies& bodies, const Manifold& manifold, co
 
 inline bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
 
+/// Whether the body does not move in this step: it is fixed, or asleep.
+inline bool stays(const Bodies& bodies, std::int32_t body) {
+  return is_fixed(bodies, body) || bodies.asleep[at(body)] != 0;
+}
+
 /// Whether the contact can carry weight: one body is on the other, or on something fixed.
 inline bool supports(const Bodies& bodies, const Manifold& manifold) {
   const double up = manifold.contact.normal.z();

@@ -31,7 +31,7 @@ double IslandStepper::located_speed(const StepTerms& terms) const {
 
 /// Velocity of a body of the island at a point after the solve, m/s.
 Vec3 IslandStepper::end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const {
-  if (is_fixed(bodies, body)) return Vec3::Zero();
+  if (stays(bodies, body)) return Vec3::Zero();
   const BodyVector& v = prepared_.solution(static_cast<std::uint32_t>(body));
   return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
 }
@@ -45,6 +45,17 @@ Vec3 IslandStepper::end_velocity(const Bodies& bodies, const Manifold& manifold,
 double IslandStepper::end_normal_velocity(const Bodies& bodies, const Manifold& manifold,
                                           const ContactPoint& point) const {
   return manifold.contact.normal.dot(end_velocity(bodies, manifold, point));
+}
+
+/// How far the surfaces of a contact separate in the step at a point, m.
+double IslandStepper::separation_in_step(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point,
+                                         double step) const {
+  const auto velocity = [&](std::int32_t body, const Vec3& at_point) -> Vec3 {
+    if (stays(bodies, body)) return Vec3::Zero();
+    const BodyVector& v = mean_velocity_[at(body)];
+    return linear(v) + angular(v).cross(at_point - bodies.state.position[at(body)]);
+  };
+  return step * manifold.contact.normal.dot(velocity(manifold.b, point.on_b) - velocity(manifold.a, point.on_a));
 }
 
 void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -132,11 +143,11 @@ void IslandStepper::activate_nearby(Scene& scene, const IslandView& island, cons
   const double near = kNearbyShare * terms.velocity_unit * step;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    if (manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
+    if (manifold.active || stays(bodies, manifold.a) || stays(bodies, manifold.b)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u0 = normal_velocity(bodies, manifold, point);
-      const double gap_end = point.gap + 0.5 * step * (u0 + end_normal_velocity(bodies, manifold, point));
+      const double gap_end = point.gap + separation_in_step(bodies, manifold, point, step);
       if (!filter.takes(point.gap, u0, step) || gap_end >= near) continue;
       manifold.activate();
     }
@@ -160,9 +171,9 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
       const auto bit = static_cast<std::uint8_t>(1U << i);
       const bool solved = (predicted_[index] & bit) != 0 || filter.takes(point.gap, u0, step);
       if (manifold.active && solved) continue;
-      const double u1 = end_normal_velocity(bodies, manifold, point);
-      const double gap_end = point.gap + 0.5 * step * (u0 + u1);
+      const double gap_end = point.gap + separation_in_step(bodies, manifold, point, step);
       if (gap_end >= -overlap) continue;
+      const double u1 = end_normal_velocity(bodies, manifold, point);
       // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.
       const double curvature = (u1 - u0) / step;
       const double root = std::sqrt(std::max(0.0, u0 * u0 - 2.0 * curvature * point.gap));
@@ -226,7 +237,7 @@ bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms) const
 double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms, double step) const {
   const Bodies& bodies = scene.bodies;
   const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (is_fixed(bodies, body)) return Vec3::Zero();
+    if (stays(bodies, body)) return Vec3::Zero();
     return bodies.acceleration[at(body)] +
            bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
   };

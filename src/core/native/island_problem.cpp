@@ -32,7 +32,7 @@ struct IslandProblem::PointView {
 };
 
 std::uint32_t IslandProblem::row_or_fixed(const Bodies& bodies, std::int32_t body) const {
-  return is_fixed(bodies, body) ? static_cast<std::uint32_t>(problem.bodies.size()) : row_[at(body)];
+  return stays(bodies, body) ? static_cast<std::uint32_t>(problem.bodies.size()) : row_[at(body)];
 }
 
 /// Bodies in the solver's order, at rest, and without constraints.
@@ -45,7 +45,7 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   pairs_.clear();
   for (const std::uint32_t index : island.manifolds) {
     const Manifold& manifold = scene.manifolds[index];
-    if (!manifold.active || is_fixed(bodies, manifold.a) || is_fixed(bodies, manifold.b)) continue;
+    if (!manifold.active || stays(bodies, manifold.a) || stays(bodies, manifold.b)) continue;
     pairs_.emplace_back(row_[at(manifold.a)], row_[at(manifold.b)]);
   }
   const std::span<const std::uint32_t> order = solver.order(count, pairs_);
@@ -115,7 +115,7 @@ void IslandProblem::predict(const Scene& scene, const IslandView& island, const 
 
 void IslandProblem::set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
                              std::array<Lanes, 3> Arms::*side) {
-  if (is_fixed(bodies, body)) return;
+  if (stays(bodies, body)) return;
   const std::size_t row = row_[at(body)];
   const Vec3 arm = on - bodies.state.position[at(body)];
   const Vec3 end = turns_[row] != 0 ? Vec3(turn_end_[row] * arm) : arm;
@@ -135,9 +135,7 @@ void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, dou
   const Bodies& bodies = scene.bodies;
   const Manifold& manifold = scene.manifolds[index];
   const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
-  const auto inverse_mass = [&](std::int32_t body) {
-    return is_fixed(bodies, body) ? 0.0 : 1.0 / bodies.mass[at(body)];
-  };
+  const auto inverse_mass = [&](std::int32_t body) { return stays(bodies, body) ? 0.0 : 1.0 / bodies.mass[at(body)]; };
   const double inverse_masses = inverse_mass(manifold.a) + inverse_mass(manifold.b);
   const std::size_t first = problem.constraints.size();
   int used = 0;
@@ -180,7 +178,7 @@ void IslandProblem::for_each_active(const Scene& scene, const IslandView& island
     const Manifold& manifold = scene.manifolds[index];
     if (!manifold.active) continue;
     add(index);
-    const bool with_fixed = is_fixed(scene.bodies, manifold.a) || is_fixed(scene.bodies, manifold.b);
+    const bool with_fixed = stays(scene.bodies, manifold.a) || stays(scene.bodies, manifold.b);
     problem.constraint_pair.resize(problem.constraints.size(), with_fixed ? kNoPair : pair);
     if (!with_fixed) ++pair;
   }
@@ -341,12 +339,18 @@ void IslandProblem::mobilise_floor_friction(const Scene& scene, const StepTerms&
 }
 
 void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const {
+  const std::vector<std::uint8_t>& asleep = scene.bodies.asleep;
+  const Side* const floor = floor_of(scene);
   for (std::size_t p = 0; p < sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources[p].manifold];
-    if (!manifold.with_side()) continue;
+    const bool on_a = manifold.with_side() || asleep[at(manifold.a)] != 0;
+    if (!on_a && asleep[at(manifold.b)] == 0) continue;
+    const Side* const side = manifold.with_side() ? &scene.sides[side_of(manifold)] : floor;
+    if (side == nullptr) continue;
     for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
-      pushes.push_back({static_cast<std::uint32_t>(manifold.b), scene.sides[side_of(manifold)].index,
-                        -factor * acting_impulse(p, lane), manifold.contact.points[sources[p].point[lane]].on_a});
+      pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), side->index,
+                        (on_a ? -factor : factor) * acting_impulse(p, lane),
+                        manifold.contact.points[sources[p].point[lane]].on_a});
   }
 }
 

@@ -64,7 +64,8 @@ class IslandProblem {
   /// gravity drives it: friction there holds all it can.
   void mobilise_floor_friction(const Scene& scene, const StepTerms& terms);
 
-  /// Adds the impulses on the sides of the container that the solution follows from, times a factor.
+  /// Adds the impulses on the sides of the container that the solution follows from, times a factor. What sleeping
+  /// bodies take counts as the floor's.
   void add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const;
 
   /// Sum of the impulses from outside in the step, as numbers, N s.

@@ -10,15 +10,18 @@ namespace holdfast::internal::native {
 
 bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
                           IslandReport& report) {
+  effort_ = options_.effort(island.bodies.size());
   for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
   prepared_.prepare_rest(scene, island, terms, *solver_);
-  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
+  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= effort_.rest_tolerance) return true;
   bool rests = !leans && find_balance(terms, report);
+  // Where the acceleration has not changed, the last step is as good a start for a large island as what follows.
+  const bool large = island.bodies.size() > kSmallIslandBodies;
+  if (!rests && large && !terms.reset_warm_start) return false;
   if (!rests) {
-    find_beginning_motion(island, terms, report);
+    const double speed = find_beginning_motion(large ? kBeginningMotion : 0.0, terms, report);
     // Forces that merely balance could lie in contacts that nothing pushes.
-    if (terms.reset_warm_start && admit_pushed(scene) &&
-        largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit)
+    if (terms.reset_warm_start && speed < kLeaningMotion * terms.velocity_unit && admit_pushed(scene))
       rests = find_balance(terms, report);
   }
   prepared_.store_rest_impulses(scene, island, terms.step);
@@ -30,13 +33,20 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   return false;
 }
 
-/// How the bodies of the prepared island begin to move by Coulomb's law, from where the step goes on. As exact as a
-/// proof of rest, since just above the limit of balance they hardly move.
-void IslandStepper::find_beginning_motion(const IslandView& island, const StepTerms& terms, IslandReport& report) {
-  effort_ = options_.effort(island.bodies.size());
+/// How the bodies of the prepared island begin to move by Coulomb's law, from where the step goes on: their largest
+/// speed, m/s. Where they hardly move it is as exact as a proof of rest, since they may be just above the limit of
+/// balance.
+/// @param tolerance of the velocities where they do move, over |g − a| h; 0: likewise
+double IslandStepper::find_beginning_motion(double tolerance, const StepTerms& terms, IslandReport& report) {
   SolveLimits limits = limits_after_reset();
-  limits.tolerance = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
+  const double exact = std::min(limits.tolerance, kBalanceTolerance * effort_.rest_tolerance);
+  limits.tolerance = std::max(exact, tolerance);
   solve(limits, terms, terms.step, report);
+  if (limits.tolerance > exact && largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit) {
+    limits.tolerance = exact;
+    solve(limits, terms, terms.step, report);
+  }
+  return largest_speed(prepared_.problem);
 }
 
 /// Lets a proof of rest use those contacts beside bodies that the beginning motion pushes, and no others; at walls no
@@ -63,7 +73,7 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
 bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
   limits.iterations = kBalanceCheckEvery;
-  limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
+  limits.tolerance = kBalanceTolerance * effort_.rest_tolerance;
   limits.projection = Projection::orthogonal;
   limits.relaxation = kRestRelaxation;
   limits.idle_penalty = kRestIdlePenalty;
@@ -72,13 +82,13 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
   const double largest_impulse = island_mass * terms.velocity_unit + prepared_.outside_impulse();
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
-  const int iterations = terms.reset_warm_start ? options_.rest_iterations : kWarmRestIterations;
+  const int iterations = terms.reset_warm_start ? effort_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < iterations; done += limits.iterations) {
     // R follows the forces that are found; later it would only alternate.
     limits.refit_share = done <= kSettlingIterations ? 0.0 : 1.0;
     limits.sticking = limits.sliding = done < kSettlingIterations ? kRestPenalty : kLateRestPenalty;
     solve(limits, terms, terms.step, report);
-    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
+    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= effort_.rest_tolerance) return true;
     if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
   }
   return false;

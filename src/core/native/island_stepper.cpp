@@ -29,7 +29,6 @@ void rotate(Bodies& bodies, std::uint32_t body, const Vec3& turn) {
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
-  correct_positions(scene, island, terms, report);
   const SolveLimits limits = step_limits(scene, island, terms);
   impact_cuts_ = slip_end_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
@@ -59,6 +58,7 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
   for (int round = 0; round < kActivationRounds;) {
     prepared_.prepare_step(scene, island, terms, part.length, *solver_, point_filter(terms, part.length), predicted_);
     part.result = solve(limits, terms, part.length, report);
+    find_mean_velocities(scene.bodies, island, terms, part.length);
     const Event event = find_overlap(scene, island, terms, part.length);
     part.impact_time = event.time;
     if (event.activated) {
@@ -96,7 +96,10 @@ SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& isl
   const double speed = mean_speed(scene.bodies, island);
   const double slow = speed < terms.velocity_unit ? std::max(kSlowShare, speed / terms.velocity_unit) : 1.0;
   limits.mean_residual = slow * effort_.mean_residual;
-  if (island.bodies.size() > kSmallIslandBodies) limits.idle_penalty = kLargeIslandIdlePenalty;
+  if (island.bodies.size() > kSmallIslandBodies) {
+    limits.idle_penalty = kLargeIslandIdlePenalty;
+    limits.refit_every = kLargeIslandRefitEvery;
+  }
   limits.more_iterations = kMoreIterations * effort_.iterations;
   return limits;
 }
@@ -137,6 +140,34 @@ SolveResult IslandStepper::solve_once(const SolveLimits& limits, IslandReport& r
   return result;
 }
 
+/// Whether a body has its new velocity from the start of the step, because an impact too slow to be located makes it
+/// jump there: with the old one bodies would overlap.
+bool IslandStepper::jumps(const Bodies& bodies, std::uint32_t body, const StepTerms& terms, double step) const {
+  if (!prepared_.has_late_impact()) return false;
+  if (prepared_.has_late_impact(body)) return true;
+  // Where the effective gravity has just changed, every velocity jumps: only bodies at a late impact count.
+  if (terms.reset_warm_start) return false;
+  const BodyVector& end = prepared_.solution(body);
+  const Vec3 change = linear(end) - bodies.state.velocity[body] - step * bodies.acceleration[body];
+  const Vec3 turn = angular(end) - bodies.state.angular_velocity[body] - step * bodies.angular_acceleration[body];
+  return change.norm() + bodies.radius[body] * turn.norm() > kJumpShare * terms.velocity_unit;
+}
+
+/// Finds the velocities that move the bodies through the step, where it is not cut.
+void IslandStepper::find_mean_velocities(const Bodies& bodies, const IslandView& island, const StepTerms& terms,
+                                         double step) {
+  mean_velocity_.resize(bodies.count());
+  for (const std::uint32_t body : island.bodies) {
+    const Vec3 v = linear(prepared_.solution(body));
+    const Vec3 w = angular(prepared_.solution(body));
+    // The trapezoid is exact under constant forces.
+    mean_velocity_[body] =
+        jumps(bodies, body, terms, step)
+            ? body_vector(v, w)
+            : body_vector(0.5 * (bodies.state.velocity[body] + v), 0.5 * (bodies.state.angular_velocity[body] + w));
+  }
+}
+
 /// Moves the bodies through a share of the solved step.
 void IslandStepper::integrate(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                               double share) {
@@ -149,18 +180,11 @@ void IslandStepper::integrate(Scene& scene, const IslandView& island, const Step
     const Vec3 w_end = angular(prepared_.solution(body));
     const Vec3 v_new = share == 1.0 ? v_end : Vec3(v + share * (v_end - v));
     Vec3 w_new = share == 1.0 ? w_end : Vec3(w + share * (w_end - w));
-    // The trapezoid: exact under constant forces. A velocity that jumps, at an impact too slow to be located, has
-    // its new value from the start of the step: with the old one bodies would overlap.
-    const double jump = (v_end - v - step * bodies.acceleration[body]).norm() +
-                        bodies.radius[body] * (w_end - w - step * bodies.angular_acceleration[body]).norm();
-    // Where the effective gravity has just changed, every velocity jumps: only bodies at a late impact count.
-    const bool shows =
-        prepared_.has_late_impact(body) || (!terms.reset_warm_start && jump > kJumpShare * terms.velocity_unit);
-    const bool jumps = prepared_.has_late_impact() && share == 1.0 && shows;
-    const Vec3 v_mean = jumps ? v_new : Vec3(0.5 * (v + v_new));
-    const Vec3 w_mean = jumps ? w_new : Vec3(0.5 * (w + w_new));
-    bodies.acceleration[body] = jumps ? Vec3::Zero() : Vec3((v_end - v) / step);
-    bodies.angular_acceleration[body] = jumps ? Vec3::Zero() : Vec3((w_end - w) / step);
+    const bool jump = share == 1.0 && jumps(bodies, body, terms, step);
+    const Vec3 v_mean = jump ? v_new : Vec3(0.5 * (v + v_new));
+    const Vec3 w_mean = jump ? w_new : Vec3(0.5 * (w + w_new));
+    bodies.acceleration[body] = jump ? Vec3::Zero() : Vec3((v_end - v) / step);
+    bodies.angular_acceleration[body] = jump ? Vec3::Zero() : Vec3((w_end - w) / step);
     bodies.state.position[body] += time * v_mean;
     rotate(bodies, body, time * w_mean);
     bodies.update_shape(body);
@@ -186,9 +210,9 @@ bool IslandStepper::update_manifolds(Scene& scene, const IslandView& island, con
   return missed;
 }
 
-/// Takes out overlaps above a length by a solve for displacements, which never feeds velocities.
 void IslandStepper::correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms,
                                       IslandReport& report) {
+  effort_ = options_.effort(island.bodies.size());
   bool any = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];

@@ -37,6 +37,10 @@ class IslandStepper {
   /// what it does in the forces that prove rest. Changes nothing else.
   void find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms);
 
+  /// Takes overlaps above a length out of the island, by a solve for displacements that never feeds velocities. Nothing
+  /// may sleep: between bodies that do not give way, others would be squeezed out.
+  void correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
+
   /// Takes the island a step forward, cut at its events. Activates manifolds that the bodies would overlap at.
   void advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
 
@@ -55,11 +59,12 @@ class IslandStepper {
   };
 
   // Parts of a step, in their order.
-  void correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
   void resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                        IslandReport& report);
   Part solve_part(Scene& scene, const IslandView& island, const StepTerms& terms, const SolveLimits& limits,
                   double remaining, IslandReport& report);
+  bool jumps(const Bodies& bodies, std::uint32_t body, const StepTerms& terms, double step) const;
+  void find_mean_velocities(const Bodies& bodies, const IslandView& island, const StepTerms& terms, double step);
   void integrate(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
   bool update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms);
 
@@ -74,6 +79,8 @@ class IslandStepper {
   double located_speed(const StepTerms& terms) const;
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
   Vec3 end_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
+  double separation_in_step(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point,
+                            double step) const;
   double end_normal_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
   bool propagate_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);
@@ -85,7 +92,7 @@ class IslandStepper {
 
   // Proof of rest.
   bool find_balance(const StepTerms& terms, IslandReport& report);
-  void find_beginning_motion(const IslandView& island, const StepTerms& terms, IslandReport& report);
+  double find_beginning_motion(double tolerance, const StepTerms& terms, IslandReport& report);
   bool admit_pushed(const Scene& scene);
 
   NativeOptions options_;
@@ -93,10 +100,11 @@ class IslandStepper {
   IslandProblem prepared_;  ///< what is being solved
   std::unique_ptr<ContactSolver> solver_;
   EquilibriumCheck equilibrium_;
-  PointBits impacting_;          ///< points that take part in an impact
-  PointBits could_impact_;       ///< those that touch, and take part where the impact reaches them
-  PointBits predicted_;          ///< points that are solved because they were found to close within the step
-  bool locates_impacts_ = true;  ///< impacts that lie ahead may cut the step; else they are solved at its end
+  std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
+  PointBits impacting_;                    ///< points that take part in an impact
+  PointBits could_impact_;                 ///< those that touch, and take part where the impact reaches them
+  PointBits predicted_;                    ///< points that are solved because they were found to close within the step
+  bool locates_impacts_ = true;            ///< impacts that lie ahead may cut the step; else they are solved at its end
   int impact_cuts_ = 0, slip_end_cuts_ = 0;  ///< of the step so far
 };
 

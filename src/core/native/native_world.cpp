@@ -49,8 +49,11 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
   scene_.manifolds.reserve(kLikelyManifolds * count);
+  sleeping_ = SleepingBodies(count);
   resting_.assign(count, 0);
   moving_.assign(count, 0);
+  failed_.assign(count, 0);
+  ahead_.assign(count, 0);
   refuted_.assign(count, 0);
   undecided_.assign(count, 0);
   wait_.assign(count, 0);
@@ -71,6 +74,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
                       std::any_of(points.begin(), points.begin() + manifold.contact.count,
                                   [](const ContactPoint& p) { return p.gap <= kContactTolerance; });
   }
+  connectivity_.find(scene_.bodies, scene_.manifolds);
 }
 
 /// What a body moves in a step under gravity and an acceleration in the worst direction, m.
@@ -79,7 +83,7 @@ double NativeWorld::fall_margin(double acceleration) const {
 }
 
 void NativeWorld::mark() {
-  mark_ = {scene_, pairs_, broad_phase_, terms_, resting_, wait_, next_wait_};
+  mark_ = {scene_, pairs_, broad_phase_, terms_, sleeping_, resting_, wait_, next_wait_};
   phase_set_ = false;
 }
 
@@ -88,6 +92,7 @@ void NativeWorld::rewind() {
   pairs_ = mark_.pairs;
   broad_phase_ = mark_.broad_phase;
   terms_ = mark_.terms;
+  sleeping_ = mark_.sleeping;
   resting_ = mark_.resting;
   wait_ = mark_.wait;
   next_wait_ = mark_.next_wait;
@@ -105,6 +110,7 @@ void NativeWorld::begin_phase(const Phase& phase) {
   disturbed_ = false;
   if (!terms_.reset_warm_start) return;
   find_farther_contacts(phase.acceleration);
+  sleeping_.reset(scene_);
   std::fill(resting_.begin(), resting_.end(), 0);
   std::fill(wait_.begin(), wait_.end(), 0);
   std::fill(next_wait_.begin(), next_wait_.end(), 0);
@@ -144,205 +150,6 @@ void NativeWorld::set_friction(const ContactSettings& contact) {
   disturbed_ = true;
 }
 
-void NativeWorld::save(const IslandView& island) {
-  const Bodies& bodies = scene_.bodies;
-  for (const std::uint32_t body : island.bodies) {
-    for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, bodies.state,
-                          before_);
-    before_acceleration_[body] = {bodies.acceleration[body], bodies.angular_acceleration[body]};
-  }
-}
-
-void NativeWorld::restore(std::size_t body) {
-  Bodies& bodies = scene_.bodies;
-  for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, before_, bodies.state);
-  std::tie(bodies.acceleration[body], bodies.angular_acceleration[body]) = before_acceleration_[body];
-  bodies.update_shape(body);
-}
-
-/// Activates the pairs that would overlap after the step if velocities changed as in the last one: the step would have
-/// to be solved again with them.
-bool NativeWorld::activate_predicted() {
-  const Bodies& bodies = scene_.bodies;
-  const double overlap = penetration_slop(terms_, 0.0);
-  const auto speed = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
-    const std::size_t i = at(body);
-    const Vec3 v = bodies.state.velocity[i] + 0.5 * terms_.step * bodies.acceleration[i];
-    const Vec3 w = bodies.state.angular_velocity[i] + 0.5 * terms_.step * bodies.angular_acceleration[i];
-    return v + w.cross(point - bodies.state.position[i]);
-  };
-  bool any = false;
-  for (Manifold& manifold : scene_.manifolds) {
-    if (manifold.active || !has_end_in(manifold, moving_)) continue;
-    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
-      const ContactPoint& point = manifold.contact.points[at(i)];
-      const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
-      if (point.gap + terms_.step * u >= -overlap) continue;
-      manifold.activate();
-      any = true;
-    }
-  }
-  return any;
-}
-
-/// Activates the pairs of different islands that overlap after the step, and puts their islands back to the start of
-/// the step. False where there are none.
-bool NativeWorld::merge_overlapping() {
-  Bodies& bodies = scene_.bodies;
-  merged_.assign(connectivity_.size(), 0);
-  bool any = false;
-  const auto shift = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
-    const std::size_t i = at(body);
-    // How far the body's point has moved.
-    const Rotation turn = bodies.state.orientation[i] * before_.orientation[i].conjugate();
-    return bodies.state.position[i] + turn * (point - before_.position[i]) - point;
-  };
-  for (Manifold& manifold : scene_.manifolds) {
-    if (manifold.active || manifold.a < 0 || bodies.fixed[at(manifold.a)] != 0 || bodies.fixed[at(manifold.b)] != 0)
-      continue;
-    const std::uint32_t of_a = connectivity_.of(at(manifold.a));
-    const std::uint32_t of_b = connectivity_.of(at(manifold.b));
-    if (of_a == of_b || !has_end_in(manifold, moving_)) continue;
-    const std::size_t together = connectivity_[of_a].bodies.size() + connectivity_[of_b].bodies.size();
-    const double overlap = penetration_slop(terms_, options_.effort(together).penetration_slop);
-    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
-      const ContactPoint& point = manifold.contact.points[at(i)];
-      const double gap =
-          point.gap + manifold.contact.normal.dot(shift(manifold.b, point.on_b) - shift(manifold.a, point.on_a));
-      if (gap >= -overlap) continue;
-      manifold.activate();
-      merged_[of_a] = merged_[of_b] = 1;
-      any = true;
-    }
-  }
-  if (!any) return false;
-  restored_.assign(bodies.count(), 0);
-  for (std::size_t i = 0; i < connectivity_.size(); ++i) {
-    if (merged_[i] == 0) continue;
-    const IslandView island = connectivity_[i];
-    if (moving_[island.bodies.front()] == 0) save(island);
-    for (const std::uint32_t body : island.bodies) {
-      restored_[body] = 1;
-      resting_[body] = 0;
-      restore(body);
-    }
-  }
-  // Backwards, so that the first of several copies of a manifold counts. Active manifolds stay active.
-  for (auto copy = scene_.undo.rbegin(); copy != scene_.undo.rend(); ++copy) {
-    Manifold& manifold = scene_.manifolds[copy->first];
-    if (!has_end_in(manifold, restored_)) continue;
-    const bool active = manifold.active;
-    manifold = copy->second;
-    manifold.active = active;
-  }
-  std::erase_if(scene_.pushes, [&](const SidePush& push) { return restored_[push.body] != 0; });
-  std::erase_if(scene_.undo, [&](const auto& copy) { return has_end_in(scene_.manifolds[copy.first], restored_); });
-  // Islands that are merged move.
-  for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (restored_[i] != 0) moving_[i] = 2;
-  return true;
-}
-
-double NativeWorld::step_islands() {
-  scene_.undo.clear();
-  scene_.pushes.clear();
-  for (std::size_t i = 0; i < connectivity_.size(); ++i) {
-    if (moving_[connectivity_[i].bodies.front()] != 0) save(connectivity_[i]);
-  }
-  const auto advance = [&](const IslandView& island) {
-    IslandReport report;
-    stepper_.advance(scene_, island, terms_, report);
-    counters_.solve_iterations += report.iterations;
-    // An island that steps again overwrites its first report.
-    for (const std::uint32_t body : island.bodies) reports_[body] = report;
-  };
-  for (std::size_t i = 0; i < connectivity_.size(); ++i)
-    if (moving_[connectivity_[i].bodies.front()] != 0) advance(connectivity_[i]);
-  while (merge_overlapping()) {
-    connectivity_.find(scene_.bodies, scene_.manifolds);
-    for (std::size_t i = 0; i < connectivity_.size(); ++i) {
-      const IslandView view = connectivity_[i];
-      if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] == 2; })) continue;
-      for (const std::uint32_t body : view.bodies) moving_[body] = 1;
-      advance(view);
-    }
-  }
-  double worst = 0.0;
-  for (std::size_t i = 0; i < moving_.size(); ++i) {
-    if (moving_[i] == 0) continue;
-    // In units of a whole step, also where it is halved.
-    worst = std::max(worst, reports_[i].residual / whole_step_unit_);
-    missed_contact_ = missed_contact_ || reports_[i].missed_contact;
-  }
-  return worst;
-}
-
-/// Where a body of an island moves, all of its bodies do.
-void NativeWorld::spread_motion() {
-  for (std::size_t i = 0; i < connectivity_.size(); ++i) {
-    const IslandView view = connectivity_[i];
-    if (std::none_of(view.bodies.begin(), view.bodies.end(), [&](auto body) { return moving_[body] != 0; })) continue;
-    for (const std::uint32_t body : view.bodies) {
-      moving_[body] = 1;
-      resting_[body] = 0;
-    }
-  }
-}
-
-void NativeWorld::take_step(double step, int halvings) {
-  terms_.step = step;
-  terms_.velocity_unit = terms_.effective_gravity.norm() * step;
-  if (activate_predicted() || halvings > 0) {
-    connectivity_.find(scene_.bodies, scene_.manifolds);
-    spread_motion();
-  }
-  missed_contact_ = false;
-  const double residual = step_islands();
-  missed_contact_ = missed_contact_ || has_tunnelled(step);
-  find_contacts(moving_);
-  if ((!missed_contact_ && residual <= kWorstResidual) || halvings == kHalvings) {
-    counters_.note_residual(residual * whole_step_unit_, whole_step_unit_);
-    if (residual > kWorstResidual) status_ = status_ | Status::not_converged;
-    add_moving_pushes();
-    add_resting_pushes(step);
-    finish_step();
-    return;
-  }
-  // Goes back to the start of the step, and takes it in two halves.
-  for (std::size_t i = 0; i < moving_.size(); ++i)
-    if (moving_[i] != 0) restore(i);
-  find_contacts(moving_);
-  take_step(0.5 * step, halvings + 1);
-  take_step(0.5 * step, halvings + 1);
-}
-
-/// Adds what moving bodies have done to the sides in a step that counts.
-void NativeWorld::add_moving_pushes() {
-  for (const SidePush& push : scene_.pushes) add_contact(side_impulses_, push.side, push.impulse, push.point);
-}
-
-/// Adds what resting bodies do to the sides.
-void NativeWorld::add_resting_pushes(double duration) {
-  for (const SidePush& push : scene_.resting_pushes)
-    if (resting_[push.body] != 0) add_contact(side_impulses_, push.side, duration * push.impulse, push.point);
-}
-
-void NativeWorld::finish_step() {
-  for (Manifold& manifold : scene_.manifolds) {
-    if (!has_end_in(manifold, moving_)) continue;
-    const double nearest = manifold.contact.nearest_gap();
-    counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
-    if (!manifold.active) continue;
-    bool carries = false;
-    for (int i = 0; i < manifold.contact.count; ++i)
-      carries = carries || manifold.cached[at(i)].force.dot(manifold.contact.normal) > 0.0;
-    manifold.idle_steps = carries ? 0 : manifold.idle_steps + 1;
-    if (manifold.idle_steps > kIdleSteps || (!carries && nearest > kContactTolerance)) manifold.active = false;
-  }
-}
-
 double NativeWorld::advance(const Phase& phase) {
   const double time = take_next_step(phase);
   // A state that is not finite is no bug: the caller ends the world there.
@@ -357,6 +164,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   terms_.step = plan.step();
   terms_.velocity_unit = terms_.effective_gravity.norm() * terms_.step;
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
+  sleeping_.wake(scene_);
   const bool any_moving = find_moving();
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;
@@ -367,8 +175,18 @@ double NativeWorld::take_next_step(const Phase& phase) {
     terms_.reset_warm_start = false;
     return phase.end;
   }
-  if (any_moving) take_step(plan.step(), 0);
-  if (!any_moving) add_resting_pushes(plan.step());
+  if (any_moving) {
+    correct_positions();
+    if (options_.sleep && sleeping_.choose(scene_, terms_, connectivity_, moving_)) {
+      connectivity_.find(scene_.bodies, scene_.manifolds);
+      if (scene_.notes_pushes)
+        push_floor([&](std::size_t i) -> Vec3 { return scene_.bodies.mass[i] * sleeping_.stopped()[i]; });
+    }
+    take_step(plan.step(), 0);
+    sleeping_.note(scene_, terms_, moving_);
+  } else {
+    add_resting_pushes(plan.step());
+  }
   terms_.reset_warm_start = false;
   ++counters_.steps;
   if (!any_moving) ++counters_.steps_skipped;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/native/collision/pair_table.hpp"
 #include "core/native/connectivity.hpp"
 #include "core/native/island_stepper.hpp"
+#include "core/native/sleeping_bodies.hpp"
 #include "core/native/world_invariants.hpp"
 
 namespace holdfast::internal::native {
@@ -44,11 +46,27 @@ class NativeWorld {
   Status status() const { return status_; }
 
  private:
+  /// What a step begins from, to take it again.
+  struct Start {
+    StateColumns state;
+    std::vector<std::pair<Vec3, Vec3>> acceleration;  ///< linear and angular, m/s², rad/s²
+    SideImpulses side_impulses;
+  };
+
+  /// A contact that showed too late in a step, when its bodies overlapped already.
+  struct LateContact {
+    std::int32_t a, b;
+    ContactSet contact;
+    std::array<OrientedBox, 2> found_at;
+  };
+
   void begin_phase(const Phase& phase);
   double fall_margin(double acceleration) const;
   void find_farther_contacts(const Vec3& acceleration);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
+  void set_contact(std::int32_t a, std::int32_t b, const ContactSet& contact);
+  void update_sides(std::size_t body, double margin);
   void set_surfaces(Manifold& manifold) const;
   void end_manifold(std::size_t index);
   bool find_moving();
@@ -62,14 +80,28 @@ class NativeWorld {
   void restore(std::size_t body);
   bool activate_predicted();
   bool merge_overlapping();
-  bool has_tunnelled(double step) const;
+  void mark_failed(std::int32_t a, std::int32_t b);
+  void mark_tunnelled(double step);
+  void correct_positions();
   void spread_motion();
-  double step_islands();
+  void step_islands();
   double take_next_step(const Phase& phase);
-  void take_step(double step, int halvings);
+  void set_step(double step);
+  void take_step(double step, int halvings, int attempt = 0);
+  void spread_failure();
+  double residual_of(std::size_t body) const;
+  void accept_moving();
+  void accept_step(double step);
+  void retake_step(double step, int halvings, int attempt);
+  bool take_back_late_contacts();
+  Start start_of_step() const;
+  void go_back(const Start& start, const std::vector<std::uint8_t>& moving);
+  bool overlaps_with(const std::vector<std::uint8_t>& done) const;
   void finish_step();
   void add_moving_pushes();
   void add_resting_pushes(double duration);
+  void add_sleeping_pushes(double duration);
+  void push_floor(const std::function<Vec3(std::size_t)>& impulse);
 
   const World& world_;
   NativeOptions options_;
@@ -79,7 +111,9 @@ class NativeWorld {
   StepTerms terms_;
   IslandStepper stepper_;
 
-  PairTable pairs_;                    ///< the manifold of body or side a and body b; of two bodies a < b
+  PairTable pairs_;  ///< the manifold of body or side a and body b; of two bodies a < b
+  SleepingBodies sleeping_;
+  std::vector<Vec3> left_;             ///< a body that sleeps: impulse that its contacts leave over in a step, N s
   std::vector<std::uint8_t> resting_;  ///< a body: proved to rest under this phase's acceleration
   std::vector<std::uint8_t> moving_;   ///< a body: stepped in this step; 2: put back to its start, to be stepped again
   std::vector<std::uint8_t> refuted_;  ///< a body: its proof of rest has failed in this step
@@ -87,9 +121,12 @@ class NativeWorld {
   std::vector<std::uint32_t> wait_, next_wait_;  ///< a body: steps until rest is tried again, and the wait after that
   Connectivity connectivity_;
   BroadPhase broad_phase_;
-  std::vector<Vec3> lower_, upper_;  ///< bounds of the bodies, grown by their speculative margins, m
-  double whole_step_unit_ = 1.0;     ///< |g − a| times the phase's step, m/s
-  bool missed_contact_ = false;      ///< two bodies overlap whose last contact did not show it
+  std::vector<std::uint8_t> near_sides_;  ///< a body that has moved: the sides that it is near, a bit each
+  std::vector<Vec3> lower_, upper_;       ///< bounds of the bodies, grown by their speculative margins, m
+  double whole_step_unit_ = 1.0;          ///< |g − a| times the phase's step, m/s
+  std::vector<std::uint8_t> failed_;      ///< a body: its island has to take the step again, in halves
+  std::vector<LateContact> late_contacts_;
+  std::vector<std::uint8_t> ahead_;  ///< a body: has taken the whole step, of which others take halves
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
   std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²
   std::vector<IslandReport> reports_;                       ///< a moving body: of its island's step
@@ -102,6 +139,7 @@ class NativeWorld {
     PairTable pairs;
     BroadPhase broad_phase;
     StepTerms terms;
+    SleepingBodies sleeping;
     std::vector<std::uint8_t> resting;
     std::vector<std::uint32_t> wait, next_wait;
   };

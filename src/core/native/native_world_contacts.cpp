@@ -35,7 +35,20 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const ContactSet& before = known < 0 ? kNone : scene_.manifolds[at(known)].contact;
   const ContactSet contact =
       contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before.axis);
-  if (is_missed_contact(contact, before, options_.missed_contact_overlap)) missed_contact_ = true;
+  // What was solved with this contact would be solved with it again: the overlap is what the solve left.
+  const bool solved = known >= 0 && scene_.manifolds[at(known)].active && contact.axis == before.axis &&
+                      (connectivity_.is_in_large_island(a) || connectivity_.is_in_large_island(b));
+  const double overlap = (solved ? kSolvedOverlap : 1.0) * options_.missed_contact_overlap;
+  if (is_missed_contact(contact, before, overlap)) {
+    mark_failed(a, b);
+    if (!solved) late_contacts_.push_back({a, b, contact, poses_of(bodies, a, b)});
+  }
+  set_contact(a, b, contact);
+}
+
+void NativeWorld::set_contact(std::int32_t a, std::int32_t b, const ContactSet& contact) {
+  const Bodies& bodies = scene_.bodies;
+  const std::int32_t known = pairs_.find(a, b);
   if (known >= 0 && contact.count > 0) {
     update_contact(scene_.manifolds[at(known)], contact, bodies);
   } else if (known >= 0) {
@@ -48,6 +61,14 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     set_surfaces(manifold);
     update_contact(manifold, contact, bodies);
   }
+}
+
+/// The bodies have to take the step again. One that has taken the whole step is no obstacle to one that takes half of
+/// it.
+void NativeWorld::mark_failed(std::int32_t a, std::int32_t b) {
+  if (ahead_[at(b)] != 0 || (a >= 0 && ahead_[at(a)] != 0)) return;
+  if (a >= 0) failed_[at(a)] = 1;
+  failed_[at(b)] = 1;
 }
 
 /// Gives a manifold the coefficients of its two surfaces.
@@ -71,27 +92,45 @@ void NativeWorld::end_manifold(std::size_t index) {
   scene_.manifolds.pop_back();
 }
 
+/// Contacts of a body with the sides that it is near: most are too far away for a closer look.
+/// @param margin speculative margin with any side, m
+void NativeWorld::update_sides(std::size_t body, double margin) {
+  const OrientedBox& box = scene_.bodies.shape[body];
+  const Vec3 extent = box.bounding_half_extents();
+  near_sides_[body] = 0;
+  for (std::size_t s = 0; s < scene_.sides.size(); ++s) {
+    const Side& side = scene_.sides[s];
+    const double gap = side.space.normal.dot(box.centre) - side.space.normal.cwiseAbs().dot(extent) -
+                       (side.space.offset - side.play[body]);
+    if (gap > margin + kTouch) continue;
+    near_sides_[body] |= static_cast<std::uint8_t>(1U << s);
+    update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(body));
+  }
+}
+
 void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   const Bodies& bodies = scene_.bodies;
   const std::size_t count = bodies.count();
   lower_.resize(count);
   upper_.resize(count);
+  near_sides_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
     const double speed = bodies.state.velocity[i].norm() + bodies.largest_rotational_speed(i);
     const Vec3 extent = box.bounding_half_extents().array() + 0.5 * speculative_margin(terms_, 2.0 * speed);
     lower_[i] = box.centre - extent;
     upper_[i] = box.centre + extent;
-    if (moved[i] == 0 || bodies.fixed[i] != 0) continue;
-    for (std::size_t s = 0; s < scene_.sides.size(); ++s)
-      update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
+    if (moved[i] != 0 && bodies.fixed[i] == 0) update_sides(i, speculative_margin(terms_, speed));
   }
   // Ends pairs that are no longer near. Backwards, because the last manifold takes the index of one that ends.
   for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
     const Manifold& manifold = scene_.manifolds[m];
-    if (manifold.with_side()) continue;
-    const std::size_t a = at(manifold.a);
     const std::size_t b = at(manifold.b);
+    if (manifold.with_side()) {
+      if (moved[b] != 0 && (near_sides_[b] & 1U << side_of(manifold)) == 0) end_manifold(m);
+      continue;
+    }
+    const std::size_t a = at(manifold.a);
     const bool near = (lower_[a].array() <= upper_[b].array()).all() && (lower_[b].array() <= upper_[a].array()).all();
     if ((moved[a] != 0 || moved[b] != 0) && !near) end_manifold(m);
   }
@@ -100,9 +139,9 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
       update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
 }
 
-/// Whether a body has passed through another in the step. Contacts are looked for along the velocities at its start: a
-/// body that an impact deflects may be beyond another at the end, where no contact shows.
-bool NativeWorld::has_tunnelled(double step) const {
+/// Marks bodies that have passed through others in the step. Contacts are looked for along the velocities at its start:
+/// a body that an impact deflects may be beyond another at the end, where no contact shows.
+void NativeWorld::mark_tunnelled(double step) {
   const Bodies& bodies = scene_.bodies;
   const auto shift = [&](std::size_t i) -> Vec3 {
     if (moving_[i] == 0) return Vec3::Zero();
@@ -118,11 +157,10 @@ bool NativeWorld::has_tunnelled(double step) const {
       if (j == i || !(before.array() * after.array() < 0.0).any()) continue;
       const Vec3 room = box.bounding_half_extents() + other.bounding_half_extents();
       if (!have_passed(before, after, room, options_.missed_contact_overlap)) continue;
-      const auto [first, second] = std::minmax(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
-      if (pairs_.find(first, second) == PairTable::kNone) return true;
+      const auto [first, second] = std::minmax({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
+      if (pairs_.find(first, second) == PairTable::kNone) mark_failed(first, second);
     }
   }
-  return false;
 }
 
 }  // namespace holdfast::internal::native

@@ -101,6 +101,40 @@ void NativeWorld::find_resting_pushes(const IslandView& island) {
   stepper_.find_resting_pushes(scene_, island, terms_);
 }
 
+/// Adds what sleeping bodies do to the sides by themselves: what they did when they fell asleep. What moving bodies do
+/// to them counts as pushing the floor (`IslandProblem::add_pushes`) until they wake, as does what is left over, so
+/// that all sides together balance the load.
+void NativeWorld::add_sleeping_pushes(double duration) {
+  const Bodies& bodies = scene_.bodies;
+  left_.assign(bodies.count(), Vec3::Zero());
+  for (const Manifold& manifold : scene_.manifolds) {
+    if (!manifold.active || !stays(bodies, manifold.a) || !stays(bodies, manifold.b)) continue;
+    for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
+      const Vec3 impulse = duration * manifold.cached[i].force;
+      left_[at(manifold.b)] += impulse;
+      if (!manifold.with_side())
+        left_[at(manifold.a)] -= impulse;
+      else if (bodies.asleep[at(manifold.b)] != 0)
+        add_contact(side_impulses_, scene_.sides[side_of(manifold)].index, -impulse, manifold.contact.points[i].on_a);
+    }
+  }
+  push_floor([&](std::size_t i) -> Vec3 {
+    return left_[i] + duration * (bodies.pushed[i].force + bodies.mass[i] * terms_.effective_gravity);
+  });
+}
+
+/// Adds impulses of the sleeping bodies on the floor, N s.
+void NativeWorld::push_floor(const std::function<Vec3(std::size_t)>& impulse) {
+  const Side* const floor = floor_of(scene_);
+  if (floor == nullptr) return;
+  for (std::size_t i = 0; i < scene_.bodies.count(); ++i) {
+    if (scene_.bodies.asleep[i] == 0) continue;
+    Vec3 below = scene_.bodies.state.position[i];
+    below.z() = 0.0;
+    add_contact(side_impulses_, floor->index, impulse(i), below);
+  }
+}
+
 void NativeWorld::set_at_rest(const IslandView& island) {
   for (const std::uint32_t body : island.bodies) {
     resting_[body] = 1;

@@ -30,6 +30,9 @@ struct Scene {
   std::vector<SidePush> resting_pushes;  ///< of bodies at rest
 };
 
+/// The floor of the container; null where it has none.
+const Side* floor_of(const Scene& scene);
+
 /// Bodies that are solved together, with the manifolds inside: those whose ends are among the bodies or fixed.
 struct IslandView {
   std::span<const std::uint32_t> bodies;

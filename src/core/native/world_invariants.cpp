@@ -35,9 +35,9 @@ class Inspection {
     expect(state.position[i].allFinite() && state.velocity[i].allFinite() && state.angular_velocity[i].allFinite(),
            "the state of a body is finite", i);
     expect(is_unit(state.orientation[i].norm()), "the orientation of a body is a rotation", i);
-    if (world_.resting[i] != 0)
+    if (world_.resting[i] != 0 || world_.scene.bodies.asleep[i] != 0)
       expect(state.velocity[i] == Vec3::Zero() && state.angular_velocity[i] == Vec3::Zero(),
-             "a body at rest has no velocity", i);
+             "a body at rest or asleep has no velocity", i);
   }
 
   void inspect_manifold(std::size_t m) {
@@ -51,7 +51,7 @@ class Inspection {
     expect(world_.pairs.find(manifold.a, manifold.b) == static_cast<std::int32_t>(m),
            "the pair of a manifold leads to the manifold", m);
     inspect_contact(manifold, m);
-    if (!manifold.active || is_fixed(scene.bodies, manifold.a) || is_fixed(scene.bodies, manifold.b)) return;
+    if (!manifold.active || stays(scene.bodies, manifold.a) || stays(scene.bodies, manifold.b)) return;
     expect(world_.islands.of(at(manifold.a)) == world_.islands.of(at(manifold.b)),
            "an island holds both bodies of an active contact", m);
   }

@@ -14,6 +14,7 @@ namespace {
 Bodies bodies_with(std::vector<std::uint8_t> fixed) {
   Bodies bodies;
   bodies.mass.assign(fixed.size(), 1.0);
+  bodies.asleep.assign(fixed.size(), 0);
   bodies.fixed = std::move(fixed);
   return bodies;
 }
@@ -43,6 +44,18 @@ TEST_CASE("connectivity: active contacts join bodies, others do not", "[core][co
   // A contact of two islands belongs to none, one with a side to its body's.
   CHECK(list(islands[0].manifolds).empty());
   CHECK(list(islands[2].manifolds) == Indices{3});
+}
+
+TEST_CASE("connectivity: what sleeps joins nothing and belongs to no island", "[core][connectivity]") {
+  Connectivity islands;
+  Bodies bodies = bodies_with({0, 0, 0});
+  bodies.asleep[1] = 1;
+  islands.find(bodies, {pair(0, 1), pair(1, 2)});
+  REQUIRE(islands.size() == 2);
+  CHECK(list(islands[0].bodies) == Indices{0});
+  CHECK(list(islands[0].manifolds) == Indices{0});
+  CHECK(list(islands[1].bodies) == Indices{2});
+  CHECK(list(islands[1].manifolds) == Indices{1});
 }
 
 TEST_CASE("connectivity: what is fixed joins nothing and belongs to no island", "[core][connectivity]") {

@@ -114,7 +114,8 @@ TEST_CASE("native_impacts: a plate that is struck does not pass the one behind i
                 lowest = std::min(lowest, batch.state.position[1].z() - 0.5 * thickness);
               });
           CAPTURE(static_cast<int>(accuracy), speed, thickness, gap, text(lowest - 1));
-          CHECK(lowest > 1 - 1e-3);
+          // `screening` takes a step again from 1 mm of new overlap.
+          CHECK(lowest > 1 - (accuracy == Accuracy::screening ? 2e-3 : 1e-3));
         }
       }
     }

@@ -26,10 +26,24 @@ std::array<Vec3, 3> directions_of(const Vec3& normal) {
   return {normal, first, normal.cross(first)};
 }
 
+std::array<OrientedBox, 2> poses_of(const Bodies& bodies, std::int32_t a, std::int32_t b) {
+  return {a < 0 ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(a)], bodies.shape[static_cast<std::size_t>(b)]};
+}
+
+ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox, 2>& then,
+                         const std::array<OrientedBox, 2>& now) {
+  ContactSet moved = contact;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+    ContactPoint& point = moved.points[i];
+    point.on_a = carried(then[0], now[0], point.on_a);
+    point.on_b = carried(then[1], now[1], point.on_b);
+    point.gap = contact.normal.dot(point.on_b - point.on_a);
+  }
+  return moved;
+}
+
 void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
-  const std::array<OrientedBox, 2> now = {
-      manifold.with_side() ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(manifold.a)],
-      bodies.shape[static_cast<std::size_t>(manifold.b)]};
+  const std::array<OrientedBox, 2> now = poses_of(bodies, manifold.a, manifold.b);
   const auto old_count = static_cast<std::size_t>(manifold.contact.count);
   const auto count = static_cast<std::size_t>(contact.count);
   std::array<ContactPoint, 8> old;

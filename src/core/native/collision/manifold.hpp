@@ -68,6 +68,14 @@ std::array<Vec3, 3> directions_of(const Vec3& normal);
 /// point that, as part of one of the bodies, has come nearest to it.
 void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies);
 
+/// The contact of two bodies as it is when they have moved, with the same normal and the same points of their surfaces.
+/// @param then,now a and b where the contact was found, and where they are
+ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox, 2>& then,
+                         const std::array<OrientedBox, 2>& now);
+
+/// Where the bodies of a pair are; a side stays where it is.
+std::array<OrientedBox, 2> poses_of(const Bodies& bodies, std::int32_t a, std::int32_t b);
+
 /// Contact of two bodies where they are now; `a` as in `Manifold`, `margin` and `previous` as for `contact_of`.
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
                        double margin, const ContactAxis& previous);

@@ -1,0 +1,134 @@
+#include "core/native/sleeping_bodies.hpp"
+
+#include <algorithm>
+
+#include "core/native/contact_kinematics.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+bool is_asleep(const Bodies& bodies, std::int32_t body) { return body >= 0 && bodies.asleep[at(body)] != 0; }
+
+bool any_asleep(const Bodies& bodies) {
+  return std::any_of(bodies.asleep.begin(), bodies.asleep.end(), [](std::uint8_t asleep) { return asleep != 0; });
+}
+
+/// Sums of the contact forces on the bodies that sleep, N; 0 for the others.
+void contact_forces_on_sleeping(const Scene& scene, std::vector<Vec3>& force) {
+  const Bodies& bodies = scene.bodies;
+  force.assign(bodies.count(), Vec3::Zero());
+  for (const Manifold& manifold : scene.manifolds) {
+    const bool on_a = is_asleep(bodies, manifold.a);
+    const bool on_b = is_asleep(bodies, manifold.b);
+    if (!manifold.active || !(on_a || on_b)) continue;
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < at(manifold.contact.count); ++i) sum += manifold.cached[i].force;
+    if (on_b) force[at(manifold.b)] += sum;
+    if (on_a) force[at(manifold.a)] -= sum;
+  }
+}
+
+}  // namespace
+
+void SleepingBodies::reset(Scene& scene) {
+  wake(scene);
+  std::fill(slow_steps_.begin(), slow_steps_.end(), 0U);
+  steps_ = 0;
+}
+
+void SleepingBodies::wake(Scene& scene) {
+  slept_ = scene.bodies.asleep;
+  std::fill(scene.bodies.asleep.begin(), scene.bodies.asleep.end(), std::uint8_t{0});
+}
+
+bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connectivity& islands,
+                            std::vector<std::uint8_t>& moving) {
+  if (++steps_ % kWakeEvery == 0) return false;
+  Bodies& bodies = scene.bodies;
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    const IslandView island = islands[i];
+    if (island.bodies.size() <= kSmallIslandBodies || moving[island.bodies.front()] == 0) continue;
+    for (const std::uint32_t body : island.bodies) bodies.asleep[body] = slow_steps_[body] >= kSlowSteps ? 1 : 0;
+  }
+  if (!any_asleep(bodies)) return false;
+  wake_hit(scene, terms);
+  contact_forces_on_sleeping(scene, load_now_);
+  stopped_.assign(bodies.count(), Vec3::Zero());
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (bodies.asleep[i] == 0) continue;
+    stopped_[i] = bodies.state.velocity[i];
+    if (slept_[i] == 0) load_[i] = load_now_[i];
+    moving[i] = 0;
+    bodies.state.velocity[i] = bodies.state.angular_velocity[i] = Vec3::Zero();
+    bodies.acceleration[i] = bodies.angular_acceleration[i] = Vec3::Zero();
+  }
+  return true;
+}
+
+/// Those that are hit in the step do not sleep, nor do their neighbours, on which the impact acts at once: against what
+/// stays, a body that moves would lose all of its momentum.
+void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
+  Bodies& bodies = scene.bodies;
+  hit_.assign(bodies.count(), 0);
+  for (const Manifold& manifold : scene.manifolds) {
+    if (manifold.with_side() || is_asleep(bodies, manifold.a) == is_asleep(bodies, manifold.b)) continue;
+    for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
+      const ContactPoint& point = manifold.contact.points[i];
+      const double speed = normal_velocity(bodies, manifold, point);
+      if (speed >= -kJumpShare * terms.velocity_unit || point.gap + terms.step * speed >= 0.0) continue;
+      hit_[at(is_asleep(bodies, manifold.a) ? manifold.a : manifold.b)] = 1;
+    }
+  }
+  for (int layer = 0; layer < kHitLayers; ++layer) {
+    const std::vector<std::uint8_t> before = hit_;
+    for (const Manifold& manifold : scene.manifolds) {
+      if (manifold.with_side() || !manifold.active || !has_end_in(manifold, before)) continue;
+      hit_[at(manifold.a)] = hit_[at(manifold.b)] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (hit_[i] == 0 || bodies.asleep[i] == 0) continue;
+    bodies.asleep[i] = 0;
+    slow_steps_[i] = 0;
+  }
+}
+
+void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving) {
+  const Bodies& bodies = scene.bodies;
+  if (any_asleep(bodies)) wake_overloaded(scene, terms);
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (moving[i] == 0) continue;
+    const double speed = bodies.state.velocity[i].norm() + bodies.largest_rotational_speed(i);
+    if (speed > kSlowSpeed * terms.velocity_unit)
+      slow_steps_[i] = 0;
+    else if (speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
+      ++slow_steps_[i];
+    speed_[i] = speed;
+  }
+}
+
+/// Those whose load has changed by much are no longer slow. A single box between heavy ones may carry many times its
+/// weight, and forces in a jam are not determined: what counts is the change over the box and its sleeping neighbours.
+void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms) {
+  const Bodies& bodies = scene.bodies;
+  contact_forces_on_sleeping(scene, load_now_);
+  change_.assign(bodies.count(), Vec3::Zero());
+  mass_.assign(bodies.count(), 0.0);
+  const auto add = [&](std::size_t to, std::size_t of) {
+    change_[to] += load_now_[of] - load_[of];
+    mass_[to] += bodies.mass[of];
+  };
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.asleep[i] != 0) add(i, i);
+  for (const Manifold& manifold : scene.manifolds) {
+    if (!manifold.active || !is_asleep(bodies, manifold.a) || !is_asleep(bodies, manifold.b)) continue;
+    add(at(manifold.a), at(manifold.b));
+    add(at(manifold.b), at(manifold.a));
+  }
+  const double most = kSleepingLoadChange * terms.effective_gravity.norm();
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.asleep[i] != 0 && change_[i].norm() > most * mass_[i]) slow_steps_[i] = 0;
+}
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/native/connectivity.hpp"
+#include "core/native/scene.hpp"
+
+namespace holdfast::internal::native {
+
+/// Which bodies of moving islands sleep: those that have been slow for some steps stay where they are, as if they were
+/// fixed, while the others are stepped against them. Most bodies of a load that moves are slow, and what is stepped
+/// falls into many small islands.
+///
+/// Four things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
+/// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
+/// since they fell asleep. Bodies that are hit, and those near them, do not sleep in that step. And all wake where the
+/// effective gravity changes.
+class SleepingBodies {
+ public:
+  explicit SleepingBodies(std::size_t bodies = 0)
+      : slow_steps_(bodies, 0), speed_(bodies, 0.0), load_(bodies, Vec3::Zero()) {}
+
+  /// Wakes all bodies, and forgets how long they have been slow: the effective gravity has changed.
+  void reset(Scene& scene);
+
+  /// Wakes all bodies: the islands of the scene are the real ones.
+  void wake(Scene& scene);
+
+  /// Lets bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer count
+  /// as moving. True where there are any; the islands must then be found anew.
+  /// @param islands the real ones
+  bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands, std::vector<std::uint8_t>& moving);
+
+  /// Velocities that the bodies lost that the last `choose` put to sleep, m/s.
+  const std::vector<Vec3>& stopped() const { return stopped_; }
+
+  /// After the step: counts how long bodies have been slow.
+  void note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving);
+
+ private:
+  void wake_hit(Scene& scene, const StepTerms& terms);
+  void wake_overloaded(const Scene& scene, const StepTerms& terms);
+
+  std::vector<std::uint32_t> slow_steps_;  ///< a body: steps in which it was slow, since it was fast or overloaded
+  std::vector<double> speed_;              ///< a body: of any of its points, at most, when it was last awake, m/s
+  std::vector<Vec3> load_;                 ///< a body that sleeps: sum of its contact forces when it fell asleep, N
+  std::uint32_t steps_ = 0;                ///< since the effective gravity changed
+  std::vector<std::uint8_t> slept_;        ///< a body: asleep in the step before
+  std::vector<Vec3> stopped_;
+  // Work buffers, an entry per body.
+  std::vector<std::uint8_t> hit_;
+  std::vector<Vec3> load_now_, change_;
+  std::vector<double> mass_;
+};
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,112 @@
+#include "core/native/sleeping_bodies.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "core/native/native_scenes.hpp"
+
+using namespace holdfast::internal;
+using namespace holdfast::internal::native;
+using namespace holdfast::internal::scenes;
+using native_scenes::OneWorld;
+
+namespace {
+
+constexpr double kBraking = 3.0;   // m/s²
+constexpr double kSlippery = 0.2;  // coefficient of friction of the slider on the plate
+
+/// A plate with boxes on it, which are one island, far from the walls; material 2 is slippery.
+Layout boxes_on_a_plate(int count) {
+  Layout layout = layout_of({box({1, 1, 0}, {8, 4, 0.1})});
+  for (int i = 0; i < count; ++i) layout.boxes.push_back(box({1.2 + 0.5 * i, 1.2, 0.1}, {0.4, 0.4, 0.3}));
+  Box slider = box({8.0, 3.0, 0.1}, {0.4, 0.4, 0.3});
+  slider.material = 2;
+  layout.boxes.push_back(slider);
+  return layout;
+}
+
+Settings on_the_floor(double slippery, Accuracy accuracy = Accuracy::screening) {
+  Settings settings = native_scenes::with(accuracy, open_floor(0.0));
+  settings.contact.friction_model = FrictionModel::product;
+  settings.materials[2].friction = slippery / settings.box_friction;
+  return settings;
+}
+
+std::ptrdiff_t asleep(const OneWorld& scene) {
+  const std::vector<std::uint8_t>& asleep = scene.world.view().scene.bodies.asleep;
+  return std::count(asleep.begin(), asleep.end(), 1);
+}
+
+/// Most bodies that sleep in any step.
+std::ptrdiff_t most_asleep(OneWorld& scene) {
+  std::ptrdiff_t most = 0;
+  scene.run([&] { most = std::max(most, asleep(scene)); });
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("sleeping_bodies: while one box of a large island slides, the others sleep", "[core][sleeping_bodies]") {
+  for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard}) {
+    OneWorld scene(on_the_floor(kSlippery, accuracy), boxes_on_a_plate(10), constant(kBraking, 1.0));
+    const StateColumns start = scene.batch.state;
+    CHECK(most_asleep(scene) == 11);
+    for (std::size_t i = 0; i < 11; ++i) CHECK((scene.batch.state.position[i] - start.position[i]).norm() < 1e-8);
+    const double path = 0.5 * (kBraking - kSlippery * kGravity);
+    CHECK(start.position[11].x() - scene.batch.state.position[11].x() == Approx(path).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("sleeping_bodies: not in small islands, not at reference, not where Sleep is off",
+          "[core][sleeping_bodies]") {
+  OneWorld small(on_the_floor(kSlippery), boxes_on_a_plate(6), constant(kBraking, 0.5));
+  CHECK(most_asleep(small) == 0);
+  OneWorld exact(on_the_floor(kSlippery, Accuracy::reference), boxes_on_a_plate(10), constant(kBraking, 0.05));
+  CHECK(most_asleep(exact) == 0);
+  Settings settings = on_the_floor(kSlippery);
+  settings.native.sleep = false;
+  OneWorld off(settings, boxes_on_a_plate(10), constant(kBraking, 0.5));
+  CHECK(most_asleep(off) == 0);
+}
+
+TEST_CASE("sleeping_bodies: all are awake in every eighth step, and where the acceleration changes",
+          "[core][sleeping_bodies]") {
+  const Acceleration acceleration = acceleration_of({{0.5, Vec3(kBraking, 0, 0)}, {0.5, Vec3(0, kBraking, 0)}});
+  OneWorld scene(on_the_floor(kSlippery), boxes_on_a_plate(10), acceleration);
+  std::vector<std::ptrdiff_t> counts;
+  scene.run([&] { counts.push_back(asleep(scene)); });
+  REQUIRE(counts.size() == 60);
+  std::size_t longest = 0, run = 0;
+  for (const std::ptrdiff_t count : counts) longest = std::max(longest, run = count > 0 ? run + 1 : 0);
+  CHECK(longest == 7);
+  CHECK(counts[29] > 0);
+  CHECK(counts[30] == 0);
+}
+
+TEST_CASE("sleeping_bodies: what begins to slide however slowly stays awake", "[core][sleeping_bodies]") {
+  // Just above the limit of friction: after ten steps the speed is still below that of slow bodies.
+  const double excess = 1e-3;  // m/s²
+  OneWorld scene(on_the_floor((kBraking - excess) / kGravity), boxes_on_a_plate(10), constant(kBraking, 1.0));
+  const StateColumns start = scene.batch.state;
+  scene.run();
+  const double path = start.position[11].x() - scene.batch.state.position[11].x();
+  CHECK(path == Approx(0.5 * excess).epsilon(0.05));
+}
+
+TEST_CASE("sleeping_bodies: what is hit wakes, and is pushed as it would be awake", "[core][sleeping_bodies]") {
+  // The slider is heavy, and meets the light first box of another row after 0.4 m.
+  double path[2] = {};
+  for (const bool sleep : {false, true}) {
+    Settings settings = on_the_floor(kSlippery);
+    settings.native.sleep = sleep;
+    settings.materials[2].density = 4000.0;
+    Layout layout = boxes_on_a_plate(10);
+    layout.boxes.push_back(box({7.4, 3.0, 0.1}, {0.2, 0.4, 0.3}));
+    OneWorld scene(settings, layout, constant(kBraking, 1.5));
+    const StateColumns start = scene.batch.state;
+    CHECK((most_asleep(scene) > 0) == sleep);
+    path[sleep ? 1 : 0] = start.position[12].x() - scene.batch.state.position[12].x();
+  }
+  CHECK(path[0] > 0.3);
+  CHECK(path[1] == Approx(path[0]).epsilon(0.03));
+}
