@@ -8,7 +8,7 @@ install(TARGETS holdfast_library holdfast_core EXPORT holdfastTargets
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/holdfast DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(plugin holdfast-page-server holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
   if(TARGET ${plugin})
-    install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${HOLDFAST_PLUGIN_FOLDER})
   endif()
 endforeach()
 
