@@ -191,16 +191,17 @@ class GeneratedLayouts(ShardTest):
                        stdout=subprocess.DEVNULL, check=True)
         self.arguments = ["screen", "--layouts", "layouts", "--norm", "road", "--accuracy", "screening", "--quiet"]
 
-    def seconds(self, *arguments):
-        """That a command takes, which must succeed."""
+    def seconds(self, *arguments, codes=(0, 1)):
+        """That a command takes; of thousands of layouts a world may miss its tolerance."""
         begin = time.monotonic()
-        self.assert_exit(self.run_here(*arguments, timeout=None), 0)
+        done = self.run_here(*arguments, timeout=None)
+        self.assertIn(done.returncode, codes, done.stderr)
         return time.monotonic() - begin
 
     def test_seven_shards_are_merged_to_the_file_of_one_run(self):
         whole = self.seconds(*self.arguments, "-o", "whole.h5")
         shards = sum(self.seconds(*self.arguments, "-o", "results.h5", "--part", f"{part}/7") for part in range(1, 8))
-        merge = self.seconds("merge", "results.h5")
+        merge = self.seconds("merge", "results.h5", codes=(0,))
         self.assert_same_file(self.folder / "whole.h5", self.folder / "results.h5")
         size = (self.folder / "results.h5").stat().st_size / 1e6
         print(f"{len(list((self.folder / 'layouts').iterdir()))} layouts, {size:.1f} MB: one run {whole:.1f} s, seven shards "
