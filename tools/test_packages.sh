@@ -36,6 +36,14 @@ cp -r configs "$root/tmp/configs"
 inside sh -c 'cd /tmp && holdfast screen --layouts configs/layouts --norm road --accuracy screening -o results.h5 2> /dev/null' | head -8
 inside sh -c 'cd /tmp && holdfast engines && bash -n /usr/share/bash-completion/completions/holdfast'
 step "the first verdict"
+if compgen -G "$root/tmp/packages/holdfast-viewer_*.deb" > /dev/null; then
+  inside sh -c 'cd /tmp && holdfast view results.h5 --no-open'
+  step "the page"
+fi
+inside sh -c 'cd /tmp && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 holdfast-mpi \
+  screen --layouts configs/layouts --norm road --accuracy screening --threads 1 --quiet -o ranks.h5 &&
+  holdfast summary results.h5 > one && holdfast summary ranks.h5 > two && cmp one two'
+step "the same by two ranks"
 inside python3 -c 'import holdfast
 with holdfast.Screen(norm="road", accuracy="screening", unit="cm") as screen:
     print(screen.evaluate([[[0, 0, 0, 80, 60, 50, 1]]]).verdict)'
