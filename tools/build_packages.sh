@@ -31,8 +31,8 @@ if $viewer; then
 fi
 (cd "$work/holdfast" && DEB_BUILD_OPTIONS="nocheck noautodbgsym parallel=$(tools/job_count.sh)" dpkg-buildpackage -b -us -uc > "$folder/build.log" 2>&1) ||
   { tail -20 "$folder/build.log" >&2; exit 1; }
-rm -f "$folder"/*.deb "$folder"/*.changes
-mv "$work"/*.deb "$work"/*.changes "$folder"
+rm -f "$folder"/*.{deb,changes,buildinfo}
+mv "$work"/*.{deb,changes,buildinfo} "$folder"
 # They are not uploaded to Debian, so there is no bug to close.
 lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs "$folder"/*.changes
 ls "$folder"/*.deb
