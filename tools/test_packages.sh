@@ -32,6 +32,8 @@ rm -f "$root"/tmp/packages/*-dbgsym_*.deb
 inside sh -c 'apt-get -qq install -y --no-install-recommends /tmp/packages/*.deb > /dev/null'
 step "install"
 
+inside holdfast --version
+! inside holdfast --version | grep -q unknown || { echo "the program does not know its commit" >&2; exit 1; }
 cp -r configs "$root/tmp/configs"
 inside sh -c 'cd /tmp && holdfast screen --layouts configs/layouts --norm road --accuracy screening -o results.h5 2> /dev/null' | head -8
 inside sh -c 'cd /tmp && holdfast engines && bash -n /usr/share/bash-completion/completions/holdfast'
