@@ -95,7 +95,7 @@ class InstalledTest(unittest.TestCase):
         folder = self.folder / "c_alone"
         folder.mkdir()
         (folder / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 0.2 REQUIRED)\n"
+            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 1.0 REQUIRED)\n"
             f"add_executable(plain {SOURCE}/examples/embed/plain.c)\n"
             "target_link_libraries(plain PRIVATE holdfast::holdfast)\n")
         done("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
