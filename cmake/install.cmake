@@ -8,7 +8,7 @@ install(TARGETS holdfast_library holdfast_core EXPORT holdfastTargets
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/holdfast DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(plugin holdfast-page-server holdfast-bullet holdfast-bullet-f64 holdfast-bullet-opencl)
   if(TARGET ${plugin})
-    install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS ${plugin} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${HOLDFAST_PLUGIN_FOLDER})
   endif()
 endforeach()
 
@@ -16,7 +16,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/holdfast)
 install(EXPORT holdfastTargets NAMESPACE holdfast:: DESTINATION ${package_folder})
 configure_package_config_file(cmake/holdfastConfig.cmake.in ${PROJECT_BINARY_DIR}/holdfastConfig.cmake
   INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/holdfastConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/holdfastConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/holdfastConfig.cmake ${PROJECT_BINARY_DIR}/holdfastConfigVersion.cmake
   DESTINATION ${package_folder})
 

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 packages=$(cd "${1:-build/packages}" && pwd)
 ((EUID == 0)) || { echo "$0: debootstrap and chroot take root" >&2; exit 2; }
-command -v debootstrap > /dev/null || apt-get -qq install -y --no-install-recommends debootstrap
+command -v debootstrap > /dev/null || apt-get -qq install -y --no-install-recommends debootstrap > /dev/null 2>&1
 
 root=$(mktemp -d)
 finish() {
@@ -32,10 +32,20 @@ rm -f "$root"/tmp/packages/*-dbgsym_*.deb
 inside sh -c 'apt-get -qq install -y --no-install-recommends /tmp/packages/*.deb > /dev/null'
 step "install"
 
+inside holdfast --version
+! inside holdfast --version | grep -q unknown || { echo "the program does not know its commit" >&2; exit 1; }
 cp -r configs "$root/tmp/configs"
 inside sh -c 'cd /tmp && holdfast screen --layouts configs/layouts --norm road --accuracy screening -o results.h5 2> /dev/null' | head -8
 inside sh -c 'cd /tmp && holdfast engines && bash -n /usr/share/bash-completion/completions/holdfast'
 step "the first verdict"
+if compgen -G "$root/tmp/packages/holdfast-viewer_*.deb" > /dev/null; then
+  inside sh -c 'cd /tmp && holdfast view results.h5 --no-open'
+  step "the page"
+fi
+inside sh -c 'cd /tmp && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 holdfast-mpi \
+  screen --layouts configs/layouts --norm road --accuracy screening --threads 1 --quiet -o ranks.h5 &&
+  holdfast summary results.h5 > one && holdfast summary ranks.h5 > two && cmp one two'
+step "the same by two ranks"
 inside python3 -c 'import holdfast
 with holdfast.Screen(norm="road", accuracy="screening", unit="cm") as screen:
     print(screen.evaluate([[[0, 0, 0, 80, 60, 50, 1]]]).verdict)'

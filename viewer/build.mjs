@@ -1,5 +1,5 @@
 // Builds the page: bundles the sources and puts script, worker and style into one HTML file.
-//   node build.mjs            build/viewer/viewer.html
+//   node build.mjs            build/viewer/viewer.html, and licenses.txt
 //   node build.mjs --tests    the unit tests, into build/viewer/tests
 import { existsSync } from "node:fs";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
@@ -11,6 +11,25 @@ const here = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathna
 const output = path.join(here, "../build/viewer");
 /** The engine in WebAssembly, where `make viewer-engine` has built it. */
 const engine = path.join(output, "engine.mjs");
+/** Whose code is in the page beside ours: their licences go where it goes. HDF5's is in that of h5wasm. */
+const pageLicenses = {
+  h5wasm: path.join(here, "node_modules/h5wasm/LICENSE.txt"),
+  three: path.join(here, "node_modules/three/LICENSE"),
+};
+/** The engine's, as Debian's packages have them that it is built from. */
+const engineLicenses = {
+  Eigen: "/usr/share/doc/libeigen3-dev/copyright",
+  Highway: "/usr/share/doc/libhwy-dev/copyright",
+  fast_float: "/usr/share/doc/libfast-float-dev/copyright",
+  emscripten: "/usr/share/doc/emscripten/copyright",
+};
+
+async function licensesText(withEngine) {
+  const files = Object.entries({ ...pageLicenses, ...(withEngine ? engineLicenses : {}) });
+  const text = async (file) => (existsSync(file) ? (await readFile(file, "utf8")).trim() : `not found: ${file}`);
+  const texts = await Promise.all(files.map(async ([name, file]) => `---- ${name} ----\n\n${await text(file)}\n`));
+  return texts.join("\n\n");
+}
 
 /** One script of everything that an entry file uses. */
 async function bundle(entry) {
@@ -50,6 +69,7 @@ async function buildPage() {
   const html = page.replaceAll(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
   await mkdir(output, { recursive: true });
   await writeFile(path.join(output, "viewer.html"), html);
+  await writeFile(path.join(output, "licenses.txt"), await licensesText(live !== ""));
   console.log(
     `build/viewer/viewer.html: ${(html.length / 1e6).toFixed(2)} MB${live ? "" : ", without the engine: make viewer-engine builds it"}`,
   );

@@ -42,14 +42,13 @@
  * Arrays are those of the caller, and are read or written during the call only. Structures that begin with their size
  * are set to zero beyond it for defaults: a later version of the library may know more members.
  *
- * Compatibility: as for holdfast.hpp. Before 1.0 a minor version may change what is declared here, and the soname of
- * the library changes with it; a patch version may not. */
+ * Compatibility: as for holdfast.hpp. A minor version may add to what is declared here, and changes nothing of it. */
 
 #include <stddef.h>
 #include <stdint.h>
 
 /* Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch. */
-#define HOLDFAST_VERSION 200
+#define HOLDFAST_VERSION 10000
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
@@ -74,7 +73,7 @@ enum {
   HOLDFAST_NONE = 8          /* no layout is in flight */
 };
 
-/* Version of the library that is linked, such as "0.2.0". May be called from any thread. */
+/* Version of the library that is linked, such as "1.0.0". May be called from any thread. */
 HOLDFAST_API const char* holdfast_version(void);
 
 /* ---- Settings: keys of config.ini and their values, see docs/config.md. ---- */

@@ -13,8 +13,8 @@
 /// Frame: that of the container, right-handed; x along its length from the front wall to the door, y across, z up; the
 /// origin is the lower corner at the front wall with the smallest coordinates. SI units throughout, unless stated.
 ///
-/// Compatibility: versions follow semantic versioning. Before 1.0 a minor version may change what is declared here, and
-/// a patch version may not; from 1.0 on only a major version may. Types that cross the border are from the C++ standard
+/// Compatibility: versions follow semantic versioning. A minor version may add functions, and changes neither functions
+/// nor types that are declared here; a major version may. Types that cross the border are from the C++ standard
 /// library, so that program and library must be built with the same one. Bits of results may change with a minor
 /// version; the changelog says so.
 
@@ -33,7 +33,7 @@
 #include <holdfast/outcomes.hpp>
 
 /// Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch.
-#define HOLDFAST_VERSION 200
+#define HOLDFAST_VERSION 10000
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
@@ -45,7 +45,7 @@
 
 namespace holdfast {
 
-/// Version of the library that is linked, such as "0.2.0". May be called from any thread.
+/// Version of the library that is linked, such as "1.0.0". May be called from any thread.
 HOLDFAST_API const char* version() noexcept;
 
 /// One thing that is wrong with an input, in the parts that a message needs. Text that does not apply is empty, a place

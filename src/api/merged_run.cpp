@@ -130,9 +130,8 @@ Result<RunOfShards> RunOfShards::gather(const std::vector<std::string>& paths) {
 }
 
 Result<std::uint64_t> RunOfShards::block_after(std::uint64_t worlds) const {
-  const std::uint64_t of_block = shards_.front().shard().shard.block * run_.accelerations.size();
   if (worlds == world_count()) return block_count();
-  if (worlds % of_block == 0) return worlds / of_block;
+  if (worlds % block_worlds() == 0) return worlds / block_worlds();
   return Error{.what = "cannot go on after worlds that do not end with a block of the shards",
                .value = fmt::format("{} of {} worlds", worlds, world_count()),
                .accepted = "--overwrite starts anew"};
@@ -148,7 +147,7 @@ Result<ColumnSet> RunOfShards::read(std::uint64_t block, const AxisCounts& place
 
 std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& results_path,
                                   const OutputLock& /*lock*/, Workers& workers, const StopRequest& stop,
-                                  const std::function<void(std::uint64_t)>& progress) {
+                                  RunObserver& observer) {
   using Placed = std::unique_ptr<SinkUnit>;
   const Result<Progress> finished = find_finished(results_path, fingerprint(shards.run()));
   if (!finished) return finished.error();
@@ -161,6 +160,9 @@ std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& 
     if (!writer) return writer.error();
     std::mutex hdf5;  // which one thread at a time may call; reading and writing are stages of their own
     std::uint64_t done = *first_block;
+    RunProgress progress{
+        .total = shards.world_count(), .resumed = finished->world_count, .done = finished->world_count};
+    observer.started(progress);
     const auto read = [&](std::uint64_t&& block) -> Placed {
       const std::lock_guard lock(hdf5);
       if (failure) return nullptr;
@@ -180,7 +182,7 @@ std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& 
       if (!unit || failure) return false;
       failure = unit->write();
       if (failure) return false;
-      progress(++done);
+      progress.done = shards.worlds_of(++done);
       return true;
     };
     const auto next = [&](std::size_t block) -> std::optional<std::uint64_t> {
@@ -188,6 +190,7 @@ std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& 
     };
     run_in_order(workers, shards.block_count() - *first_block, next, read, pack, write);
     if (!failure) failure = (*writer)->finish();
+    observer.ended();
     if (failure || done < shards.block_count()) return failure;
   }
   auto error = assemble(results_path, shards.run(), &stop.no_more);

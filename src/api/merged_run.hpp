@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +26,8 @@ class RunOfShards {
   std::uint64_t world_count() const { return run_.layout_names.size() * run_.accelerations.size(); }
 
   std::uint64_t block_count() const { return shards_.front().shard().shard.block_count(); }
+  /// Worlds of as many of the first blocks.
+  std::uint64_t worlds_of(std::uint64_t blocks) const { return std::min(blocks * block_worlds(), world_count()); }
   /// The block with which a merge goes on after so many worlds; an error if these end within a block.
   Result<std::uint64_t> block_after(std::uint64_t worlds) const;
   /// A block's columns, from the shard that has it.
@@ -33,6 +35,9 @@ class RunOfShards {
   Result<ColumnSet> read(std::uint64_t block, const AxisCounts& placed) const;
 
  private:
+  /// Worlds of a block; the last one may have fewer.
+  std::uint64_t block_worlds() const { return shards_.front().shard().shard.block * run_.accelerations.size(); }
+
   std::vector<ShardFile> shards_;  ///< by their part; empty ones of a run with few blocks are left out
   RunDescription run_;
 };
@@ -40,10 +45,9 @@ class RunOfShards {
 /// Writes the results file of the run: the same bytes as if all had been simulated by one process, times aside. Blocks
 /// are read one at a time and compressed on all threads. A merge that was interrupted goes on where its parts end.
 /// @param lock     on the results file, held by the caller
-/// @param progress called after each block with the blocks that are done
+/// @param observer `started` and `ended` are called when there are blocks to write, and nothing else
 /// @return an error; none when `stop` ended it, and then the file is not there
 std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& results_path, const OutputLock& lock,
-                                  Workers& workers, const StopRequest& stop,
-                                  const std::function<void(std::uint64_t)>& progress);
+                                  Workers& workers, const StopRequest& stop, RunObserver& observer);
 
 }  // namespace holdfast::internal

@@ -5,8 +5,8 @@
 
 namespace holdfast::internal {
 
-/// Path of an engine's plug-in: beside the library that holds this code, or in the library folder that belongs to the
-/// program that holds it. The file need not be there.
+/// Path of a plug-in: in the folder of plug-ins below that of the libraries (`lib/holdfast/VERSION`), or beside the
+/// library or program that holds this code. The file need not be there.
 /// @param name file name, such as `libholdfast-bullet.so`
 std::filesystem::path plugin_file(const std::string& name);
 

@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -7,10 +11,13 @@
 #include "api/merged_run.hpp"
 #include "app/commands.hpp"
 #include "app/crash_guard.hpp"
+#include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/screening.hpp"
 #include "app/stop_signal.hpp"
+#include "core/engine/run_observer.hpp"
 #include "io/results/results_removal.hpp"
+#include "parallel/schedulers/ticker.hpp"
 
 namespace holdfast::internal {
 
@@ -47,6 +54,43 @@ ExitCode check_readable(const std::vector<std::string>& paths) {
   return ExitCode::done;
 }
 
+/// Shows how far a merge is on standard error, as a run of worlds does.
+class MergeObserver final : public RunObserver {
+ public:
+  explicit MergeObserver(bool quiet) : quiet_(quiet) {}
+
+  void started(const RunProgress& progress) override {
+    progress_ = &progress;
+    line_.emplace(progress, "worlds", stderr, quiet_);
+    line_->show();
+    ticker_ = std::make_unique<Ticker>(std::chrono::milliseconds(250), [this] { tick(); });
+  }
+
+  void ended() override {
+    ticker_.reset();
+    line_.reset();
+    done_ = progress_->done;
+  }
+
+  /// Worlds in the file when the merge ended.
+  std::uint64_t done() const { return done_; }
+
+ private:
+  void tick() {
+    try {
+      line_->show();
+    } catch (const std::bad_alloc&) {
+      // The next tick may find room.
+    }
+  }
+
+  const bool quiet_;
+  const RunProgress* progress_ = nullptr;
+  std::uint64_t done_ = 0;
+  std::optional<ProgressLine> line_;
+  std::unique_ptr<Ticker> ticker_;
+};
+
 }  // namespace
 
 ExitCode run_merge_command(const MergeOptions& options) {
@@ -64,14 +108,13 @@ ExitCode run_merge_command(const MergeOptions& options) {
   }
   const StopSignal& stop = watch_stop_signals();
   Workers workers(Scheduler::tbb, options.threads);
-  const std::uint64_t blocks = shards->block_count();
-  std::uint64_t done = 0;
-  const auto error =
-      merge_shards(*shards, options.results_path, *lock, workers, stop, [&](std::uint64_t count) { done = count; });
+  MergeObserver observer(options.quiet);
+  const auto error = merge_shards(*shards, options.results_path, *lock, workers, stop, observer);
   if (error) return fail(ExitCode::some_failed, *error);
   std::error_code unknown;
   if (!std::filesystem::exists(options.results_path, unknown)) {
-    print_to(stderr, "stopped after {} of {} blocks; the same command continues\n", done, blocks);
+    print_to(stderr, "stopped after {} of {} worlds; the same command continues\n", observer.done(),
+             shards->world_count());
     return exit_code_of(stop);
   }
   if (!options.quiet)

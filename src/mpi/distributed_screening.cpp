@@ -26,6 +26,13 @@ ExitCode worst(ExitCode own) {
   return static_cast<ExitCode>(code);
 }
 
+/// Whether it is so on all ranks; on all ranks.
+bool on_all(bool own) {
+  int all = own ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
+  return all != 0;
+}
+
 /// What rank 0 finds before anything is simulated. The ranks do not lock the results file together, but each its shard.
 std::optional<Error> prepare(const ScreeningJob& job) {
   const std::string folder = shards_folder(job.results_path);
@@ -52,24 +59,31 @@ std::optional<Error> prepare(const ScreeningJob& job) {
   return std::nullopt;
 }
 
-/// Simulates shards until there are no more, or one cannot be simulated.
-ExitCode run_shards(const ScreeningJob& job, SharedCounter& counter) {
+struct ShardsEnd {
+  ExitCode code = ExitCode::done;  ///< the worst of them
+  bool finished = true;            ///< whether all were, also where worlds failed
+};
+
+/// Simulates shards until there are no more, or one cannot be finished: then others would fare no better.
+ShardsEnd run_shards(const ScreeningJob& job, SharedCounter& counter) {
   ScreeningJob of_shards = job;
   of_shards.quiet = true;
   of_shards.existing = ExistingResults::resume;
   const DividedJob divided(of_shards, read_accelerations(job), kMostShards);
   const std::uint64_t count = divided.shards_with_layouts();
-  ExitCode code = ExitCode::done;
-  for (std::uint64_t next = counter.add(1); next < count; next = counter.add(1)) {
+  ShardsEnd end;
+  for (std::uint64_t next = counter.add(1); next < count && end.finished; next = counter.add(1)) {
     if (!job.quiet && SharedCounter::rank() == 0) print_to(stderr, "shard {} of {}\n", next + 1, count);
     const Result<ScreeningJob> shard = divided.shard(next + 1);
     const ExitCode ended = shard ? run_screening(*shard) : fail(ExitCode::bad_usage, shard.error());
-    code = std::max(code, ended);
-    if (ended == ExitCode::done || ended == ExitCode::some_failed) continue;
-    counter.add(count);  // no rank takes another
-    break;
+    end.code = std::max(end.code, ended);
+    // Without a file where it could not be written, as on a full disk.
+    std::error_code unknown;
+    end.finished = (ended == ExitCode::done || ended == ExitCode::some_failed) &&
+                   std::filesystem::exists(shard->results_path, unknown);
+    if (!end.finished) counter.add(count);  // no rank takes another
   }
-  return code;
+  return end;
 }
 
 /// Merges the shards and removes them.
@@ -98,8 +112,14 @@ ExitCode run_distributed(const ScreeningJob& job) {
   }
   code = worst(code);
   if (code != ExitCode::done) return code;
-  code = worst(run_shards(job, counter));
-  if (code != ExitCode::done && code != ExitCode::some_failed) return code;
+  const ShardsEnd end = run_shards(job, counter);
+  code = worst(end.code);
+  if (!on_all(end.finished)) {
+    if (first && code != ExitCode::bad_usage)
+      print_to(stderr, "shards that are finished are in {}; the same command with --resume continues\n",
+               shards_folder(job.results_path));
+    return code;
+  }
   return worst(std::max(code, first ? merge(job) : ExitCode::done));
 }
 

@@ -14,6 +14,22 @@ BUILD = pathlib.Path(os.environ["HOLDFAST_BUILD"])
 ACCELERATION = SOURCE / "configs/accelerations/road_brake_0g8.txt"
 LAYOUTS = sorted((SOURCE / "configs/layouts").glob("*.txt"))
 
+# Prints, by the C interface, for each engine of Bullet what keeps it from being made.
+ENGINES_OF_LIBRARY = """
+import ctypes, sys
+from ctypes import byref, c_char_p, c_int32, c_size_t, c_void_p
+
+class Options(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("engine", c_char_p)]
+
+library = ctypes.CDLL(sys.argv[1])
+library.holdfast_screen_message.restype = c_char_p
+for name in ("bullet", "bullet-f64", "bullet-stock"):
+    screen = c_void_p()
+    library.holdfast_screen_new(None, byref(Options(ctypes.sizeof(Options), name.encode())), byref(screen))
+    print(name, library.holdfast_screen_message(screen).decode() or "is there")
+"""
+
 
 def done(*words, **options):
     """Output of a command that must succeed."""
@@ -79,7 +95,7 @@ class InstalledTest(unittest.TestCase):
         folder = self.folder / "c_alone"
         folder.mkdir()
         (folder / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 0.2 REQUIRED)\n"
+            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 1.0 REQUIRED)\n"
             f"add_executable(plain {SOURCE}/examples/embed/plain.c)\n"
             "target_link_libraries(plain PRIVATE holdfast::holdfast)\n")
         done("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
@@ -90,11 +106,28 @@ class InstalledTest(unittest.TestCase):
         headers = [path.name for path in (self.prefix / "include").rglob("*") if path.is_file()]
         self.assertEqual(sorted(headers), ["holdfast.h", "holdfast.hpp", "outcomes.hpp"])
 
-    def test_plugins_are_found_beside_the_library(self):
-        listed = done(self.prefix / "bin/holdfast", "engines")
-        for name in ("bullet ", "bullet-f64 ", "bullet-stock "):
-            line = next(line for line in listed.splitlines() if line.startswith(name))
+    def assert_finds_engines(self, *words):
+        """The output has a line for each engine of Bullet, and misses none."""
+        listed = done(*words).splitlines()
+        for name in ("bullet", "bullet-f64", "bullet-stock"):
+            line = next(line for line in listed if line.split()[0] == name)
             self.assertNotIn("missing", line)
+            self.assertNotIn("cannot be loaded", line)
+
+    def test_plugins_have_a_folder_of_their_own(self):
+        self.assertEqual({path.name for path in self.library.glob("libholdfast*")} -
+                         {path.name for path in self.library.glob("libholdfast.so*")}, {"libholdfast-core.a"})
+        plugins = sorted((self.library / "holdfast").glob("*/libholdfast-*.so"))
+        self.assertLessEqual({"libholdfast-bullet.so", "libholdfast-bullet-f64.so"}, {path.name for path in plugins})
+        of_library = (sys.executable, "-c", ENGINES_OF_LIBRARY, self.library / "libholdfast.so")
+        self.assert_finds_engines(self.prefix / "bin/holdfast", "engines")
+        self.assert_finds_engines(*of_library)
+        # All in one folder, as in a Python package, they are found too.
+        for plugin in plugins:
+            self.addCleanup(shutil.move, self.library / plugin.name, plugin)
+            shutil.move(plugin, self.library)
+        self.assert_finds_engines(*of_library)
+        self.assertIn("missing", done(self.prefix / "bin/holdfast", "engines"))
 
 
 if __name__ == "__main__":

@@ -150,3 +150,22 @@ class CliTest(unittest.TestCase):
                 apart = {"created_utc", "command_line", "Screening/Threads", "Screening/Scheduler"}
                 self.assertEqual({k: v for k, v in one[group].attrs.items() if k not in apart},
                                  {k: v for k, v in two[group].attrs.items() if k not in apart})
+
+
+class SmallDisk(CliTest):
+    """A test with a file system of its own, `disk`, which is made small, full or read-only by mounting it anew."""
+
+    def setUp(self):
+        super().setUp()
+        self.disk = self.folder / "disk"
+        self.disk.mkdir()
+        if self.mount("size=64m") != 0:
+            self.skipTest("this user may not mount a file system")
+        self.addCleanup(subprocess.run, ["umount", self.disk], check=True)
+
+    def mount(self, options, *more):
+        return subprocess.run(["mount", "-t", "tmpfs", "-o", options, *more, "tmpfs", self.disk],
+                              stderr=subprocess.DEVNULL, check=False).returncode
+
+    def remount(self, options):
+        self.assertEqual(self.mount(f"remount,{options}"), 0)

@@ -7,13 +7,12 @@ import random
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
 
 import h5py
 
-from cli import CONFIG, HOLDFAST, PATIENCE, SEED, CliTest, layout_text, start, wait_for
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, CliTest, SmallDisk, layout_text, start, wait_for
 
 KILLS = int(os.environ.get("HOLDFAST_KILLS", "10"))
 LONG_ENOUGH = 1.0  # s of an undisturbed run: several parts, and moments between them
@@ -175,24 +174,7 @@ class LostParts(ManyWorlds):
         self.assertNotIn("safe", said)
 
 
-class SmallDisk(ManyWorlds):
-    """A file system of its own, full or read-only."""
-
-    def setUp(self):
-        super().setUp()
-        self.disk = self.folder / "disk"
-        self.disk.mkdir()
-        if self.mount("size=64m") != 0:
-            self.skipTest("this user may not mount a file system")
-        self.addCleanup(subprocess.run, ["umount", self.disk], check=True)
-
-    def mount(self, options, *more):
-        return subprocess.run(["mount", "-t", "tmpfs", "-o", options, *more, "tmpfs", self.disk],
-                              stderr=subprocess.DEVNULL, check=False).returncode
-
-    def remount(self, options):
-        self.assertEqual(self.mount(f"remount,{options}"), 0)
-
+class FullDisk(SmallDisk, ManyWorlds):
     def test_a_full_disk_is_told_and_the_run_goes_on_when_there_is_room(self):
         self.write_many(700, 0.5)
         self.assert_exit(self.run_here(*self.arguments("-o", "whole.h5", "--quiet")), 0)

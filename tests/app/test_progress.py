@@ -27,9 +27,9 @@ class Progress(CliTest):
         return ("screen", "-c", "config.ini", "--layouts", "layouts", "--threads", 1, *more)
 
     def on_terminal(self, *arguments):
-        """What a run writes on a terminal as standard error, and on standard output."""
+        """What the program writes on a terminal as standard error, and on standard output."""
         ours, theirs = pty.openpty()
-        process = start(*self.arguments(*arguments), cwd=self.folder, stderr=theirs)
+        process = start(*arguments, cwd=self.folder, stderr=theirs)
         os.close(theirs)
         drawn = b""
         try:
@@ -43,7 +43,7 @@ class Progress(CliTest):
 
     def test_one_line_is_redrawn_on_a_terminal(self):
         self.write_layouts(20)
-        code, drawn, out = self.on_terminal("--accelerations", "long.txt")
+        code, drawn, out = self.on_terminal(*self.arguments("--accelerations", "long.txt"))
         self.assertEqual(code, 0)
         lines = drawn.split("\r\n")
         self.assertEqual(lines[-1].count("\n"), 0)
@@ -65,7 +65,20 @@ class Progress(CliTest):
 
     def test_quiet_on_a_terminal(self):
         self.write_layouts(1)
-        self.assertEqual(self.on_terminal("--accelerations", "long.txt", "--quiet"), (0, "", ""))
+        self.assertEqual(self.on_terminal(*self.arguments("--accelerations", "long.txt", "--quiet")), (0, "", ""))
+
+    def test_a_merge_shows_its_progress_as_a_run_does(self):
+        self.write_layouts(3)
+        self.write("short.txt", "0 0.1 1 0 0\n")
+        self.assert_exit(self.run_here(*self.arguments("--accelerations", "short.txt", "--quiet", "--part", "1/1")), 0)
+        code, drawn, out = self.on_terminal("merge", "results.h5")
+        self.assertEqual((code, out), (0, "results: results.h5, 3 worlds of 1 shard\n"))
+        shown = drawn.split("\r")
+        self.assertEqual(shown[:2], ["", "0/3 worlds"])
+        self.assertEqual((shown[-2].strip(), shown[-1]), ("", ""), "the line is wiped, and the cursor is back at the left")
+        self.assertNotIn("\n", drawn)
+        self.assertEqual(self.on_terminal("merge", "results.h5", "--overwrite", "--quiet"), (0, "", ""))
+        self.assertEqual(self.run_here("merge", "results.h5", "--overwrite").stderr, "")
 
     def test_plain_lines_in_a_pipe(self):
         self.write_layouts(2)

@@ -72,7 +72,7 @@ class View(ViewTest):
     def test_without_the_page_a_line_says_how_to_get_it(self):
         (self.folder / "share/holdfast/viewer.html").unlink()
         done = self.view("view", "results.h5", "--no-open")
-        self.assert_refused(done, "the viewer is not built", "make viewer", code=1)
+        self.assert_refused(done, "the viewer is not built", "make viewer", "holdfast-viewer", code=1)
 
 
 class Serve(ViewTest):

@@ -66,7 +66,7 @@ Result<std::string> viewer_page() {
   if (!std::filesystem::exists(path, unknown)) {
     return Error{.file = path,
                  .what = "the viewer is not built",
-                 .accepted = "`make viewer` in the sources of holdfast builds it"};
+                 .accepted = "`make viewer` in the sources builds it; the package holdfast-viewer has it"};
   }
   Result<TextFile> file = read_text_file(path);
   if (!file) return file.errors();

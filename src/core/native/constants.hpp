@@ -331,8 +331,8 @@ inline constexpr double kPressingMargin = 1.01;
 /// Half: 3 % more time; twice: insensitive.
 inline constexpr double kLeaningAcceleration = 1e-3;
 
-/// Residual of the motion with which a large island begins to move that is clearly not at rest, over |g − a| h: what it is
-/// needed for is `kLeaningAcceleration`, and a start for the step.
+/// Residual of the motion with which a large island begins to move that is clearly not at rest, over |g − a| h: what it
+/// is needed for is `kLeaningAcceleration`, and a start for the step.
 inline constexpr double kBeginningMotion = 1e-3;
 
 /// Bodies that lean on others are asked for a proof of rest where none begins to move faster than this share of
