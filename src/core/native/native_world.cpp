@@ -178,6 +178,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   if (any_moving) {
     correct_positions();
     if (options_.sleep && sleeping_.choose(scene_, terms_, connectivity_, moving_)) {
+      end_separated_from_sleeping();
       connectivity_.find(scene_.bodies, scene_.manifolds);
       if (scene_.notes_pushes)
         push_floor([&](std::size_t i) -> Vec3 { return scene_.bodies.mass[i] * sleeping_.stopped()[i]; });

@@ -69,6 +69,7 @@ class NativeWorld {
   void update_sides(std::size_t body, double margin);
   void set_surfaces(Manifold& manifold) const;
   void end_manifold(std::size_t index);
+  void end_separated_from_sleeping();
   bool find_moving();
   bool is_slow(const IslandView& island) const;
   bool is_due(const IslandView& island);

@@ -92,6 +92,17 @@ void NativeWorld::end_manifold(std::size_t index) {
   scene_.manifolds.pop_back();
 }
 
+/// Ends the contacts of bodies that have just fallen asleep with what stays, where the position correction before has
+/// separated them: `find_contacts` looks at those of moving bodies only.
+void NativeWorld::end_separated_from_sleeping() {
+  const Bodies& bodies = scene_.bodies;
+  // Backwards, because the last manifold takes the index of one that ends.
+  for (std::size_t m = scene_.manifolds.size(); m-- > 0;) {
+    const Manifold& manifold = scene_.manifolds[m];
+    if (manifold.contact.count == 0 && stays(bodies, manifold.a) && stays(bodies, manifold.b)) end_manifold(m);
+  }
+}
+
 /// Contacts of a body with the sides that it is near: most are too far away for a closer look.
 /// @param margin speculative margin with any side, m
 void NativeWorld::update_sides(std::size_t body, double margin) {
