@@ -208,14 +208,14 @@ inline constexpr double kSlidingShare = 0.999;
 /// Half: 19 % more time, and 2 measurements fail; twice: case `stack_3_gap_1mm` fails at `screening`. Noticed by
 /// `native_engine`.
 inline constexpr int kRefitEvery = 12;
-/// The same in a moving step of a large island, most of which end at 16 iterations: a factor for the last four does not
-/// pay. 12: 4 % more time on loads under the road accelerations, with equal errors.
-inline constexpr int kLargeIslandRefitEvery = 16;
 /// Half: 5 % more time; twice: case `stack_3_gap_1mm` fails at `screening`.
 inline constexpr double kRefitShare = 0.2;
 /// The same share in a moving step of a large island at `screening` and `standard`.
 /// Half and twice: insensitive, also the errors and times of harsh loads.
 inline constexpr double kLargeIslandRefitShare = 0.5;
+/// Iterations between two looks in a moving step of a large island, most of which end at 16 iterations: a factor for
+/// the last four does not pay. 12: 4 % more time on loads under the road accelerations, with equal errors.
+inline constexpr int kLargeIslandRefitEvery = 16;
 
 /// Iterations before a solve may stop: the first only meets the start values.
 /// 2: 5 measurements fail (`box_on_box_…`, `stack_20_tips`); twice: 4 % more time, 3 fail (`mirrored_…` at

@@ -13,7 +13,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   effort_ = options_.effort(island.bodies.size());
   for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
   prepared_.prepare_rest(scene, island, terms, *solver_);
-  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= effort_.rest_tolerance) return true;
+  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
   bool rests = !leans && find_balance(terms, report);
   // Where the acceleration has not changed, the last step is as good a start for a large island as what follows.
   const bool large = island.bodies.size() > kSmallIslandBodies;
@@ -39,7 +39,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
 /// @param tolerance of the velocities where they do move, over |g − a| h; 0: likewise
 double IslandStepper::find_beginning_motion(double tolerance, const StepTerms& terms, IslandReport& report) {
   SolveLimits limits = limits_after_reset();
-  const double exact = std::min(limits.tolerance, kBalanceTolerance * effort_.rest_tolerance);
+  const double exact = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
   limits.tolerance = std::max(exact, tolerance);
   solve(limits, terms, terms.step, report);
   if (limits.tolerance > exact && largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit) {
@@ -73,7 +73,7 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
 bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
   limits.iterations = kBalanceCheckEvery;
-  limits.tolerance = kBalanceTolerance * effort_.rest_tolerance;
+  limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
   limits.projection = Projection::orthogonal;
   limits.relaxation = kRestRelaxation;
   limits.idle_penalty = kRestIdlePenalty;
@@ -82,13 +82,13 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
   const double largest_impulse = island_mass * terms.velocity_unit + prepared_.outside_impulse();
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
-  const int iterations = terms.reset_warm_start ? effort_.rest_iterations : kWarmRestIterations;
+  const int iterations = terms.reset_warm_start ? options_.rest_iterations : kWarmRestIterations;
   for (int done = 0; done < iterations; done += limits.iterations) {
     // R follows the forces that are found; later it would only alternate.
     limits.refit_share = done <= kSettlingIterations ? 0.0 : 1.0;
     limits.sticking = limits.sliding = done < kSettlingIterations ? kRestPenalty : kLateRestPenalty;
     solve(limits, terms, terms.step, report);
-    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= effort_.rest_tolerance) return true;
+    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
     if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
   }
   return false;

@@ -41,8 +41,9 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
     if (scene.notes_pushes) prepared_.add_pushes(scene, share, scene.pushes);
-    integrate(scene, island, terms, part.length, share);
+    integrate(scene, island, part.length, share);
     if (share == 1.0 && part.length == remaining) return;
+    for (const std::uint32_t index : island.manifolds) scene.undo.emplace_back(index, scene.manifolds[index]);
     if (update_manifolds(scene, island, terms)) report.missed_contact = true;
     remaining -= share * part.length;
     ++(share < 1.0 ? impact_cuts_ : slip_end_cuts_);
@@ -153,24 +154,24 @@ bool IslandStepper::jumps(const Bodies& bodies, std::uint32_t body, const StepTe
   return change.norm() + bodies.radius[body] * turn.norm() > kJumpShare * terms.velocity_unit;
 }
 
-/// Finds the velocities that move the bodies through the step, where it is not cut.
+/// Finds the velocities that move the bodies through the part of the step that has been solved, where nothing cuts it.
 void IslandStepper::find_mean_velocities(const Bodies& bodies, const IslandView& island, const StepTerms& terms,
                                          double step) {
   mean_velocity_.resize(bodies.count());
+  jumps_.resize(bodies.count());
   for (const std::uint32_t body : island.bodies) {
     const Vec3 v = linear(prepared_.solution(body));
     const Vec3 w = angular(prepared_.solution(body));
+    jumps_[body] = jumps(bodies, body, terms, step) ? 1 : 0;
     // The trapezoid is exact under constant forces.
-    mean_velocity_[body] =
-        jumps(bodies, body, terms, step)
-            ? body_vector(v, w)
-            : body_vector(0.5 * (bodies.state.velocity[body] + v), 0.5 * (bodies.state.angular_velocity[body] + w));
+    mean_velocity_[body] = jumps_[body] != 0 ? body_vector(v, w)
+                                             : body_vector(0.5 * (bodies.state.velocity[body] + v),
+                                                           0.5 * (bodies.state.angular_velocity[body] + w));
   }
 }
 
 /// Moves the bodies through a share of the solved step.
-void IslandStepper::integrate(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
-                              double share) {
+void IslandStepper::integrate(Scene& scene, const IslandView& island, double step, double share) {
   Bodies& bodies = scene.bodies;
   const double time = share * step;
   for (const std::uint32_t body : island.bodies) {
@@ -178,29 +179,29 @@ void IslandStepper::integrate(Scene& scene, const IslandView& island, const Step
     Vec3& w = bodies.state.angular_velocity[body];
     const Vec3 v_end = linear(prepared_.solution(body));
     const Vec3 w_end = angular(prepared_.solution(body));
-    const Vec3 v_new = share == 1.0 ? v_end : Vec3(v + share * (v_end - v));
-    Vec3 w_new = share == 1.0 ? w_end : Vec3(w + share * (w_end - w));
-    const bool jump = share == 1.0 && jumps(bodies, body, terms, step);
-    const Vec3 v_mean = jump ? v_new : Vec3(0.5 * (v + v_new));
-    const Vec3 w_mean = jump ? w_new : Vec3(0.5 * (w + w_new));
+    const bool whole = share == 1.0;
+    const bool jump = whole && jumps_[body] != 0;
+    const Vec3 v_new = whole ? v_end : Vec3(v + share * (v_end - v));
+    Vec3 w_new = whole ? w_end : Vec3(w + share * (w_end - w));
+    const Vec3 v_mean = whole ? linear(mean_velocity_[body]) : Vec3(0.5 * (v + v_new));
+    const Vec3 w_mean = whole ? angular(mean_velocity_[body]) : Vec3(0.5 * (w + w_new));
     bodies.acceleration[body] = jump ? Vec3::Zero() : Vec3((v_end - v) / step);
     bodies.angular_acceleration[body] = jump ? Vec3::Zero() : Vec3((w_end - w) / step);
     bodies.state.position[body] += time * v_mean;
     rotate(bodies, body, time * w_mean);
     bodies.update_shape(body);
-    if (share == 1.0 && prepared_.turns(body))
+    if (whole && prepared_.turns(body))
       w_new = bodies.inertia(body).inverse() * (prepared_.problem.bodies[prepared_.row(body)].inertia * w_end);
     v = v_new;
     w = w_new;
   }
 }
 
-/// Finds the contacts of the island anew, and keeps the old ones in `scene.undo`. True when it finds a missed contact.
+/// Finds the contacts of the island anew. True when it finds a missed contact.
 bool IslandStepper::update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms) {
   bool missed = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    scene.undo.emplace_back(index, manifold);
     const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
     const ContactSet contact =
         contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);

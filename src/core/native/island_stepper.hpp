@@ -65,7 +65,7 @@ class IslandStepper {
                   double remaining, IslandReport& report);
   bool jumps(const Bodies& bodies, std::uint32_t body, const StepTerms& terms, double step) const;
   void find_mean_velocities(const Bodies& bodies, const IslandView& island, const StepTerms& terms, double step);
-  void integrate(Scene& scene, const IslandView& island, const StepTerms& terms, double step, double share);
+  void integrate(Scene& scene, const IslandView& island, double step, double share);
   bool update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms);
 
   // Solves.
@@ -100,6 +100,7 @@ class IslandStepper {
   IslandProblem prepared_;  ///< what is being solved
   std::unique_ptr<ContactSolver> solver_;
   EquilibriumCheck equilibrium_;
+  std::vector<std::uint8_t> jumps_;        ///< a body of the scene: see `jumps`, of the last solve
   std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
   PointBits impacting_;                    ///< points that take part in an impact
   PointBits could_impact_;                 ///< those that touch, and take part where the impact reaches them

@@ -22,10 +22,9 @@ NativeOptions native_options(const Settings& settings) {
                               .penetration_slop = 1e-4,
                               .sticking_penalty = kLargeIslandStickingPenalty,
                               .sliding_penalty = kLargeIslandSlidingPenalty,
-                              .refit_share = kLargeIslandRefitShare,
-                              .rest_tolerance = 1e-6};
+                              .refit_share = kLargeIslandRefitShare};
       options.small_island.overlap = 2e-4;
-      options.small_island.rest_tolerance = 1e-6;
+      options.rest_tolerance = 1e-6;
       options.missed_contact_overlap = 1e-3;
       break;
     case Accuracy::standard:
@@ -39,9 +38,7 @@ NativeOptions native_options(const Settings& settings) {
                               .impact_cuts = 32,
                               .impact_length = 0.0,
                               .slip_end_cuts = 32,
-                              .sliding_penalty = kSlidingPenalty,
-                              .rest_tolerance = 1e-9,
-                              .rest_iterations = 4000};
+                              .sliding_penalty = kSlidingPenalty};
       // Below about 1e-3 of |g − a| h, the velocities of a jammed crowd are not determined.
       options.large_island = {.tolerance = 1e-6,
                               .reset_tolerance = 1e-9,
@@ -50,9 +47,9 @@ NativeOptions native_options(const Settings& settings) {
                               .mean_residual = 1e-3,
                               .impact_cuts = 0,
                               .slip_end_cuts = 0,
-                              .sliding_penalty = kSlidingPenalty,
-                              .rest_tolerance = 1e-9,
-                              .rest_iterations = 4000};
+                              .sliding_penalty = kSlidingPenalty};
+      options.rest_tolerance = 1e-9;
+      options.rest_iterations = 4000;
       options.sleep = false;
       break;
   }
@@ -65,9 +62,9 @@ NativeOptions native_options(const Settings& settings) {
     }
     effort->iterations = given.iterations.value_or(effort->iterations);
     effort->reset_iterations = std::max(effort->reset_iterations, effort->iterations);
-    effort->rest_tolerance = given.rest_tolerance.value_or(effort->rest_tolerance);
     effort->impact_cuts = given.impact_cuts.value_or(effort->impact_cuts);
   }
+  options.rest_tolerance = given.rest_tolerance.value_or(options.rest_tolerance);
   options.sleep = given.sleep.value_or(options.sleep);
   options.jump = given.jump;
   options.freeze = given.freeze;

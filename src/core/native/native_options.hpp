@@ -22,8 +22,6 @@ struct Effort {
   double sticking_penalty = kStickingPenalty;      ///< R, of the carried mass, along the normal and where it sticks
   double sliding_penalty = kMovingSlidingPenalty;  ///< the same along the tangents where it slides
   double refit_share = kRefitShare;                ///< of the points, above which R is fitted anew
-  double rest_tolerance = 1e-8;  ///< equilibrium residual of a body at rest, over its weight |g − a| m
-  int rest_iterations = 3000;    ///< of a proof of rest, at most
 };
 
 /// All settings of the native engine: those of the accuracy, with the keys of the configuration that override them.
@@ -42,6 +40,8 @@ struct NativeOptions {
                       .sticking_penalty = kLargeIslandStickingPenalty,
                       .sliding_penalty = kLargeIslandSlidingPenalty,
                       .refit_share = kLargeIslandRefitShare};
+  double rest_tolerance = 1e-8;          ///< equilibrium residual of a body at rest, over its weight |g − a| m
+  int rest_iterations = 3000;            ///< of a proof of rest, at most
   double missed_contact_overlap = 2e-4;  ///< overlap of a missed contact from which the step is halved, m
   bool sleep = true;                     ///< slow bodies of large islands that move sleep
   bool jump = true;                      ///< goes to the end of the phase where all bodies rest

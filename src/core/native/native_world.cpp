@@ -161,8 +161,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   side_impulses_ = {};
   begin_phase(phase);
   const StepPlan plan(phase, options_.steps_per_second);
-  terms_.step = plan.step();
-  terms_.velocity_unit = terms_.effective_gravity.norm() * terms_.step;
+  set_step(plan.step());
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
   sleeping_.wake(scene_);
   const bool any_moving = find_moving();
