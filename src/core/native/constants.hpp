@@ -78,9 +78,11 @@ inline constexpr double kNearlyAligned = 0.99995;
 /// Half: case `closing_up_0.9371_s` fails; twice: insensitive. Noticed by `native_impacts`.
 inline constexpr double kSpeculation = 1.2;
 
-/// Another axis is swept along only where the boxes are spread further by this factor: a change costs a full sort.
-/// Half and twice: no bit changes.
-inline constexpr double kBetterSweepAxis = 1.5;
+/// Least and largest margin of a box's surroundings in the broad phase, m, and the steps that they are to last.
+/// They change no bit. Half and twice: insensitive.
+inline constexpr double kLeastSurroundings = 0.01;
+inline constexpr double kMostSurroundings = 0.2;
+inline constexpr int kSurroundingsLast = 8;
 
 /// Solved steps without force after which a manifold is no longer active.
 /// Half and twice: insensitive.

@@ -16,11 +16,11 @@ struct IndexPair {
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 
-/// Finds the pairs of boxes that are near enough to touch, by a sweep along the axis on which they are spread out most
-/// (sweep and prune, Cohen et al. 1995).
+/// Finds the pairs of boxes that are near enough to touch. Each box has a list of those whose surroundings overlap its
+/// own, as in the neighbour lists of molecular dynamics (Verlet 1967); the list is made anew, by a comparison with all
+/// boxes, where the box leaves its surroundings. Most boxes do not for many steps.
 ///
-/// One object serves one world from step to step: it keeps the order along the axis, which hardly changes, and its
-/// buffers, so that nothing is allocated once they are large enough. What it finds depends on the arguments alone.
+/// One object serves one world from step to step. What it finds depends on the arguments alone.
 class BroadPhase {
  public:
   /// All pairs whose bounds overlap or touch and of which at least one box is `awake` (not 0), sorted by i, then j.
@@ -32,28 +32,18 @@ class BroadPhase {
                                         std::span<const std::uint8_t> awake);
 
  private:
-  /// Bounds of a box: along the axis of the sweep, and along the two others.
-  struct Entry {
-    double low = 0.0, high = 0.0;
-    double low_u = 0.0, high_u = 0.0;
-    double low_v = 0.0, high_v = 0.0;
-    std::uint32_t index = 0;
-    bool awake = false;
+  /// Where a box can be without a look at the others.
+  struct Surroundings {
+    Vec3 lower, upper;
+    double margin = 0.0;                    ///< around the box when it was last in the middle, m
+    int calls = 0;                          ///< since then
+    std::vector<std::uint32_t> neighbours;  ///< boxes whose surroundings overlap these, sorted
   };
 
-  void choose_axis(std::span<const Vec3> lower, std::span<const Vec3> upper);
-  void read_bounds(std::span<const Vec3> lower, std::span<const Vec3> upper, std::span<const std::uint8_t> awake);
-  void sort_entries();
-  void sweep();
-  void sort_pairs();
+  void renew(std::uint32_t index, const Vec3& lower, const Vec3& upper);
 
-  int axis_ = 0;
-  bool sorted_before_ = false;    ///< the entries are nearly in order, from the last call
-  std::vector<Entry> entries_;    ///< in order of `low`
-  std::vector<IndexPair> found_;  ///< in the order of the sweep, `found_count_` of them
-  std::size_t found_count_ = 0;
-  std::vector<IndexPair> pairs_;      ///< in the order of the result
-  std::vector<std::uint32_t> first_;  ///< where the pairs of each i begin
+  std::vector<Surroundings> boxes_;
+  std::vector<IndexPair> pairs_;
 };
 
 }  // namespace holdfast::internal::native
