@@ -21,7 +21,7 @@ from cli import CliTest
 ACCURACIES = ("screening", "standard", "reference")
 GRAVITY = 9.81  # m/s2, the default of the program
 
-HELD_SHARES = (0, 0.5, 0.8, 0.9, 0.95, 0.99, 0.999)  # of the limit
+HELD_SHARES = (0, 0.5, 0.8, 0.9, 0.95, 0.99, 0.999, 0.9999, 0.99999)  # of the limit
 MOVING_SHARE = 1.002
 LOAD_SECONDS = 0.3
 # What is above the limit by 0.002 of it, a, slides by 1/2 * 0.002 a t^2, or starts to tip about as slowly: at least

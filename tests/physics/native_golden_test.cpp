@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x3857924381a5f23a},
-    {"lean", lean, 0x3aa55c77fc26e798},
-    {"tumble", tumble, 0x152607e49ee32e92},
-    {"drop", drop, 0xf27601c28ac2b79e},
+    {"brake", brake, 0x12e9faf2af963ffb},
+    {"lean", lean, 0x8612fa476e5e4303},
+    {"tumble", tumble, 0x392cd8fdfb096b29},
+    {"drop", drop, 0x5089fe0183922d1b},
 };
 
 }  // namespace

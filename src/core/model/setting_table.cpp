@@ -224,7 +224,7 @@ std::vector<SettingKey> make_table() {
       "the step; screening 0.0001, or 0.001 in islands of more than 8 boxes; standard 0.0001, reference 1e-9.");
   add(Whole<IterationRange>{}, "Iterations", "", "", MEMBER(native.iterations),
       "Iteration limit of the contact solver in a step, used when the residual is then acceptable; for islands "
-      "of up to 8 boxes and for larger ones: screening and standard 60 and 16, reference 400 and 100.");
+      "of up to 8 boxes and for larger ones: screening 30 and 16, standard 60 and 16, reference 400 and 100.");
   add(Positive{}, "RestTolerance", "", "", MEMBER(native.rest_tolerance),
       "Largest net force on a box in static equilibrium, relative to its weight; screening 1e-6, standard 1e-8, "
       "reference 1e-9.");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "core/native/contact_kinematics.hpp"
 #include "core/native/island_stepper.hpp"
@@ -69,7 +70,8 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
 }
 
 /// Looks for forces in the contacts' cones that balance the prepared island. The problem is convex: it ends with them,
-/// or with a motion that proves that there are none.
+/// or with a motion that proves that there are none. The splitting is quick far from the limit of balance; near it the
+/// interior point method decides.
 bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
   limits.iterations = kBalanceCheckEvery;
@@ -78,18 +80,26 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   limits.relaxation = kRestRelaxation;
   limits.idle_penalty = kRestIdlePenalty;
   limits.accelerate = true;
+  limits.sticking = limits.sliding = kRestPenalty;
+  limits.refit_share = 0.0;
   double island_mass = 0.0;
   for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
   const double largest_impulse = island_mass * terms.velocity_unit + prepared_.outside_impulse();
-  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
-  const int iterations = terms.reset_warm_start ? options_.rest_iterations : kWarmRestIterations;
-  for (int done = 0; done < iterations; done += limits.iterations) {
-    // R follows the forces that are found; later it would only alternate.
-    limits.refit_share = done <= kSettlingIterations ? 0.0 : 1.0;
-    limits.sticking = limits.sliding = done < kSettlingIterations ? kRestPenalty : kLateRestPenalty;
-    solve(limits, terms, terms.step, report);
+  const auto decided = [&]() -> std::optional<bool> {
     if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
     if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
+    return std::nullopt;
+  };
+  for (int done = 0; done < kSettlingIterations; done += limits.iterations) {
+    solve(limits, terms, terms.step, report);
+    if (const std::optional<bool> rests = decided()) return *rests;
+  }
+  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
+  if (!terms.reset_warm_start) return false;
+  interior_point_.start(prepared_.problem, terms.velocity_unit);
+  for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i) {
+    ++report.iterations;
+    if (const std::optional<bool> rests = decided()) return *rests;
   }
   return false;
 }

@@ -9,6 +9,7 @@
 #include "core/native/scene.hpp"
 #include "core/native/solver/contact_solver.hpp"
 #include "core/native/solver/equilibrium.hpp"
+#include "core/native/solver/interior_point.hpp"
 
 namespace holdfast::internal::native {
 
@@ -100,6 +101,7 @@ class IslandStepper {
   IslandProblem prepared_;  ///< what is being solved
   std::unique_ptr<ContactSolver> solver_;
   EquilibriumCheck equilibrium_;
+  InteriorPoint interior_point_;
   std::vector<std::uint8_t> jumps_;        ///< a body of the scene: see `jumps`, of the last solve
   std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
   PointBits impacting_;                    ///< points that take part in an impact

@@ -24,6 +24,7 @@ NativeOptions native_options(const Settings& settings) {
                               .sliding_penalty = kLargeIslandSlidingPenalty,
                               .refit_share = kLargeIslandRefitShare};
       options.small_island.overlap = 2e-4;
+      options.small_island.iterations = 30;
       options.rest_tolerance = 1e-6;
       options.missed_contact_overlap = 1e-3;
       break;
@@ -49,7 +50,6 @@ NativeOptions native_options(const Settings& settings) {
                               .slip_end_cuts = 0,
                               .sliding_penalty = kSlidingPenalty};
       options.rest_tolerance = 1e-9;
-      options.rest_iterations = 4000;
       options.sleep = false;
       break;
   }

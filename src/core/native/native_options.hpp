@@ -41,7 +41,6 @@ struct NativeOptions {
                       .sliding_penalty = kLargeIslandSlidingPenalty,
                       .refit_share = kLargeIslandRefitShare};
   double rest_tolerance = 1e-8;          ///< equilibrium residual of a body at rest, over its weight |g − a| m
-  int rest_iterations = 3000;            ///< of a proof of rest, at most
   double missed_contact_overlap = 2e-4;  ///< overlap of a missed contact from which the step is halved, m
   bool sleep = true;                     ///< slow bodies of large islands that move sleep
   bool jump = true;                      ///< goes to the end of the phase where all bodies rest

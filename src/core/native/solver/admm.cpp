@@ -81,13 +81,7 @@ bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limit
 
 void AdmmSolver::factorise(const ContactProblem& problem) {
   ldlt_.clear();
-  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    BodyBlock& block = ldlt_.diagonal(i);
-    for (int k = 0; k < 3; ++k) {
-      block.column[k][k] = problem.bodies[i].mass;
-      for (int row = 0; row < 3; ++row) block.column[3 + k][3 + row] = problem.bodies[i].inertia(row, k);
-    }
-  }
+  ldlt_.add(problem.bodies);
   ldlt_.add(problem.constraints, problem.mid_arms, problem.constraint_pair);
   ldlt_.factorise();
 }

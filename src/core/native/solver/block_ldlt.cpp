@@ -27,6 +27,7 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
     pair_block_.push_back(static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - shape_.block_row.begin()));
   }
   diagonal_.resize(count_);
+  factor_.resize(count_);
   below_.resize(shape_.block_row.size());
   return true;
 }
@@ -104,8 +105,18 @@ void BlockLdlt::clear() {
   std::fill(below_.begin(), below_.end(), BodyBlock{});
 }
 
-void BlockLdlt::factorise() { native::factorise(shape_, below_, diagonal_, scratch_); }
+void BlockLdlt::add(std::span<const ProblemBody> bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    BodyBlock& block = diagonal_[i];
+    for (int k = 0; k < 3; ++k) {
+      block.column[k][k] += bodies[i].mass;
+      for (int row = 0; row < 3; ++row) block.column[3 + k][3 + row] += bodies[i].inertia(row, k);
+    }
+  }
+}
 
-void BlockLdlt::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, diagonal_, x); }
+void BlockLdlt::factorise() { native::factorise(shape_, below_, diagonal_, factor_, scratch_); }
+
+void BlockLdlt::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, factor_, x); }
 
 }  // namespace holdfast::internal::native

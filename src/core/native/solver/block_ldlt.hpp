@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/native/solver/contact_problem.hpp"
 #include "core/native/solver/ldlt_kernels.hpp"
 
 namespace holdfast::internal::native {
@@ -31,11 +32,19 @@ class BlockLdlt {
   /// Block of pair `i` of the last `analyse`; its row is the later of the two indices, its column the
   /// earlier.
   BodyBlock& below(std::size_t pair) { return below_[pair_block_[pair]]; }
+  /// Adds the bodies' masses and moments of inertia.
+  void add(std::span<const ProblemBody> bodies);
   /// Adds the contacts' penalty, see `add_penalty`.
   /// @param constraint_pair a constraint: index into the pairs of the last `analyse`, or `kNoPair`
   void add(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
            std::span<const std::uint32_t> constraint_pair) {
     add_penalty(constraints, mid_arms, constraint_pair, pair_block_, diagonal_, below_);
+  }
+
+  /// Adds a matrix of each contact point, see `add_resistance`.
+  void add(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
+           std::span<const std::uint32_t> constraint_pair) {
+    add_resistance(constraints, resistance, constraint_pair, pair_block_, diagonal_, below_);
   }
 
   /// Replaces the matrix by its factor.
@@ -53,6 +62,7 @@ class BlockLdlt {
   std::vector<std::uint32_t> pair_block_;
   LdltStructure shape_;
   std::vector<BodyBlock> diagonal_, below_, scratch_;
+  std::vector<DiagonalFactor> factor_;
   std::vector<std::uint64_t> graph_;       ///< a row of bits a body: its neighbours that are not eliminated
   std::vector<std::uint32_t> neighbours_;  ///< of one body
   std::vector<std::uint32_t> degree_;

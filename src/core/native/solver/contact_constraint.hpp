@@ -33,6 +33,11 @@ struct alignas(32) ConstraintVector {
   std::array<Lanes, 3> row = {};
 };
 
+/// A 3×3 matrix for each point of a constraint, rows and columns by direction.
+struct alignas(32) ConstraintMatrix {
+  std::array<std::array<Lanes, 3>, 3> entry = {};
+};
+
 /// The largest normal impulses that a constraint's points may have, kg m/s.
 struct alignas(32) NormalBounds {
   Lanes lane = {};

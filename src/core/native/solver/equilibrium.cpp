@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/native/solver/contact_kernels.hpp"
 
@@ -17,6 +18,7 @@ double EquilibriumCheck::residual(const ContactProblem& problem, double velocity
     const double* f = force_[i].row;
     const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     const double torque = std::sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
+    if (std::isnan(force) || std::isnan(torque)) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, std::max(force, torque / body.radius) / (body.mass * velocity_unit));
   }
   return worst;
@@ -49,8 +51,9 @@ double EquilibriumCheck::supported_power(const ContactProblem& problem, double l
     for (std::size_t i = 0; i < static_cast<std::size_t>(constraints[p].count); ++i) {
       const auto& u = u_[p].row;
       const double slip = std::sqrt(u[1][i] * u[1][i] + u[2][i] * u[2][i]);
-      power += std::min(largest_impulse, problem.normal_bounds[p].lane[i]) *
-               std::max(0.0, constraints[p].friction * slip - u[0][i]);
+      const double most =
+          problem.normal_bounds.empty() ? largest_impulse : std::min(largest_impulse, problem.normal_bounds[p].lane[i]);
+      power += most * std::max(0.0, constraints[p].friction * slip - u[0][i]);
     }
   }
   return power;

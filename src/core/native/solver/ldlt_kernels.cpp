@@ -12,6 +12,23 @@
 
 #include "core/native/solver/pack-inl.hpp"
 
+#ifndef HOLDFAST_LDLT_BLOCKS
+#define HOLDFAST_LDLT_BLOCKS
+namespace holdfast::internal::native {
+namespace {
+
+/// Where the blocks are that contacts add to.
+struct Blocks {
+  const std::uint32_t* constraint_pair;
+  const std::uint32_t* pair_block;
+  std::int32_t fixed;  ///< index of what is fixed
+  BodyBlock *diagonal, *below;
+};
+
+}  // namespace
+}  // namespace holdfast::internal::native
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
@@ -87,9 +104,30 @@ HWY_INLINE void add_block(double sign, const double (&linear)[3][3], const doubl
   }
 }
 
+/// Adds what a constraint resists, given its two levers and what it resists linear velocities with.
+template <class AnyLever>
+HWY_INLINE void add_constraint(const ContactConstraint& constraint, std::uint32_t pair, const double (&linear)[3][3],
+                               const AnyLever& a, const AnyLever& b, const Blocks& blocks) {
+  double turning[3][3];
+  if (constraint.a != blocks.fixed) {
+    add_turning(a, a, turning);
+    add_block(1.0, linear, a.moment, a.moment, turning, false, blocks.diagonal[constraint.a]);
+  }
+  if (constraint.b != blocks.fixed) {
+    add_turning(b, b, turning);
+    add_block(1.0, linear, b.moment, b.moment, turning, false, blocks.diagonal[constraint.b]);
+  }
+  if (pair == kNoPair) return;
+  BodyBlock& block = blocks.below[blocks.pair_block[pair]];
+  add_turning(a, b, turning);
+  if (constraint.a > constraint.b)
+    add_block(-1.0, linear, a.moment, b.moment, turning, false, block);
+  else
+    add_block(-1.0, linear, b.moment, a.moment, turning, true, block);
+}
+
 HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
-                                 const std::uint32_t* constraint_pair, const std::uint32_t* pair_block,
-                                 std::int32_t fixed, BodyBlock* diagonal, BodyBlock* below) {
+                                 const Blocks& blocks) {
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
     const Arms& arms = mid_arms == nullptr ? constraint.arms : mid_arms[p];
@@ -101,44 +139,98 @@ HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arm
     double linear[3][3];
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) linear[i][j] = sum_d * n[i] * n[j] + (i == j ? sum_t : 0.0);
-    double turning[3][3];
-    const Lever a = lever(arms.a, t, d, n);
-    const Lever b = lever(arms.b, t, d, n);
-    if (constraint.a != fixed) {
-      add_turning(a, a, turning);
-      add_block(1.0, linear, a.moment, a.moment, turning, false, diagonal[constraint.a]);
-    }
-    if (constraint.b != fixed) {
-      add_turning(b, b, turning);
-      add_block(1.0, linear, b.moment, b.moment, turning, false, diagonal[constraint.b]);
-    }
-    if (constraint_pair[p] == kNoPair) continue;
-    BodyBlock& block = below[pair_block[constraint_pair[p]]];
-    add_turning(a, b, turning);
-    if (constraint.a > constraint.b)
-      add_block(-1.0, linear, a.moment, b.moment, turning, false, block);
-    else
-      add_block(-1.0, linear, b.moment, a.moment, turning, true, block);
+    add_constraint(constraint, blocks.constraint_pair[p], linear, lever(arms.a, t, d, n), lever(arms.b, t, d, n),
+                   blocks);
   }
 }
 
-/// out = m sᵀ for blocks, or out − m sᵀ.
-template <bool kSubtract>
-HWY_INLINE void multiply_transposed(const BodyBlock& m, const BodyBlock& s, BodyBlock& out) {
+/// The same where each point has a matrix R of its own, in the container's frame.
+struct MatrixLever {
+  Triple arm;
+  Triple torque[3];     ///< rows of [r]ₓ R
+  double moment[3][3];  ///< torque from linear velocity, Σ [r]ₓ R
+};
+HWY_INLINE MatrixLever lever(const std::array<Lanes, 3>& arms, const Four (&r)[3][3]) {
+  MatrixLever l;
+  l.arm = {{Four::load(arms[0].data()), Four::load(arms[1].data()), Four::load(arms[2].data())}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      l.torque[i].at[c] = l.arm.at[j] * r[k][c] - l.arm.at[k] * r[j][c];
+      l.moment[i][c] = total(l.torque[i].at[c]);
+    }
+  }
+  return l;
+}
+
+/// Torque from angular velocity, Σ [p]ₓ R [q]ₓᵀ: its row i is q × row i of [p]ₓ R.
+HWY_INLINE void add_turning(const MatrixLever& p, const MatrixLever& q, double (&out)[3][3]) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = (j + 1) % 3;
+      const std::size_t l = (j + 2) % 3;
+      out[i][j] = total(q.arm.at[k] * p.torque[i].at[l] - q.arm.at[l] * p.torque[i].at[k]);
+    }
+  }
+}
+
+HWY_ATTR void add_resistance_kernel(const ContactConstraint* constraints, const ConstraintMatrix* resistance,
+                                    std::size_t count, const Blocks& blocks) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const ContactConstraint& constraint = constraints[p];
+    const auto& directions = constraint.directions;
+    Four own[3][3], half[3][3], r[3][3];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) own[i][j] = Four::load(resistance[p].entry[i][j].data());
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        half[i][j] = Four::all(directions[0][i]) * own[0][j] + Four::all(directions[1][i]) * own[1][j] +
+                     Four::all(directions[2][i]) * own[2][j];
+      }
+    }
+    double linear[3][3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        r[i][j] = half[i][0] * Four::all(directions[0][j]) + half[i][1] * Four::all(directions[1][j]) +
+                  half[i][2] * Four::all(directions[2][j]);
+        linear[i][j] = total(r[i][j]);
+      }
+    }
+    add_constraint(constraint, blocks.constraint_pair[p], linear, lever(constraint.arms.a, r),
+                   lever(constraint.arms.b, r), blocks);
+  }
+}
+
+/// out −= m sᵀ.
+HWY_INLINE void subtract_product(const BodyBlock& m, const BodyBlock& s, BodyBlock& out) {
   Eight column[kBodyRows];
   for (int k = 0; k < kBodyRows; ++k) column[k] = Eight::load(m.column[k]);
   for (int c = 0; c < kBodyRows; ++c) {
     Eight sum = column[0] * Eight::all(s.column[0][c]);
     for (int k = 1; k < kBodyRows; ++k) sum = sum + column[k] * Eight::all(s.column[k][c]);
-    (kSubtract ? Eight::load(out.column[c]) - sum : sum).store(out.column[c]);
+    (Eight::load(out.column[c]) - sum).store(out.column[c]);
   }
 }
 
-/// Inverse of a symmetric positive definite block through its L D Lᵀ.
-HWY_INLINE void invert(BodyBlock& block) {
+/// scaled = m l⁻ᵀ, then m = scaled d⁻¹.
+HWY_INLINE void divide(const DiagonalFactor& factor, BodyBlock& m, BodyBlock& scaled) {
+  Eight column[kBodyRows];
+  for (int k = 0; k < kBodyRows; ++k) column[k] = Eight::load(m.column[k]);
+  for (int c = 0; c < kBodyRows; ++c) {
+    Eight sum = column[c];
+    for (int k = 0; k < c; ++k) sum = sum + column[k] * Eight::all(factor.lower.column[k][c]);
+    sum.store(scaled.column[c]);
+    (sum * Eight::all(factor.inverse_d.row[c])).store(m.column[c]);
+  }
+}
+
+/// Factorises a symmetric positive definite block. (Its inverse, in place of that of l, would lose twice as many digits
+/// where a contact is much stiffer than another.)
+HWY_INLINE void factorise(const BodyBlock& block, DiagonalFactor& factor) {
   double l[kBodyRows][kBodyRows];
   double d[kBodyRows];
-  double inverse_d[kBodyRows];
+  factor = DiagonalFactor{};
   for (int j = 0; j < kBodyRows; ++j) {
     double scaled[kBodyRows];
     d[j] = block.column[j][j];
@@ -146,72 +238,73 @@ HWY_INLINE void invert(BodyBlock& block) {
       scaled[k] = l[j][k] * d[k];
       d[j] -= l[j][k] * scaled[k];
     }
-    inverse_d[j] = 1.0 / d[j];
+    const double inverse_d = factor.inverse_d.row[j] = 1.0 / d[j];
     for (int i = j + 1; i < kBodyRows; ++i) {
       double sum = block.column[j][i];
       for (int k = 0; k < j; ++k) sum -= l[i][k] * scaled[k];
-      l[i][j] = sum * inverse_d[j];
+      l[i][j] = sum * inverse_d;
     }
   }
-  // Column c of the inverse solves L D Lᵀ x = e_c; only rows from c on are needed, the rest is symmetric.
+  // Column c of the inverse of l solves l x = e_c.
   for (int c = 0; c < kBodyRows; ++c) {
     double x[kBodyRows] = {};
     x[c] = 1.0;
     for (int i = c + 1; i < kBodyRows; ++i)
       for (int k = c; k < i; ++k) x[i] -= l[i][k] * x[k];
-    for (int i = c; i < kBodyRows; ++i) x[i] *= inverse_d[i];
-    for (int i = kBodyRows - 1; i >= c; --i)
-      for (int k = i + 1; k < kBodyRows; ++k) x[i] -= l[k][i] * x[k];
-    for (int i = c; i < kBodyRows; ++i) block.column[c][i] = block.column[i][c] = x[i];
+    for (int i = c; i < kBodyRows; ++i) factor.lower.column[c][i] = factor.upper.column[i][c] = x[i];
   }
 }
 
-HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, BodyBlock* diagonal, BodyBlock* scratch) {
+HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, BodyBlock* diagonal,
+                               DiagonalFactor* factor, BodyBlock* scratch) {
   const std::size_t columns = shape.column_begin.size() - 1;
   const std::size_t below_count = shape.block_row.size();
   for (std::size_t j = 0; j < columns; ++j) {
-    invert(diagonal[j]);
+    factorise(diagonal[j], factor[j]);
     const std::size_t begin = shape.column_begin[j];
-    for (std::size_t i = begin; i < shape.column_begin[j + 1]; ++i) {
-      scratch[i - begin] = below[i];
-      multiply_transposed<false>(scratch[i - begin], diagonal[j], below[i]);
-    }
+    for (std::size_t i = begin; i < shape.column_begin[j + 1]; ++i) divide(factor[j], below[i], scratch[i - begin]);
     for (std::size_t k = shape.update_begin[j]; k < shape.update_begin[j + 1]; ++k) {
       const BlockUpdate& update = shape.updates[k];
       BodyBlock& target = update.c < below_count ? below[update.c] : diagonal[update.c - below_count];
-      multiply_transposed<true>(below[update.l], scratch[update.b - begin], target);
+      subtract_product(below[update.l], scratch[update.b - begin], target);
     }
   }
 }
 
-HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, const BodyBlock* inverse_diagonal,
+/// m x.
+HWY_INLINE Eight product(const BodyBlock& m, const double* x) {
+  Eight sum = Eight::load(m.column[0]) * Eight::all(x[0]);
+  for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(m.column[k]) * Eight::all(x[k]);
+  return sum;
+}
+
+HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, const DiagonalFactor* factor,
                            BodyVector* x) {
   const std::size_t columns = shape.column_begin.size() - 1;
   for (std::size_t j = 0; j < columns; ++j) {
+    const Eight own = product(factor[j].lower, x[j].row);
+    own.store(x[j].row);
     for (std::size_t i = shape.column_begin[j]; i < shape.column_begin[j + 1]; ++i) {
       double* target = x[shape.block_row[i]].row;
-      Eight sum = Eight::load(below[i].column[0]) * Eight::all(x[j].row[0]);
-      for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(below[i].column[k]) * Eight::all(x[j].row[k]);
-      (Eight::load(target) - sum).store(target);
+      (Eight::load(target) - product(below[i], x[j].row)).store(target);
     }
+    (own * Eight::load(factor[j].inverse_d.row)).store(x[j].row);
   }
   for (std::size_t j = columns; j-- > 0;) {
-    const BodyBlock& inverse = inverse_diagonal[j];
-    Eight own = Eight::load(inverse.column[0]) * Eight::all(x[j].row[0]);
-    for (int k = 1; k < kBodyRows; ++k) own = own + Eight::load(inverse.column[k]) * Eight::all(x[j].row[k]);
-    own.store(x[j].row);
-    if (shape.column_begin[j] == shape.column_begin[j + 1]) continue;
-    Eight product[kBodyRows];
-    for (int k = 0; k < kBodyRows; ++k) product[k] = Eight::all(0.0);
-    for (std::size_t i = shape.column_begin[j]; i < shape.column_begin[j + 1]; ++i) {
-      const Eight other = Eight::load(x[shape.block_row[i]].row);
-      for (int k = 0; k < kBodyRows; ++k) product[k] = product[k] + Eight::load(below[i].column[k]) * other;
+    if (shape.column_begin[j] != shape.column_begin[j + 1]) {
+      Eight sum[kBodyRows];
+      for (int k = 0; k < kBodyRows; ++k) sum[k] = Eight::all(0.0);
+      for (std::size_t i = shape.column_begin[j]; i < shape.column_begin[j + 1]; ++i) {
+        const Eight other = Eight::load(x[shape.block_row[i]].row);
+        for (int k = 0; k < kBodyRows; ++k) sum[k] = sum[k] + Eight::load(below[i].column[k]) * other;
+      }
+      for (int k = 0; k < kBodyRows; ++k) {
+        alignas(64) double lane[kPaddedRows];
+        sum[k].store(lane);
+        x[j].row[k] -= ((lane[0] + lane[1]) + (lane[2] + lane[3])) + (lane[4] + lane[5]);
+      }
     }
-    for (int k = 0; k < kBodyRows; ++k) {
-      alignas(64) double lane[kPaddedRows];
-      product[k].store(lane);
-      x[j].row[k] -= ((lane[0] + lane[1]) + (lane[2] + lane[3])) + (lane[4] + lane[5]);
-    }
+    product(factor[j].upper, x[j].row).store(x[j].row);
   }
 }
 
@@ -223,25 +316,43 @@ HWY_AFTER_NAMESPACE();
 namespace holdfast::internal::native {
 
 HWY_EXPORT(add_penalty_kernel);
+HWY_EXPORT(add_resistance_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
+
+namespace {
+
+Blocks blocks_of(std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
+                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
+  return {constraint_pair.data(), pair_block.data(), static_cast<std::int32_t>(diagonal.size()), diagonal.data(),
+          below.data()};
+}
+
+}  // namespace
 
 void add_penalty(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
                  std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
                  std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
   HWY_DYNAMIC_DISPATCH(add_penalty_kernel)
-  (constraints.data(), arms_or_null(mid_arms), constraints.size(), constraint_pair.data(), pair_block.data(),
-   static_cast<std::int32_t>(diagonal.size()), diagonal.data(), below.data());
+  (constraints.data(), arms_or_null(mid_arms), constraints.size(),
+   blocks_of(constraint_pair, pair_block, diagonal, below));
+}
+
+void add_resistance(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
+                    std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
+                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
+  HWY_DYNAMIC_DISPATCH(add_resistance_kernel)
+  (constraints.data(), resistance.data(), constraints.size(), blocks_of(constraint_pair, pair_block, diagonal, below));
 }
 
 void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
-               std::span<BodyBlock> scratch) {
-  HWY_DYNAMIC_DISPATCH(factorise_kernel)(shape, below.data(), diagonal.data(), scratch.data());
+               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch) {
+  HWY_DYNAMIC_DISPATCH(factorise_kernel)(shape, below.data(), diagonal.data(), factor.data(), scratch.data());
 }
 
-void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
+void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const DiagonalFactor> factor,
            std::span<BodyVector> x) {
-  HWY_DYNAMIC_DISPATCH(solve_kernel)(shape, below.data(), inverse_diagonal.data(), x.data());
+  HWY_DYNAMIC_DISPATCH(solve_kernel)(shape, below.data(), factor.data(), x.data());
 }
 
 }  // namespace holdfast::internal::native

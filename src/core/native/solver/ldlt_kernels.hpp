@@ -25,6 +25,11 @@ void add_penalty(std::span<const ContactConstraint> constraints, std::span<const
                  std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
                  std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
 
+/// The same with a 3×3 matrix R of each point, which acts at the arms of the constraints.
+void add_resistance(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
+                    std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
+                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
+
 /// Structure of a block factor, columns in order of elimination; made by `BlockLdlt`.
 struct LdltStructure {
   std::vector<std::uint32_t> column_begin;  ///< first block of column j below the diagonal; one more than columns
@@ -33,13 +38,20 @@ struct LdltStructure {
   std::vector<std::uint32_t> update_begin;  ///< first update of column j; one more than columns
 };
 
-/// A = L D Lᵀ in place. On entry `below` and `diagonal` hold A's blocks, on exit L and D⁻¹.
+/// Factor l d lᵀ of a diagonal block, d diagonal: l⁻¹, its transpose, and d⁻¹.
+struct DiagonalFactor {
+  BodyBlock lower, upper;
+  BodyVector inverse_d;
+};
+
+/// A = L D Lᵀ. On entry `below` and `diagonal` hold A's blocks. On exit, `factor` holds the factors l d lᵀ of the
+/// diagonal blocks of D, `below` the blocks of L times l, and `diagonal` nothing of use.
 /// @param scratch as many blocks as the longest column
 void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
-               std::span<BodyBlock> scratch);
+               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch);
 
 /// Solves L D Lᵀ x = x in place; rows in order of elimination.
-void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const BodyBlock> inverse_diagonal,
+void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const DiagonalFactor> factor,
            std::span<BodyVector> x);
 
 }  // namespace holdfast::internal::native

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "core/native/solver/equilibrium.hpp"
 #include "core/native/solver/solved_problems.hpp"
@@ -186,6 +187,13 @@ TEST_CASE("equilibrium: impulses that carry the weight balance a body, and none 
   CHECK(check.residual(problem, 9.81 * kStep) < 1e-12);
   problem.constraints[0].impulse.row[0].fill(0.2 * kWeight);
   CHECK(check.residual(problem, 9.81 * kStep) == Approx(0.2));
+}
+
+TEST_CASE("equilibrium: impulses that are not numbers balance nothing", "[core][equilibrium]") {
+  ContactProblem problem = block_on_floor(0.5, Vec3::Zero());
+  problem.constraints[0].impulse.row[0].fill(0.25 * kWeight);
+  problem.constraints[0].impulse.row[1][2] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(EquilibriumCheck().residual(problem, 9.81 * kStep) <= 1e-6);
 }
 
 TEST_CASE("equilibrium: a slide refutes rest above the limit of friction, and not below", "[core][equilibrium]") {
