@@ -90,6 +90,16 @@ struct ResidualSum {
   HWY_INLINE PrimalResidual result() const { return {largest(worst), total(squares[0] + (squares[1] + squares[2]))}; }
 };
 
+HWY_ATTR void contact_velocities_kernel(const ContactConstraint* constraints, std::size_t count,
+                                        const BodyVector* velocity, ConstraintVector* out) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const ContactConstraint& constraint = constraints[p];
+    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
+    for (std::size_t i = 0; i < 3; ++i)
+      (along(v, constraint.directions[i]) + load(constraint.velocity_bias, i)).store(out[p].row[i].data());
+  }
+}
+
 /// What `relax` computes for a constraint.
 struct Relaxed {
   Four u[3], g[3], r[3];
@@ -227,6 +237,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace holdfast::internal::native {
 
+HWY_EXPORT(contact_velocities_kernel);
 HWY_EXPORT(relax_kernel);
 HWY_EXPORT(project_kernel);
 HWY_EXPORT(relax_and_project_kernel);
@@ -234,6 +245,11 @@ HWY_EXPORT(dot_kernel);
 HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
+
+void find_contact_velocities(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                             std::span<ConstraintVector> u) {
+  HWY_DYNAMIC_DISPATCH(contact_velocities_kernel)(constraints.data(), constraints.size(), velocity.data(), u.data());
+}
 
 PrimalResidual relax(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
                      double relaxation, std::span<ConstraintVector> u, std::span<ConstraintVector> g,

@@ -16,6 +16,11 @@ struct PrimalResidual {
   double squares = 0.0;  ///< summed over all components of all points, m²/s²
 };
 
+/// u = J v + velocity_bias, a constraint.
+/// @param velocity a body; the last entry, of what is fixed, is zero
+void find_contact_velocities(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                             std::span<ConstraintVector> u);
+
 /// First half of an ADMM iteration: computes u = J v + velocity_bias and the image g = x − α R (u − z) of x = y − R z.
 /// Returns the primal residual u − z.
 /// @param velocity   a body; the last entry, of what is fixed, is zero

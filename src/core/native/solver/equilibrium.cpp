@@ -43,9 +43,7 @@ bool EquilibriumCheck::refutes_rest(const ContactProblem& problem, double larges
 double EquilibriumCheck::supported_power(const ContactProblem& problem, double largest_impulse) {
   const std::vector<ContactConstraint>& constraints = problem.constraints;
   u_.resize(constraints.size());
-  g_.resize(constraints.size());
-  r_.resize(constraints.size());
-  relax(constraints, motion_, 1.0, u_, g_, r_);
+  find_contact_velocities(constraints, motion_, u_);
   double power = 0.0;
   for (std::size_t p = 0; p < constraints.size(); ++p) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(constraints[p].count); ++i) {

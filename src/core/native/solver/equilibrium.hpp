@@ -23,7 +23,7 @@ class EquilibriumCheck {
  private:
   double supported_power(const ContactProblem& problem, double largest_impulse);
 
-  std::vector<ConstraintVector> u_, g_, r_;
+  std::vector<ConstraintVector> u_;
   std::vector<LaneWrench> wrench_;
   std::vector<BodyVector> force_, motion_;
 };

@@ -37,6 +37,8 @@ void InteriorPoint::start(ContactProblem& problem, double velocity_unit) {
   points_.clear();
   pairs_ = 0.0;
   resistance_.assign(problem.constraints.size(), ConstraintMatrix{});
+  u_.resize(problem.constraints.size());
+  change_.resize(problem.constraints.size());
   for (std::uint32_t p = 0; p < problem.constraints.size(); ++p)
     for (std::uint32_t lane = 0; lane < static_cast<std::uint32_t>(problem.constraints[p].count); ++lane)
       add_point(problem, p, lane, velocity_unit);
@@ -77,7 +79,7 @@ bool InteriorPoint::iterate(ContactProblem& problem) {
   for (const Point& point : points_) mean += point.complementarity();
   mean /= pairs_;
   factorise(problem);
-  find_contact_velocities(problem, problem.velocity, u_);
+  find_contact_velocities(problem.constraints, problem.velocity, u_);
   const double affine = 1.0 - std::min(1.0, find_direction(problem, 0.0, false));
   const double centring = std::max(kInteriorLeastCentring, affine * affine * affine);
   const double step = shorter(1.0, kInteriorStep * find_direction(problem, centring * mean, true));
@@ -147,7 +149,7 @@ double InteriorPoint::find_direction(ContactProblem& problem, double target, boo
   momentum_residual(problem, wrench_, false, dv_);
   ldlt_.solve(dv_);
   dv_.emplace_back();
-  find_contact_velocities(problem, dv_, change_);
+  find_contact_velocities(problem.constraints, dv_, change_);
   double longest = std::numeric_limits<double>::infinity();
   for (Point& point : points_) {
     longest = shorter(longest, step_at(point, target, corrects, at_lane(change_[point.constraint], point.lane)));
@@ -165,7 +167,7 @@ void InteriorPoint::find_drive(Point& point, double target, bool corrects) const
   point.drive = Vec3(point.friction * centred[0], centred[1], centred[2]) + point.velocity() -
                 at_lane(u_[point.constraint], point.lane);
   if (!point.bounded) return;
-  const double c_bound = target - point.p * point.l - (corrects ? point.dp * point.dl : 0.0);
+  const double c_bound = point.bound_change(target, corrects);
   point.drive[0] -= point.l + (c_bound + point.l * point.bound_residual()) / point.p;
 }
 
@@ -176,7 +178,7 @@ double InteriorPoint::step_at(Point& point, double target, bool corrects, const 
   Vec3 velocity = change + at_lane(u_[point.constraint], point.lane) - point.velocity();
   double longest = std::numeric_limits<double>::infinity();
   if (point.bounded) {
-    const double c_bound = target - point.p * point.l - (corrects ? point.dp * point.dl : 0.0);
+    const double c_bound = point.bound_change(target, corrects);
     point.dp = -impulse[0] - point.bound_residual();
     point.dl = (c_bound - point.l * point.dp) / point.p;
     velocity[0] += point.l + point.dl;
@@ -195,15 +197,6 @@ void InteriorPoint::write(ContactProblem& problem) const {
     set_lane(constraint.impulse, point.lane, point.impulse());
     set_lane(constraint.contact_velocity, point.lane, point.velocity());
   }
-}
-
-/// Velocities of b's surface relative to a's: the problem of a proof of rest has no biases.
-void InteriorPoint::find_contact_velocities(const ContactProblem& problem, const std::vector<BodyVector>& velocity,
-                                            std::vector<ConstraintVector>& out) {
-  out.resize(problem.constraints.size());
-  unused_g_.resize(out.size());
-  unused_r_.resize(out.size());
-  relax(problem.constraints, velocity, 1.0, out, unused_g_, unused_r_);
 }
 
 }  // namespace holdfast::internal::native

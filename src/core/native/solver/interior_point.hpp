@@ -30,7 +30,7 @@ namespace holdfast::internal::native {
 /// splitting, with a full 3×3 matrix R of each point.
 class InteriorPoint {
  public:
-  /// Begins with the problem, bodies in their order of elimination, from inside of all cones.
+  /// Begins with the problem, bodies in their order of elimination, from inside of all cones. Velocities have no bias.
   /// @param velocity_unit  speed that loads gain within the step, |g − a| h, m/s
   void start(ContactProblem& problem, double velocity_unit);
 
@@ -62,6 +62,8 @@ class InteriorPoint {
     Vec3 velocity() const { return {friction * s[0], s[1], s[2]}; }
     double complementarity() const { return y.dot(s) + p * l; }
     double bound_residual() const { return p - bound + y[0] / friction; }
+    /// Right-hand side of the Newton equation of p l = target.
+    double bound_change(double target, bool corrects) const { return target - p * l - (corrects ? dp * dl : 0.0); }
   };
 
   void add_point(const ContactProblem& problem, std::uint32_t constraint, std::uint32_t lane, double velocity_unit);
@@ -71,15 +73,12 @@ class InteriorPoint {
   void find_drive(Point& point, double target, bool corrects) const;
   double step_at(Point& point, double target, bool corrects, const Vec3& change) const;
   void write(ContactProblem& problem) const;
-  void find_contact_velocities(const ContactProblem& problem, const std::vector<BodyVector>& velocity,
-                               std::vector<ConstraintVector>& out);
 
   BlockLdlt ldlt_;
   std::vector<Point> points_;
   double pairs_ = 0.0;  ///< of complementary variables
   std::vector<ConstraintMatrix> resistance_;
   std::vector<ConstraintVector> u_, change_;  ///< J v, J Δv
-  std::vector<ConstraintVector> unused_g_, unused_r_;
   std::vector<LaneWrench> wrench_;
   std::vector<BodyVector> dv_;
 };
