@@ -38,13 +38,13 @@ class BlockLdlt {
   /// @param constraint_pair a constraint: index into the pairs of the last `analyse`, or `kNoPair`
   void add(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
            std::span<const std::uint32_t> constraint_pair) {
-    add_penalty(constraints, mid_arms, constraint_pair, pair_block_, diagonal_, below_);
+    add_penalty(constraints, mid_arms, {constraint_pair, pair_block_, diagonal_, below_});
   }
 
   /// Adds a matrix of each contact point, see `add_resistance`.
   void add(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
            std::span<const std::uint32_t> constraint_pair) {
-    add_resistance(constraints, resistance, constraint_pair, pair_block_, diagonal_, below_);
+    add_resistance(constraints, resistance, {constraint_pair, pair_block_, diagonal_, below_});
   }
 
   /// Replaces the matrix by its factor.

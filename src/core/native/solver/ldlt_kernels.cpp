@@ -12,23 +12,6 @@
 
 #include "core/native/solver/pack-inl.hpp"
 
-#ifndef HOLDFAST_LDLT_BLOCKS
-#define HOLDFAST_LDLT_BLOCKS
-namespace holdfast::internal::native {
-namespace {
-
-/// Where the blocks are that contacts add to.
-struct Blocks {
-  const std::uint32_t* constraint_pair;
-  const std::uint32_t* pair_block;
-  std::int32_t fixed;  ///< index of what is fixed
-  BodyBlock *diagonal, *below;
-};
-
-}  // namespace
-}  // namespace holdfast::internal::native
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
@@ -107,15 +90,16 @@ HWY_INLINE void add_block(double sign, const double (&linear)[3][3], const doubl
 /// Adds what a constraint resists, given its two levers and what it resists linear velocities with.
 template <class AnyLever>
 HWY_INLINE void add_constraint(const ContactConstraint& constraint, std::uint32_t pair, const double (&linear)[3][3],
-                               const AnyLever& a, const AnyLever& b, const Blocks& blocks) {
+                               const AnyLever& a, const AnyLever& b, const ContactBlocks& blocks) {
+  const auto fixed = static_cast<std::int32_t>(blocks.diagonal.size());
   double turning[3][3];
-  if (constraint.a != blocks.fixed) {
+  if (constraint.a != fixed) {
     add_turning(a, a, turning);
-    add_block(1.0, linear, a.moment, a.moment, turning, false, blocks.diagonal[constraint.a]);
+    add_block(1.0, linear, a.moment, a.moment, turning, false, blocks.diagonal[static_cast<std::size_t>(constraint.a)]);
   }
-  if (constraint.b != blocks.fixed) {
+  if (constraint.b != fixed) {
     add_turning(b, b, turning);
-    add_block(1.0, linear, b.moment, b.moment, turning, false, blocks.diagonal[constraint.b]);
+    add_block(1.0, linear, b.moment, b.moment, turning, false, blocks.diagonal[static_cast<std::size_t>(constraint.b)]);
   }
   if (pair == kNoPair) return;
   BodyBlock& block = blocks.below[blocks.pair_block[pair]];
@@ -127,7 +111,7 @@ HWY_INLINE void add_constraint(const ContactConstraint& constraint, std::uint32_
 }
 
 HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
-                                 const Blocks& blocks) {
+                                 const ContactBlocks& blocks) {
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
     const Arms& arms = mid_arms == nullptr ? constraint.arms : mid_arms[p];
@@ -176,7 +160,7 @@ HWY_INLINE void add_turning(const MatrixLever& p, const MatrixLever& q, double (
 }
 
 HWY_ATTR void add_resistance_kernel(const ContactConstraint* constraints, const ConstraintMatrix* resistance,
-                                    std::size_t count, const Blocks& blocks) {
+                                    std::size_t count, const ContactBlocks& blocks) {
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
     const auto& directions = constraint.directions;
@@ -320,29 +304,15 @@ HWY_EXPORT(add_resistance_kernel);
 HWY_EXPORT(factorise_kernel);
 HWY_EXPORT(solve_kernel);
 
-namespace {
-
-Blocks blocks_of(std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
-                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
-  return {constraint_pair.data(), pair_block.data(), static_cast<std::int32_t>(diagonal.size()), diagonal.data(),
-          below.data()};
-}
-
-}  // namespace
-
 void add_penalty(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
-                 std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
-                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
+                 const ContactBlocks& blocks) {
   HWY_DYNAMIC_DISPATCH(add_penalty_kernel)
-  (constraints.data(), arms_or_null(mid_arms), constraints.size(),
-   blocks_of(constraint_pair, pair_block, diagonal, below));
+  (constraints.data(), arms_or_null(mid_arms), constraints.size(), blocks);
 }
 
 void add_resistance(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
-                    std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
-                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below) {
-  HWY_DYNAMIC_DISPATCH(add_resistance_kernel)
-  (constraints.data(), resistance.data(), constraints.size(), blocks_of(constraint_pair, pair_block, diagonal, below));
+                    const ContactBlocks& blocks) {
+  HWY_DYNAMIC_DISPATCH(add_resistance_kernel)(constraints.data(), resistance.data(), constraints.size(), blocks);
 }
 
 void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,

@@ -16,19 +16,22 @@ struct BlockUpdate {
   std::uint32_t c, l, b;
 };
 
-/// Adds J_midᵀ R J_mid, what the contacts add to the bodies' mass, to A: the lower triangle of its diagonal blocks, and
-/// all of those below.
+/// The blocks of the matrix A that contacts add to: the lower triangle of those on the diagonal, and all below.
+struct ContactBlocks {
+  std::span<const std::uint32_t> constraint_pair;  ///< a constraint: index into `pair_block`, or `kNoPair`
+  /// A pair of bodies: its block of `below`, whose row is the later body and whose column the earlier.
+  std::span<const std::uint32_t> pair_block;
+  std::span<BodyBlock> diagonal, below;
+};
+
+/// Adds J_midᵀ R J_mid, what the contacts add to the bodies' mass, to A.
 /// @param mid_arms   arms of the middle of the step; empty: those of the constraints
-/// @param constraint_pair a constraint: index into `pair_block`, or `kNoPair`
-/// @param pair_block a pair of bodies: its block of `below`, whose row is the later body and whose column the earlier
 void add_penalty(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
-                 std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
-                 std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
+                 const ContactBlocks& blocks);
 
 /// The same with a 3×3 matrix R of each point, which acts at the arms of the constraints.
 void add_resistance(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
-                    std::span<const std::uint32_t> constraint_pair, std::span<const std::uint32_t> pair_block,
-                    std::span<BodyBlock> diagonal, std::span<BodyBlock> below);
+                    const ContactBlocks& blocks);
 
 /// Structure of a block factor, columns in order of elimination; made by `BlockLdlt`.
 struct LdltStructure {

@@ -39,15 +39,15 @@ Places places_of(const Contacts& contacts) {
 Penalty penalty_of(const Contacts& contacts, bool with_mid_arms) {
   Penalty out{std::vector<BodyBlock>(kBodies), std::vector<BodyBlock>(kBodies * kBodies)};
   const Places places = places_of(contacts);
-  add_penalty(contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), places.pair, places.block,
-              out.diagonal, out.below);
+  add_penalty(contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(),
+              {places.pair, places.block, out.diagonal, out.below});
   return out;
 }
 
 Penalty resistance_of(const Contacts& contacts, const std::vector<ConstraintMatrix>& resistance) {
   Penalty out{std::vector<BodyBlock>(kBodies), std::vector<BodyBlock>(kBodies * kBodies)};
   const Places places = places_of(contacts);
-  add_resistance(contacts.constraints, resistance, places.pair, places.block, out.diagonal, out.below);
+  add_resistance(contacts.constraints, resistance, {places.pair, places.block, out.diagonal, out.below});
   return out;
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("ldlt_kernels: resistance is added to what is there, and pads stay zer
   const Penalty once = resistance_of(contacts, resistance);
   Penalty twice = once;
   const Places places = places_of(contacts);
-  add_resistance(contacts.constraints, resistance, places.pair, places.block, twice.diagonal, twice.below);
+  add_resistance(contacts.constraints, resistance, {places.pair, places.block, twice.diagonal, twice.below});
   const Eigen::MatrixXd single = lower_matrix(once);
   CHECK((lower_matrix(twice) - 2.0 * single).norm() < 1e-14 * single.norm());
   for (const std::vector<BodyBlock>* blocks : {&twice.diagonal, &twice.below})
