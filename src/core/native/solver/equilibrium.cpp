@@ -32,7 +32,11 @@ bool EquilibriumCheck::refutes_rest(const ContactProblem& problem, double larges
     double power = 0.0;
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
       if (largest_speed(problem, i) < share * fastest) motion_[i] = BodyVector{};
-      for (int k = 0; k < 3; ++k) power += problem.bodies[i].mass * motion_[i].row[k] * problem.free_velocity[i].row[k];
+      const double* v = motion_[i].row;
+      const double* free = problem.free_velocity[i].row;
+      for (int k = 0; k < 3; ++k) power += problem.bodies[i].mass * v[k] * free[k];
+      // Gravity does not turn a body, but a force from outside may.
+      power += Vec3(v[3], v[4], v[5]).dot(problem.bodies[i].inertia * Vec3(free[3], free[4], free[5]));
     }
     if (power > supported_power(problem, largest_impulse)) return true;
   }

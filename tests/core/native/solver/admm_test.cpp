@@ -207,3 +207,19 @@ TEST_CASE("equilibrium: a slide refutes rest above the limit of friction, and no
     CHECK(EquilibriumCheck().refutes_rest(problem, 100.0) == (share > 1.0));
   }
 }
+
+TEST_CASE("equilibrium: a spin refutes rest above the torque that friction holds, and not below",
+          "[core][equilibrium]") {
+  const double friction = 0.4;
+  // Of four corners that carry the weight.
+  const double held = friction * kWeight * std::hypot(0.5, 0.5);
+  for (const double share : {-2.0, 0.5, 0.99, 1.01, 2.0}) {
+    ContactProblem problem = block_on_floor(friction, Vec3::Zero());
+    problem.free_velocity[0].row[5] = share * held / problem.bodies[0].inertia(2, 2);
+    problem.velocity[0].row[5] = 1.0;
+    // It lifts off as fast as the corners slip times mu.
+    problem.velocity[0].row[2] = friction * std::hypot(0.5, 0.5);
+    CAPTURE(share);
+    CHECK(EquilibriumCheck().refutes_rest(problem, 100.0) == (share > 1.0));
+  }
+}
