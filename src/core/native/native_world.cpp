@@ -83,14 +83,13 @@ double NativeWorld::fall_margin(double acceleration) const {
 }
 
 void NativeWorld::mark() {
-  mark_ = {scene_, pairs_, broad_phase_, terms_, sleeping_, resting_, wait_, next_wait_};
+  mark_ = {scene_, pairs_, terms_, sleeping_, resting_, wait_, next_wait_};
   phase_set_ = false;
 }
 
 void NativeWorld::rewind() {
   scene_ = mark_.scene;
   pairs_ = mark_.pairs;
-  broad_phase_ = mark_.broad_phase;
   terms_ = mark_.terms;
   sleeping_ = mark_.sleeping;
   resting_ = mark_.resting;

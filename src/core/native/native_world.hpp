@@ -126,7 +126,7 @@ class NativeWorld {
   std::vector<std::uint8_t> near_sides_;  ///< a body that has moved: the sides that it is near, a bit each
   std::vector<Vec3> lower_, upper_;       ///< bounds of the bodies, grown by their speculative margins, m
   double whole_step_unit_ = 1.0;          ///< |g − a| times the phase's step, m/s
-  std::vector<std::uint8_t> failed_;      ///< a body: its island has to take the step again, in halves
+  std::vector<std::uint8_t> failed_;      ///< a body: its island has to take the step again
   std::vector<LateContact> late_contacts_;
   std::vector<std::uint8_t> ahead_;  ///< a body: has taken the whole step, of which others take halves
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
@@ -139,7 +139,6 @@ class NativeWorld {
   struct Mark {
     Scene scene;
     PairTable pairs;
-    BroadPhase broad_phase;
     StepTerms terms;
     SleepingBodies sleeping;
     std::vector<std::uint8_t> resting;
