@@ -284,7 +284,8 @@ void IslandProblem::store_impulse(std::size_t p, std::size_t lane, double step, 
 }
 
 void IslandProblem::store_step_impulses(Scene& scene, const IslandView& island, double step) const {
-  for (const std::uint32_t index : island.manifolds) scene.manifolds[index].cached = {};
+  for (const std::uint32_t index : island.manifolds)
+    if (scene.manifolds[index].active) scene.manifolds[index].cached = {};
   for (std::size_t p = 0; p < sources.size(); ++p) {
     for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
       CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];
@@ -296,7 +297,8 @@ void IslandProblem::store_step_impulses(Scene& scene, const IslandView& island, 
 
 void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, double step) const {
   for (const std::uint32_t index : island.manifolds)
-    for (CachedImpulse& cached : scene.manifolds[index].cached) cached = {.pressed = cached.pressed};
+    if (scene.manifolds[index].active)
+      for (CachedImpulse& cached : scene.manifolds[index].cached) cached = {.pressed = cached.pressed};
   for (std::size_t p = 0; p < sources.size(); ++p) {
     for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
       CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];

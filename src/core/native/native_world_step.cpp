@@ -327,7 +327,7 @@ void NativeWorld::finish_step() {
     for (int i = 0; i < manifold.contact.count; ++i)
       carries = carries || manifold.cached[at(i)].force.dot(manifold.contact.normal) > 0.0;
     manifold.idle_steps = carries ? 0 : manifold.idle_steps + 1;
-    if (manifold.idle_steps > kIdleSteps || (!carries && nearest > kContactTolerance)) manifold.active = false;
+    if (manifold.idle_steps > kIdleSteps || (!carries && nearest > kContactTolerance)) manifold.deactivate();
   }
 }
 

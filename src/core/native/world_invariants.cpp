@@ -69,6 +69,9 @@ class Inspection {
              "the points of a contact are finite", m);
       expect(cached.force.allFinite() && cached.contact_velocity.allFinite(), "cached impulses are finite", m);
       expect(cached.pressed >= 0.0, "no cached normal force pulls", m);
+      if (!manifold.active)
+        expect(cached.force == Vec3::Zero() && cached.contact_velocity == Vec3::Zero() && cached.pressed == 0.0,
+               "a pair that is not active has no cached impulses", m);
     }
   }
 

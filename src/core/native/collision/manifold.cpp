@@ -9,11 +9,55 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// Where a point of the body is now.
-Vec3 carried(const OrientedBox& then, const OrientedBox& now, const Vec3& point) {
-  const Vec3 arm = point - then.centre;
-  if (then.aligned && now.aligned) return now.centre + arm;
-  return now.centre + now.axes * (then.axes.transpose() * arm);
+/// How a body has moved from one pose to another.
+class Motion {
+ public:
+  Motion(const OrientedBox& then, const OrientedBox& now)
+      : from_(then.centre), to_(now.centre), turns_(!then.aligned || !now.aligned) {
+    if (turns_) turn_ = now.axes * then.axes.transpose();
+  }
+
+  /// Where a point of the body is now.
+  Vec3 operator()(const Vec3& point) const {
+    const Vec3 arm = point - from_;
+    return turns_ ? Vec3(to_ + turn_ * arm) : Vec3(to_ + arm);
+  }
+
+ private:
+  Vec3 from_, to_;
+  Mat3 turn_;
+  bool turns_;
+};
+
+/// Carries each point's cached impulse over from the old point that, as part of one of the bodies, has come nearest.
+/// @param now poses of the bodies, where the new contact was found
+void match_points(Manifold& manifold, const ContactSet& contact, const std::array<OrientedBox, 2>& now) {
+  const ContactSet& old = manifold.contact;
+  const Motion of_a(manifold.found_at[0], now[0]);
+  const Motion of_b(manifold.found_at[1], now[1]);
+  // A point may slide over one of the two bodies.
+  const auto square_on_a = [&](std::size_t i, std::size_t j) {
+    return (contact.points[i].on_a - of_a(old.points[j].on_a)).squaredNorm();
+  };
+  const auto square_on_b = [&](std::size_t i, std::size_t j) {
+    return (contact.points[i].on_b - of_b(old.points[j].on_b)).squaredNorm();
+  };
+  const auto count = static_cast<std::size_t>(contact.count);
+  bool same = contact.count == old.count && contact.axis == old.axis;
+  constexpr double kNear = kMatchDistanceInOrder * kMatchDistanceInOrder;
+  for (std::size_t i = 0; same && i < count; ++i) same = square_on_b(i, i) < kNear || square_on_a(i, i) < kNear;
+  if (same) return;
+  std::array<CachedImpulse, 8> cached;
+  for (std::size_t i = 0; i < count; ++i) {
+    double nearest = kMatchDistance * kMatchDistance;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(old.count); ++j) {
+      const double square = std::min(square_on_a(i, j), square_on_b(i, j));
+      if (square >= nearest) continue;
+      nearest = square;
+      cached[i] = manifold.cached[j];
+    }
+  }
+  manifold.cached = cached;
 }
 
 }  // namespace
@@ -33,10 +77,12 @@ std::array<OrientedBox, 2> poses_of(const Bodies& bodies, std::int32_t a, std::i
 ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox, 2>& then,
                          const std::array<OrientedBox, 2>& now) {
   ContactSet moved = contact;
+  const Motion of_a(then[0], now[0]);
+  const Motion of_b(then[1], now[1]);
   for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
     ContactPoint& point = moved.points[i];
-    point.on_a = carried(then[0], now[0], point.on_a);
-    point.on_b = carried(then[1], now[1], point.on_b);
+    point.on_a = of_a(point.on_a);
+    point.on_b = of_b(point.on_b);
     point.gap = contact.normal.dot(point.on_b - point.on_a);
   }
   return moved;
@@ -44,32 +90,7 @@ ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox
 
 void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
   const std::array<OrientedBox, 2> now = poses_of(bodies, manifold.a, manifold.b);
-  const auto old_count = static_cast<std::size_t>(manifold.contact.count);
-  const auto count = static_cast<std::size_t>(contact.count);
-  std::array<ContactPoint, 8> old;
-  for (std::size_t j = 0; j < old_count; ++j) {
-    old[j].on_a = carried(manifold.found_at[0], now[0], manifold.contact.points[j].on_a);
-    old[j].on_b = carried(manifold.found_at[1], now[1], manifold.contact.points[j].on_b);
-  }
-  // A point may slide over one of the two bodies.
-  const auto square = [&](std::size_t i, std::size_t j) {
-    return std::min((contact.points[i].on_a - old[j].on_a).squaredNorm(),
-                    (contact.points[i].on_b - old[j].on_b).squaredNorm());
-  };
-  bool same = count == old_count && contact.axis == manifold.contact.axis;
-  for (std::size_t i = 0; same && i < count; ++i) same = square(i, i) < kMatchDistanceInOrder * kMatchDistanceInOrder;
-  if (!same) {
-    std::array<CachedImpulse, 8> cached;
-    for (std::size_t i = 0; i < count; ++i) {
-      double nearest = kMatchDistance * kMatchDistance;
-      for (std::size_t j = 0; j < old_count; ++j) {
-        if (square(i, j) >= nearest) continue;
-        nearest = square(i, j);
-        cached[i] = manifold.cached[j];
-      }
-    }
-    manifold.cached = cached;
-  }
+  if (manifold.active) match_points(manifold, contact, now);
   manifold.contact = contact;
   manifold.found_at = now;
 }

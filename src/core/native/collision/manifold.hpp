@@ -38,12 +38,17 @@ struct Manifold {
   double kinetic_friction = 0.0;
   double restitution = 0.0;
   ContactSet contact;
-  std::array<CachedImpulse, 8> cached;
+  std::array<CachedImpulse, 8> cached;  ///< zero where the pair is not active
   std::array<OrientedBox, 2> found_at;  ///< a and b where the contact was found; a side stays where it is
 
   void activate() {
     active = true;
     idle_steps = 0;
+  }
+
+  void deactivate() {
+    active = false;
+    cached = {};
   }
 
   bool with_side() const { return a < 0; }
