@@ -16,14 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
-/// Three components of a vector at the points of a constraint.
-struct Triple {
-  Four at[3];
-};
-HWY_INLINE Triple operator*(const Four& s, const Triple& v) { return {{s * v.at[0], s * v.at[1], s * v.at[2]}}; }
-HWY_INLINE Four dot(const Triple& p, const Triple& q) {
-  return p.at[0] * q.at[0] + p.at[1] * q.at[1] + p.at[2] * q.at[2];
-}
 HWY_INLINE Triple cross(const Triple& p, const std::array<double, 3>& n) {
   const Four x = Four::all(n[0]), y = Four::all(n[1]), z = Four::all(n[2]);
   return {{p.at[1] * z - p.at[2] * y, p.at[2] * x - p.at[0] * z, p.at[0] * y - p.at[1] * x}};
@@ -37,7 +29,7 @@ struct Lever {
 };
 HWY_INLINE Lever lever(const std::array<Lanes, 3>& arms, const Four& t, const Four& d, const std::array<double, 3>& n) {
   Lever l;
-  l.arm = {{Four::load(arms[0].data()), Four::load(arms[1].data()), Four::load(arms[2].data())}};
+  l.arm = Triple::load(arms);
   l.turn = cross(l.arm, n);
   l.tangential = t * l.arm;
   l.extra = d * l.turn;
@@ -136,7 +128,7 @@ struct MatrixLever {
 };
 HWY_INLINE MatrixLever lever(const std::array<Lanes, 3>& arms, const Four (&r)[3][3]) {
   MatrixLever l;
-  l.arm = {{Four::load(arms[0].data()), Four::load(arms[1].data()), Four::load(arms[2].data())}};
+  l.arm = Triple::load(arms);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;

@@ -10,6 +10,7 @@
 #endif
 
 #include <hwy/highway.h>
+#include <array>
 #include <cstddef>
 
 #include "core/native/solver/body_block.hpp"
@@ -57,6 +58,9 @@ struct Pack {
   friend HWY_INLINE Pack operator*(const Pack& a, const Pack& b) {
     return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Mul(x, y); });
   }
+  friend HWY_INLINE Pack operator/(const Pack& a, const Pack& b) {
+    return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Div(x, y); });
+  }
   friend HWY_INLINE Pack max(const Pack& a, const Pack& b) {
     return map(a, b, [](auto x, auto y) HWY_ATTR { return hn::Max(x, y); });
   }
@@ -77,6 +81,31 @@ struct Pack {
 
 using Four = Pack<kLanes>;
 using Eight = Pack<kPaddedRows>;
+
+/// Three components of a vector at the points of a constraint.
+struct Triple {
+  Four at[3];
+
+  static HWY_INLINE Triple load(const std::array<Lanes, 3>& rows) {
+    return {{Four::load(rows[0].data()), Four::load(rows[1].data()), Four::load(rows[2].data())}};
+  }
+  HWY_INLINE void store(std::array<Lanes, 3>& rows) const {
+    for (std::size_t i = 0; i < 3; ++i) at[i].store(rows[i].data());
+  }
+
+  friend HWY_INLINE Triple operator+(const Triple& a, const Triple& b) {
+    return {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
+  }
+  friend HWY_INLINE Triple operator-(const Triple& a, const Triple& b) {
+    return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
+  }
+  friend HWY_INLINE Triple operator*(const Four& s, const Triple& v) {
+    return {{s * v.at[0], s * v.at[1], s * v.at[2]}};
+  }
+  friend HWY_INLINE Four dot(const Triple& a, const Triple& b) {
+    return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
+  }
+};
 
 /// Sum over the lanes.
 HWY_INLINE double total(const Four& four) {
