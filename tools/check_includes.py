@@ -46,7 +46,7 @@ RULES = {
 
 # Libraries that are kept to the files that match, so that they can be replaced there.
 KEPT_TO = {
-    "Highway": r"src/core/native/solver/(\w+_kernels\.cpp|instruction_sets\.cpp|pack-inl\.hpp)",
+    "Highway": r"src/core/native/solver/(\w+_kernels\.cpp|instruction_sets\.cpp|(pack|lorentz_cone)-inl\.hpp)",
     "CLI11": r"src/app/command_line\w*\.[ch]pp",
     "httplib": r"src/app/page_server/page_server\.cpp",
     "Bullet3OpenCL": r"src/parallel/opencl/bullet3_pipeline\.cpp",

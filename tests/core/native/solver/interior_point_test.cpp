@@ -8,6 +8,7 @@
 
 #include "core/native/constants.hpp"
 #include "core/native/solver/admm.hpp"
+#include "core/native/solver/each_instruction_set.hpp"
 #include "core/native/solver/equilibrium.hpp"
 #include "core/native/solver/resting_piles.hpp"
 #include "core/native/solver/solved_problems.hpp"
@@ -290,6 +291,43 @@ TEST_CASE("interior_point: what is in the problem's velocities does not matter",
   CHECK(same_bits(contact_numbers(moving.problem), contact_numbers(pile.problem)));
 }
 
+TEST_CASE("interior_point: every instruction set computes the same bits", "[core][interior_point]") {
+  for (const Pile& pile : assorted_piles()) {
+    std::vector<Pile> solved;
+    std::vector<int> iterations;
+    for_each_instruction_set([&](std::int64_t) {
+      Pile& own = solved.emplace_back(pile);
+      iterations.push_back(decides(own).iterations);
+    });
+    REQUIRE_FALSE(solved.empty());
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+      CHECK(iterations[i] == iterations[0]);
+      CHECK(same_bits(solved[i].problem.velocity, solved[0].problem.velocity));
+      CHECK(same_bits(contact_numbers(solved[i].problem), contact_numbers(solved[0].problem)));
+    }
+  }
+}
+
+TEST_CASE("interior_point: lanes without a point, and points whose bound is 0, take no part",
+          "[core][interior_point]") {
+  // A box on three corners, and a wall that may not press it.
+  Pile pile = box_at_wall(0.0, 0.3, 0.0);
+  ContactConstraint& floor = pile.problem.constraints[0];
+  floor.count = 3;
+  decides(pile);
+  for (const ContactConstraint& contact : pile.problem.constraints) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const bool takes_part = &contact == &floor && lane < 3;
+      CAPTURE(&contact - &floor, lane);
+      for (std::size_t d = 0; d < 3; ++d) {
+        CHECK((takes_part || contact.impulse.row[d][lane] == 0.0));
+        CHECK((takes_part || contact.contact_velocity.row[d][lane] == 0.0));
+      }
+      CHECK((!takes_part || contact.contact_velocity.row[0][lane] > 0.0));
+    }
+  }
+}
+
 TEST_CASE("interior_point: it decides as the splitting does", "[core][interior_point]") {
   int rests = 0;
   int refuted = 0;
@@ -328,8 +366,10 @@ TEST_CASE("interior_point: it decides as the splitting does", "[core][interior_p
 }
 
 TEST_CASE("interior_point: a turned pile is decided as it was, with its motion turned", "[core][interior_point]") {
+  // Not at share 0: nothing pushes the box to the wall, nor does the floor's friction hold it. That is exactly a limit,
+  // where rounding has a say.
   Random random(9);
-  for (Pile& pile : assorted_piles({0.0, 0.5, 1.1, 3.0})) {
+  for (Pile& pile : assorted_piles({0.5, 1.1, 3.0})) {
     Pile turned = pile;
     const Mat3 axes = random.rotation().toRotationMatrix();
     turn(turned.problem, axes);

@@ -1,10 +1,15 @@
-#include "core/native/solver/lorentz_cone.hpp"
-
+// The algebra of the cones, as the least instruction set of the machine computes it.
+#include "core/native/solver/simd_targets.hpp"
+//
+#include "core/native/solver/lorentz_cone-inl.hpp"
+//
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/native/collision/oriented_box.hpp"
 #include "random.hpp"
 #include "same_bits.hpp"
 
@@ -12,6 +17,49 @@ using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
 namespace {
+
+namespace kernel = holdfast::internal::native::HWY_NAMESPACE;
+
+double first(const kernel::Four& four) {
+  alignas(64) double lane[kLanes];
+  four.store(lane);
+  return lane[0];
+}
+
+/// The kernels' functions, of one vector in all lanes.
+namespace lorentz {
+
+kernel::Triple all(const Vec3& x) {
+  return {{kernel::Four::all(x[0]), kernel::Four::all(x[1]), kernel::Four::all(x[2])}};
+}
+Vec3 first(const kernel::Triple& x) { return {::first(x.at[0]), ::first(x.at[1]), ::first(x.at[2])}; }
+
+double tangential_length(const Vec3& x) { return ::first(kernel::lorentz::tangential_length(all(x))); }
+double determinant(const Vec3& x) { return ::first(kernel::lorentz::determinant(all(x))); }
+Vec3 product(const Vec3& a, const Vec3& b) { return first(kernel::lorentz::product(all(a), all(b))); }
+Vec3 quotient(const Vec3& b, const Vec3& a) { return first(kernel::lorentz::quotient(all(b), all(a))); }
+double longest_step(const Vec3& x, const Vec3& d) { return ::first(kernel::lorentz::longest_step(all(x), all(d))); }
+
+struct Scaling {
+  kernel::lorentz::Scaling fours;
+  double square;
+  Vec3 w;
+
+  Scaling(const Vec3& y, const Vec3& s)
+      : fours(kernel::lorentz::Scaling::of(all(y), all(s))), square(::first(fours.square)), w(first(fours.w)) {}
+  Vec3 scaled(const Vec3& x) const { return first(fours.scaled(all(x))); }
+  Vec3 unscaled(const Vec3& x) const { return first(fours.unscaled(all(x))); }
+  Mat3 inverse_square() const {
+    kernel::Four entries[3][3];
+    fours.inverse_square(entries);
+    Mat3 matrix;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j) matrix(i, j) = ::first(entries[i][j]);
+    return matrix;
+  }
+};
+
+}  // namespace lorentz
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSamples = 1000;
@@ -107,6 +155,14 @@ TEST_CASE("lorentz_cone: the longest step to the tip is the whole way", "[core][
   CAPTURE(worst);
   // The boundary is met twice there, and a double root has half of the digits.
   CHECK(worst < 1e-6);
+}
+
+TEST_CASE("lorentz_cone: the longest step is no number where the direction is none", "[core][lorentz_cone]") {
+  for (const Eigen::Index i : {0, 1, 2}) {
+    Vec3 d(1, 2, 3);
+    d[i] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(std::isnan(lorentz::longest_step(Vec3(2, 1, 1), d)));
+  }
 }
 
 TEST_CASE("lorentz_cone: a step along the cone has no end", "[core][lorentz_cone]") {
