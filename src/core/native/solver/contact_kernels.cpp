@@ -230,6 +230,28 @@ HWY_ATTR void add_impulses_kernel(const ContactConstraint* constraints, const Ar
   }
 }
 
+/// 1 in the lanes of so many points.
+alignas(64) constexpr double kUsed[kLanes + 1][kLanes] = {
+    {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}};
+
+HWY_ATTR double supported_power_kernel(const ContactConstraint* constraints, std::size_t count,
+                                       const BodyVector* velocity, double largest_impulse, const NormalBounds* most) {
+  const Four zero = Four::all(0.0);
+  const Four largest_of_all = Four::all(largest_impulse);
+  Four sum = zero;
+  for (std::size_t p = 0; p < count; ++p) {
+    const ContactConstraint& constraint = constraints[p];
+    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
+    Four u[3];
+    for (std::size_t i = 0; i < 3; ++i) u[i] = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
+    const Four slip = (u[1] * u[1] + u[2] * u[2]).sqrt();
+    const Four bound = most == nullptr ? largest_of_all : min(largest_of_all, Four::load(most[p].lane.data()));
+    const Four taken = bound * max(zero, Four::all(constraint.friction) * slip - u[0]);
+    sum = sum + Four::load(kUsed[constraint.count]) * taken;
+  }
+  return total(sum);
+}
+
 }  // namespace
 }  // namespace holdfast::internal::native::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -245,6 +267,7 @@ HWY_EXPORT(dot_kernel);
 HWY_EXPORT(take_difference_kernel);
 HWY_EXPORT(subtract_kernel);
 HWY_EXPORT(add_impulses_kernel);
+HWY_EXPORT(supported_power_kernel);
 
 void find_contact_velocities(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
                              std::span<ConstraintVector> u) {
@@ -293,6 +316,12 @@ void add_impulses(std::span<const ContactConstraint> constraints, std::span<cons
                   std::span<LaneWrench> wrench) {
   HWY_DYNAMIC_DISPATCH(add_impulses_kernel)
   (constraints.data(), arms_or_null(mid_arms), constraints.size(), wrench.data());
+}
+
+double supported_power(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                       double largest, std::span<const NormalBounds> most) {
+  return HWY_DYNAMIC_DISPATCH(supported_power_kernel)(constraints.data(), constraints.size(), velocity.data(), largest,
+                                                      most.empty() ? nullptr : most.data());
 }
 
 }  // namespace holdfast::internal::native

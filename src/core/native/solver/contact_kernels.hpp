@@ -72,4 +72,12 @@ void subtract(std::span<const std::vector<ConstraintVector>> history, std::span<
 void add_impulses(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
                   std::span<LaneWrench> wrench);
 
+/// The most power that impulses in Coulomb's cones can take from a motion, Σ bound · max(0, μ |u_t| − u_n) over all
+/// points, with u = J v + velocity_bias and y_n ≤ bound, kg m²/s².
+/// @param velocity a body; the last entry, of what is fixed, is zero
+/// @param largest  bound of all normal impulses, kg m/s
+/// @param most     a constraint: bounds of its own; empty: none
+double supported_power(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
+                       double largest, std::span<const NormalBounds> most);
+
 }  // namespace holdfast::internal::native

@@ -22,11 +22,9 @@ class EquilibriumCheck {
   bool refutes_rest(const ContactProblem& problem, double largest_impulse);
 
  private:
-  double supported_power(const ContactProblem& problem, double largest_impulse);
-
-  std::vector<ConstraintVector> u_;
   std::vector<LaneWrench> wrench_;
   std::vector<BodyVector> force_, motion_;
+  std::vector<double> speed_, power_;  ///< a body: its speed, m/s; what gravity and forces from outside give to it
 };
 
 }  // namespace holdfast::internal::native

@@ -208,6 +208,29 @@ TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[co
   CHECK(worst < 1e-13);
 }
 
+TEST_CASE("contact_kernels: the power that impulses can take is what it is point by point", "[core][contact_kernels]") {
+  const Contacts contacts = random_contacts(61);
+  Random random(62);
+  std::vector<NormalBounds> most(kConstraints);
+  for (NormalBounds& bounds : most)
+    for (double& bound : bounds.lane) bound = random.between(0.0, 3.0);
+  std::vector<ConstraintVector> u(kConstraints);
+  find_contact_velocities(contacts.constraints, contacts.velocity, u);
+  double bounded = 0.0, unbounded = 0.0;
+  for (std::size_t p = 0; p < kConstraints; ++p) {
+    const ContactConstraint& constraint = contacts.constraints[p];
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
+      const double slip = std::hypot(u[p].row[1][lane], u[p].row[2][lane]);
+      const double taken = std::max(0.0, constraint.friction * slip - u[p].row[0][lane]);
+      bounded += std::min(1.5, most[p].lane[lane]) * taken;
+      unbounded += 1.5 * taken;
+    }
+  }
+  CHECK(supported_power(contacts.constraints, contacts.velocity, 1.5, most) == Approx(bounded).epsilon(1e-12));
+  CHECK(supported_power(contacts.constraints, contacts.velocity, 1.5, {}) == Approx(unbounded).epsilon(1e-12));
+  CHECK(bounded < 0.9 * unbounded);
+}
+
 TEST_CASE("contact_kernels: every instruction set computes the same bits", "[core][contact_kernels]") {
   const Contacts contacts = random_contacts(31);
   struct Output {
@@ -215,7 +238,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
     std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
     std::vector<ConstraintVector> u, g, r, difference, step;
     PrimalResidual primal_residual;
-    double product = 0.0;
+    double product = 0.0, power = 0.0;
   };
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
@@ -237,6 +260,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
     out.step.resize(kConstraints);
     take_difference(out.g, last, out.step);
     add_impulses(out.constraints, {}, out.added);
+    out.power = supported_power(own.constraints, own.velocity, 1.5, {});
   });
   REQUIRE_FALSE(outputs.empty());
   CHECK(outputs.front().primal_residual.largest > 0.0);
@@ -249,6 +273,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
     CHECK(same_bits(out.swept, first.swept));
     CHECK(same_bits(out.added, first.added));
     CHECK(out.product == first.product);
+    CHECK(out.power == first.power);
     CHECK(same_bits(out.u, first.u));
     CHECK(same_bits(out.g, first.g));
     CHECK(same_bits(out.r, first.r));
