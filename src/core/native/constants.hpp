@@ -309,8 +309,8 @@ inline constexpr int kBalanceCheckEvery = 10;
 
 /// Iterations of the splitting in a proof of rest, after which the interior point method decides: the splitting is
 /// quick far from the limit of balance, where most proofs are.
-/// A quarter: 8 % more time on real loads under the road accelerations and 50 % on gentle ones; half: 2 and 20 %; twice
-/// and more: insensitive.
+/// A quarter: 6 % more time on real loads under the road accelerations and 35 % on gentle ones; half: 1 and 14 %; three
+/// quarters and twice: 1 and 5 to 8 %.
 inline constexpr int kSettlingIterations = 40;
 
 /// Penalty R of the splitting in a proof of rest, over the mass that a contact carries.
