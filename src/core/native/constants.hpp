@@ -279,7 +279,7 @@ inline constexpr double kRisingSpeed = 1e-7;
 
 /// All bodies are awake in every step of this count.
 /// Half: real loads take 5 % more time; twice: 3 verdicts of 64 change.
-inline constexpr std::uint32_t kWakeEvery = 8;
+inline constexpr std::uint32_t kWakeEvery = 16;
 
 /// Bodies that are this many contacts away from one that is hit do not sleep in the step.
 /// Half: 300 boxes take a tenth more time; twice: a sixth more. Noticed by `sleeping_bodies`.

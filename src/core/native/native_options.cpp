@@ -12,8 +12,8 @@ NativeOptions native_options(const Settings& settings) {
       options.steps_per_second = 60.0;
       options.large_island = {.tolerance = 1e-3,
                               .reset_tolerance = 1e-6,
-                              .iterations = 16,
-                              .reset_iterations = 60,
+                              .iterations = 12,
+                              .reset_iterations = 16,
                               .mean_residual = 0.1,
                               .impact_cuts = 0,
                               .impact_length = 2e-3,
