@@ -30,8 +30,8 @@ struct NativeOptions {
   Effort small_island;              ///< for islands of at most `kSmallIslandBodies`
   /// For larger ones. Their impacts are solved at the end of a step: there are many at any time, and to locate them
   /// takes five times as long for no smaller error.
-  Effort large_island{.iterations = 16,
-                      .reset_iterations = 100,
+  Effort large_island{.iterations = 12,
+                      .reset_iterations = 24,
                       .mean_residual = 0.02,
                       .impact_cuts = 0,
                       .slip_end_cuts = 0,
