@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include "core/native/solver/contact_kernels.hpp"
+#include "core/native/solver/penalty_kernels.hpp"
 
 namespace holdfast::internal::native {
 
 namespace {
 
-/// The ratio rounded up to a power of 4, at least 1: scaling all masses by a power of 2 then scales R exactly.
-double round_up_to_power_of_4(double ratio) {
-  double power = 1.0;
-  while (power < ratio) power *= 4.0;
-  return power;
+std::size_t points_in(const ContactProblem& problem) {
+  std::size_t points = 0;
+  for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
+  return points;
 }
 
 }  // namespace
@@ -28,53 +28,22 @@ std::span<const std::uint32_t> AdmmSolver::order(std::size_t count, std::span<co
   return ldlt_.elimination_indices();
 }
 
-AdmmSolver::Penalty AdmmSolver::wanted_penalty(const ContactProblem& problem, const ContactConstraint& constraint,
-                                               std::size_t lane, const SolveLimits& limits) const {
-  const double normal = constraint.impulse.row[0][lane];
-  const double expected = constraint.expected_impulse[lane];
-  // Without friction nothing holds along the tangents: R would, until the solve has come to its end.
-  const double held = constraint.friction > 0.0 ? 1.0 : 0.0;
-  if (normal <= 0.0 && (problem.continues || expected <= 0.0)) {
-    const double idle = limits.idle_penalty * constraint.effective_mass;
-    return {limits.sticking * idle, held * limits.sliding * idle};
-  }
-  const double ratio = std::max(normal, expected) / (constraint.effective_mass * problem.impulse_per_mass);
-  const double carried =
-      constraint.effective_mass * round_up_to_power_of_4(std::min(heaviest_ / constraint.effective_mass, ratio));
-  const double limit = kSlidingShare * constraint.friction * normal;
-  const double tangential = constraint.impulse.row[1][lane] * constraint.impulse.row[1][lane] +
-                            constraint.impulse.row[2][lane] * constraint.impulse.row[2][lane];
-  const bool slides = normal > 0.0 && tangential >= limit * limit;
-  return {limits.sticking * carried, held * (slides ? limits.sliding : limits.sticking) * carried};
-}
-
 /// Fits R to the impulses that are there. False where it stays, because few points call for another: they are not
 /// worth a factorisation.
 bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limits) {
+  PenaltyFit fit{.sticking = limits.sticking,
+                 .sliding = limits.sliding,
+                 .idle = limits.idle_penalty,
+                 .impulse_per_mass = problem.impulse_per_mass,
+                 .continues = problem.continues};
   // A point carries at most the whole island on a constraint's four: what is more is an impact's impulse, not mass.
-  heaviest_ = 0.0;
-  for (const ProblemBody& body : problem.bodies) heaviest_ += body.mass;
-  heaviest_ /= static_cast<double>(kLanes);
-  const auto for_each_point = [&](auto&& visit) {
-    for (ContactConstraint& constraint : problem.constraints)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i)
-        visit(constraint, i, wanted_penalty(problem, constraint, i, limits));
-  };
+  for (const ProblemBody& body : problem.bodies) fit.heaviest += body.mass;
+  fit.heaviest /= static_cast<double>(kLanes);
   if (problem.continues) {
-    std::size_t points = 0;
-    std::size_t others = 0;
-    for_each_point([&](const ContactConstraint& constraint, std::size_t i, const Penalty& wanted) {
-      ++points;
-      if (wanted.normal != constraint.penalty[0][i] || wanted.tangential != constraint.penalty[1][i]) ++others;
-    });
-    if (static_cast<double>(others) <= limits.refit_share * static_cast<double>(points)) return false;
+    const double others = count_misfits(fit, problem.constraints);
+    if (others <= limits.refit_share * static_cast<double>(points_in(problem))) return false;
   }
-  for_each_point([](ContactConstraint& constraint, std::size_t i, const Penalty& wanted) {
-    constraint.penalty[0][i] = wanted.normal;
-    constraint.penalty[1][i] = wanted.tangential;
-    constraint.inverse_penalty[0][i] = 1.0 / wanted.normal;
-    constraint.inverse_penalty[1][i] = wanted.tangential > 0.0 ? 1.0 / wanted.tangential : 0.0;
-  });
+  fit_penalty(fit, problem.constraints);
   problem.continues = true;
   return true;
 }
@@ -115,8 +84,7 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
   u_.resize(count);
   g_.resize(count);
   r_.resize(count);
-  std::size_t points = 0;
-  for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
+  const std::size_t points = points_in(problem);
   PrimalResidual primal_residual;
   const auto may_pass = [&] {
     const double mean = limits.mean_residual * unit;

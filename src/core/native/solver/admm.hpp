@@ -25,14 +25,6 @@ class AdmmSolver final : public ContactSolver {
   SolveResult solve(ContactProblem& problem, const SolveLimits& limits) override;
 
  private:
-  /// R of a point, along the normal and the tangents, kg.
-  struct Penalty {
-    double normal = 0.0;
-    double tangential = 0.0;
-  };
-
-  Penalty wanted_penalty(const ContactProblem& problem, const ContactConstraint& constraint, std::size_t lane,
-                         const SolveLimits& limits) const;
   bool refit_penalty(ContactProblem& problem, const SolveLimits& limits);
   void factorise(const ContactProblem& problem);
   double update_velocities(ContactProblem& problem);
@@ -40,7 +32,6 @@ class AdmmSolver final : public ContactSolver {
   BlockLdlt ldlt_;
   std::vector<BodyPair> ordered_pairs_;  ///< of the last `order`, as the renumbered problem has them
   std::size_t ordered_count_ = 0;
-  double heaviest_ = 0.0;  ///< most mass that a point can carry, kg
   Anderson anderson_;
   std::vector<ConstraintVector> u_, g_, r_;
   std::vector<LaneWrench> wrench_;

@@ -230,10 +230,6 @@ HWY_ATTR void add_impulses_kernel(const ContactConstraint* constraints, const Ar
   }
 }
 
-/// 1 in the lanes of so many points.
-alignas(64) constexpr double kUsed[kLanes + 1][kLanes] = {
-    {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}};
-
 HWY_ATTR double supported_power_kernel(const ContactConstraint* constraints, std::size_t count,
                                        const BodyVector* velocity, double largest_impulse, const NormalBounds* most) {
   const Four zero = Four::all(0.0);
@@ -247,7 +243,7 @@ HWY_ATTR double supported_power_kernel(const ContactConstraint* constraints, std
     const Four slip = (u[1] * u[1] + u[2] * u[2]).sqrt();
     const Four bound = most == nullptr ? largest_of_all : min(largest_of_all, Four::load(most[p].lane.data()));
     const Four taken = bound * max(zero, Four::all(constraint.friction) * slip - u[0]);
-    sum = sum + Four::load(kUsed[constraint.count]) * taken;
+    sum = sum + used_lanes(constraint.count) * taken;
   }
   return total(sum);
 }

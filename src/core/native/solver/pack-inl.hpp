@@ -107,6 +107,13 @@ struct Triple {
   }
 };
 
+/// 1 in the lanes of so many points, 0 in the others.
+HWY_INLINE Four used_lanes(std::int32_t count) {
+  alignas(64) static constexpr double kUsed[kLanes + 1][kLanes] = {
+      {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}};
+  return Four::load(kUsed[count]);
+}
+
 /// Sum over the lanes.
 HWY_INLINE double total(const Four& four) {
   alignas(64) double lane[kLanes];
