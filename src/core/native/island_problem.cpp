@@ -31,10 +31,6 @@ struct IslandProblem::PointView {
   }
 };
 
-std::uint32_t IslandProblem::row_or_fixed(const Bodies& bodies, std::int32_t body) const {
-  return stays(bodies, body) ? static_cast<std::uint32_t>(problem.bodies.size()) : row_[at(body)];
-}
-
 /// Bodies in the solver's order, at rest, and without constraints.
 void IslandProblem::begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                           ContactSolver& solver) {
@@ -113,16 +109,32 @@ void IslandProblem::predict(const Scene& scene, const IslandView& island, const 
   }
 }
 
-void IslandProblem::set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
-                             std::array<Lanes, 3> Arms::*side) {
-  if (stays(bodies, body)) return;
+IslandProblem::End IslandProblem::end_of(const Bodies& bodies, std::int32_t body) const {
+  End end;
+  end.row = static_cast<std::int32_t>(problem.bodies.size());
+  if (stays(bodies, body)) return end;
   const std::size_t row = row_[at(body)];
-  const Vec3 arm = on - bodies.state.position[at(body)];
-  const Vec3 end = turns_[row] != 0 ? Vec3(turn_end_[row] * arm) : arm;
-  const Vec3 middle = turns_[row] != 0 ? Vec3(turn_mid_[row] * arm) : arm;
+  end.row = static_cast<std::int32_t>(row);
+  end.moves = true;
+  end.position = bodies.state.position[at(body)];
+  end.velocity = bodies.state.velocity[at(body)];
+  end.angular_velocity = bodies.state.angular_velocity[at(body)];
+  end.inverse_mass = 1.0 / bodies.mass[at(body)];
+  if (turns_[row] != 0) {
+    end.turn_mid = &turn_mid_[row];
+    end.turn_end = &turn_end_[row];
+  }
+  return end;
+}
+
+/// Writes the arms of a point of the last constraint, at the end of the step and in its middle.
+void IslandProblem::set_arms(const End& end, const Vec3& arm, std::size_t lane, std::array<Lanes, 3> Arms::*side) {
+  if (!end.moves) return;
+  const Vec3 at_end = end.turn_end != nullptr ? Vec3(*end.turn_end * arm) : arm;
+  const Vec3 at_middle = end.turn_mid != nullptr ? Vec3(*end.turn_mid * arm) : arm;
   for (std::size_t k = 0; k < 3; ++k) {
-    (problem.constraints.back().arms.*side)[k][lane] = end[static_cast<Eigen::Index>(k)];
-    (problem.mid_arms.back().*side)[k][lane] = middle[static_cast<Eigen::Index>(k)];
+    (problem.constraints.back().arms.*side)[k][lane] = at_end[static_cast<Eigen::Index>(k)];
+    (problem.mid_arms.back().*side)[k][lane] = at_middle[static_cast<Eigen::Index>(k)];
   }
 }
 
@@ -135,13 +147,15 @@ void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, dou
   const Bodies& bodies = scene.bodies;
   const Manifold& manifold = scene.manifolds[index];
   const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
-  const auto inverse_mass = [&](std::int32_t body) { return stays(bodies, body) ? 0.0 : 1.0 / bodies.mass[at(body)]; };
-  const double inverse_masses = inverse_mass(manifold.a) + inverse_mass(manifold.b);
+  const End a = end_of(bodies, manifold.a);
+  const End b = end_of(bodies, manifold.b);
   const std::size_t first = problem.constraints.size();
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
-    const Vec3 velocity = relative_velocity(bodies, manifold, point);
+    const Vec3 arm_a = point.on_a - a.position;
+    const Vec3 arm_b = point.on_b - b.position;
+    const Vec3 velocity = b.velocity_at(arm_b) - a.velocity_at(arm_a);
     const PointView view{i,         point.gap, velocity, manifold.contact.normal.dot(velocity), manifold.cached[at(i)],
                          directions};
     if (!takes_part(view)) continue;
@@ -151,8 +165,8 @@ void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, dou
       for (std::size_t d = 0; d < 3; ++d)
         made.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
       made.friction = manifold.friction_now();
-      made.a = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.a));
-      made.b = static_cast<std::int32_t>(row_or_fixed(bodies, manifold.b));
+      made.a = a.row;
+      made.b = b.row;
       problem.mid_arms.emplace_back();
       sources.push_back({index, {}});
     }
@@ -160,13 +174,13 @@ void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, dou
     ContactConstraint& constraint = problem.constraints.back();
     constraint.count = static_cast<std::int32_t>(lane) + 1;
     sources.back().point[lane] = static_cast<std::uint8_t>(i);
-    set_arms(bodies, manifold.a, point.on_a, lane, &Arms::a);
-    set_arms(bodies, manifold.b, point.on_b, lane, &Arms::b);
+    set_arms(a, arm_a, lane, &Arms::a);
+    set_arms(b, arm_b, lane, &Arms::b);
     constraint.expected_impulse[lane] = step * view.cached.force.dot(directions[0]);
     fill(view, constraint, lane);
   }
   for (std::size_t p = first; p < problem.constraints.size(); ++p)
-    problem.constraints[p].effective_mass = 1.0 / (inverse_masses * used);
+    problem.constraints[p].effective_mass = 1.0 / ((a.inverse_mass + b.inverse_mass) * used);
 }
 
 /// Adds the constraints of all active manifolds.
@@ -191,6 +205,7 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
                                  ContactSolver& solver, const PointFilter& filter, const PointBits& predicted) {
   begin(scene, island, terms, step, solver);
   predict(scene, island, terms, step);
+  const double lasting = kLastingSlip * terms.velocity_unit;
   for_each_active(scene, island, [&](std::uint32_t index) {
     const Manifold& manifold = scene.manifolds[index];
     const auto takes_part = [&](const PointView& point) {
@@ -205,7 +220,7 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
           }
           // Friction along the mean slip makes curved paths second order in the step.
           const Vec3 slip = point.velocity - manifold.contact.normal * point.normal_velocity;
-          if (slip.norm() > kLastingSlip * terms.velocity_unit)
+          if (slip.squaredNorm() > lasting * lasting)
             for (std::size_t d = 1; d < 3; ++d) constraint.velocity_bias.row[d][lane] = slip.dot(point.directions[d]);
           point.warm_start(step, constraint, lane);
         });

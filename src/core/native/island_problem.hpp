@@ -87,6 +87,20 @@ class IslandProblem {
  private:
   struct PointView;
 
+  /// A body or side of a manifold, at the start of the step; without motion where it stays.
+  struct End {
+    std::int32_t row = 0;  ///< in the problem
+    bool moves = false;
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 angular_velocity = Vec3::Zero();
+    double inverse_mass = 0.0;
+    const Mat3* turn_mid = nullptr;  ///< predicted rotation to the middle and the end of the step; null: none
+    const Mat3* turn_end = nullptr;
+
+    Vec3 velocity_at(const Vec3& arm) const { return velocity + angular_velocity.cross(arm); }
+  };
+
   void begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step, ContactSolver& solver);
   void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void push(const Bodies& bodies, std::uint32_t body, double step);
@@ -96,9 +110,8 @@ class IslandProblem {
   void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
   void store_impulse(std::size_t constraint, std::size_t lane, double step, CachedImpulse& cached) const;
   Vec3 acting_impulse(std::size_t constraint, std::size_t lane) const;
-  void set_arms(const Bodies& bodies, std::int32_t body, const Vec3& on, std::size_t lane,
-                std::array<Lanes, 3> Arms::*side);
-  std::uint32_t row_or_fixed(const Bodies& bodies, std::int32_t body) const;
+  End end_of(const Bodies& bodies, std::int32_t body) const;
+  void set_arms(const End& end, const Vec3& arm, std::size_t lane, std::array<Lanes, 3> Arms::*side);
 
   std::vector<std::uint32_t> row_;         ///< a body of the scene
   std::vector<BodyPair> pairs_;            ///< by position in the island
