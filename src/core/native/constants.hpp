@@ -269,7 +269,7 @@ inline constexpr double kAndersonLargestWeight = 100.0;
 /// Half: insensitive; twice: 300 boxes take a tenth less time, and harsh loads have a tenth more error after 2 s.
 inline constexpr double kSlowSpeed = 0.005;
 /// Half: harsh loads have a half more error after 2 s, and 2 verdicts of 64 change; twice: the same, a third more.
-inline constexpr std::uint32_t kSlowSteps = 2;
+inline constexpr std::uint32_t kSlowSteps = 1;
 
 /// A step in which a body gains more speed than this many |g − a| h does not count as slow: what begins to slide or to
 /// tip, however slowly, gains speed in every step.
@@ -283,11 +283,11 @@ inline constexpr std::uint32_t kWakeEvery = 16;
 
 /// Bodies that are this many contacts away from one that is hit do not sleep in the step.
 /// Half: 300 boxes take a tenth more time; twice: a sixth more. Noticed by `sleeping_bodies`.
-inline constexpr int kHitLayers = 2;
+inline constexpr int kHitLayers = 1;
 
 /// Change of the force on a sleeping body and its sleeping neighbours that wakes it, over their mass times |g − a|.
 /// Half: 300 boxes take a tenth more time; twice: a tenth less, and harsh loads have a tenth more error after 2 s.
-inline constexpr double kSleepingLoadChange = 0.5;
+inline constexpr double kSleepingLoadChange = 1.0;
 
 // --- Rest ---
 
