@@ -38,6 +38,9 @@ struct Bodies {
   /// No point of the body moves faster than this about its centre of mass, m/s.
   double largest_rotational_speed(std::size_t body) const { return radius[body] * state.angular_velocity[body].norm(); }
 
+  /// No point of the body moves faster than this, m/s.
+  double largest_speed(std::size_t body) const { return state.velocity[body].norm() + largest_rotational_speed(body); }
+
   /// Brings the shape to the state's position and orientation.
   void update_shape(std::size_t body);
 };

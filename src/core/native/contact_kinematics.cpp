@@ -8,6 +8,12 @@ bool is_missed_contact(const ContactSet& contact, const ContactSet& before, doub
   return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
 }
 
+bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
+    return bodies.largest_speed(body) <= kRestShare * terms.velocity_unit;
+  });
+}
+
 const Side* floor_of(const Scene& scene) {
   const auto floor = std::find_if(scene.sides.begin(), scene.sides.end(),
                                   [](const Side& side) { return side.surface.kind == SurfaceKind::floor; });

@@ -41,6 +41,9 @@ inline bool stays(const Bodies& bodies, std::int32_t body) {
   return is_fixed(bodies, body) || bodies.asleep[at(body)] != 0;
 }
 
+/// Whether the bodies are all slow enough to be at rest.
+bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms);
+
 /// Whether the contact can carry weight: one body is on the other, or on something fixed.
 inline bool supports(const Bodies& bodies, const Manifold& manifold) {
   const double up = manifold.contact.normal.z();

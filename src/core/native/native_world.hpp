@@ -72,7 +72,6 @@ class NativeWorld {
   void end_manifold(std::size_t index);
   void end_separated_from_sleeping();
   bool find_moving();
-  bool is_slow(const IslandView& island) const;
   bool is_due(const IslandView& island);
   bool prove_rest(const IslandView& island, bool leans);
   bool activate_leaning();

@@ -127,7 +127,7 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   near_sides_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
-    const double speed = bodies.state.velocity[i].norm() + bodies.largest_rotational_speed(i);
+    const double speed = bodies.largest_speed(i);
     const Vec3 extent = box.bounding_half_extents().array() + 0.5 * speculative_margin(terms_, 2.0 * speed);
     lower_[i] = box.centre - extent;
     upper_[i] = box.centre + extent;

@@ -20,7 +20,8 @@ bool NativeWorld::find_moving() {
       };
       if (std::none_of(view.bodies.begin(), view.bodies.end(), marked(undecided_))) continue;
       const bool known = options_.freeze && std::all_of(view.bodies.begin(), view.bodies.end(), marked(resting_));
-      const bool rests = known || (is_slow(view) && (round > 0 || is_due(view)) && prove_rest(view, round > 0));
+      const bool rests = known || (may_rest(scene_.bodies, view, terms_) && (round > 0 || is_due(view)) &&
+                                   prove_rest(view, round > 0));
       if (rests) set_at_rest(view);
       if (rests && !known && scene_.notes_pushes) find_resting_pushes(view);
       for (const std::uint32_t body : view.bodies) {
@@ -37,15 +38,6 @@ bool NativeWorld::find_moving() {
     if (moving_[i] == 0) wait_[i] = next_wait_[i] = 0;
   }
   return std::any_of(moving_.begin(), moving_.end(), [](std::uint8_t moving) { return moving != 0; });
-}
-
-/// Whether the bodies are slow enough to be at rest.
-bool NativeWorld::is_slow(const IslandView& island) const {
-  const Bodies& bodies = scene_.bodies;
-  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    return bodies.state.velocity[body].norm() + bodies.largest_rotational_speed(body) <=
-           kRestShare * terms_.velocity_unit;
-  });
 }
 
 /// Whether a proof of rest is tried in this step: after a proof that fails, some steps are taken first.

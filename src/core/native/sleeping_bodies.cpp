@@ -49,6 +49,8 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   for (std::size_t i = 0; i < islands.size(); ++i) {
     const IslandView island = islands[i];
     if (island.bodies.size() <= kSmallIslandBodies || moving[island.bodies.front()] == 0) continue;
+    // What begins to move may be as slow as rounding, and asleep it would be held: a proof decides whether all rest.
+    if (may_rest(bodies, island, terms)) continue;
     for (const std::uint32_t body : island.bodies) bodies.asleep[body] = slow_steps_[body] >= kSlowSteps ? 1 : 0;
   }
   if (!any_asleep(bodies)) return false;
@@ -99,10 +101,10 @@ void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std:
   if (any_asleep(bodies)) wake_overloaded(scene, terms);
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (moving[i] == 0) continue;
-    const double speed = bodies.state.velocity[i].norm() + bodies.largest_rotational_speed(i);
+    const double speed = bodies.largest_speed(i);
     if (speed > kSlowSpeed * terms.velocity_unit)
       slow_steps_[i] = 0;
-    else if (speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
+    else if (!terms.reset_warm_start && speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
       ++slow_steps_[i];
     speed_[i] = speed;
   }

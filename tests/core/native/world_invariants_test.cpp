@@ -78,12 +78,16 @@ TEST_CASE("world_invariants: whatever is broken in a world is reported", "[core]
   CHECK(is_told([](Scene& s, PairTable&) { s.manifolds[0].contact.points[0].gap = kNan; }));
   CHECK(is_told([](Scene& s, PairTable&) { s.manifolds[0].cached[0].force[1] = kNan; }));
   CHECK(is_told([](Scene& s, PairTable&) { s.manifolds[0].cached[0].pressed = -1.0; }));
+  CHECK(is_told([](Scene& s, PairTable&) {
+    s.manifolds[0].deactivate();
+    s.manifolds[0].cached[0].pressed = 1.0;
+  }));
   CHECK(is_told([](Scene& s, PairTable&) { s.bodies.state.velocity[0].x() = 1e-12; }));
   CHECK(is_told([](Scene& s, PairTable&) { s.bodies.state.position[0].x() = kNan; }));
   CHECK(is_told([](Scene& s, PairTable&) { s.bodies.state.orientation[0].w() = 2.0; }));
   // Islands that know of no active contact are not closed under those that there are.
   Scene idle = view.scene;
-  for (Manifold& manifold : idle.manifolds) manifold.active = false;
+  for (Manifold& manifold : idle.manifolds) manifold.deactivate();
   Connectivity apart;
   apart.find(idle.bodies, idle.manifolds);
   CHECK(broken_invariants({idle, view.pairs, apart, view.resting}).empty());

@@ -61,10 +61,9 @@ HWY_INLINE Penalty wanted_penalty(const PenaltyFit& fit, const ContactConstraint
     const auto carries = hn::Gt(normal.part[i], zero.part[i]);
     const auto may_carry = fit.continues ? carries : hn::Or(carries, hn::Gt(expected.part[i], zero.part[i]));
     const auto slides = hn::And(carries, hn::Ge(square.part[i], limit_square.part[i]));
-    const auto tangential =
-        hn::IfThenElse(slides, hn::Set(d, held * fit.sliding), hn::Set(d, held * fit.sticking));
-    const auto across = hn::IfThenElse(may_carry, hn::Mul(tangential, carried.part[i]),
-                                       hn::Set(d, held * fit.sliding * idle));
+    const auto tangential = hn::IfThenElse(slides, hn::Set(d, held * fit.sliding), hn::Set(d, held * fit.sticking));
+    const auto across =
+        hn::IfThenElse(may_carry, hn::Mul(tangential, carried.part[i]), hn::Set(d, held * fit.sliding * idle));
     const auto along =
         hn::IfThenElse(may_carry, hn::Mul(hn::Set(d, fit.sticking), carried.part[i]), hn::Set(d, fit.sticking * idle));
     wanted.normal.part[i] = hn::Mul(used.part[i], along);
@@ -88,8 +87,8 @@ HWY_ATTR double count_misfits_kernel(const PenaltyFit& fit, const ContactConstra
     const Four normal = Four::load(constraints[p].penalty[0].data());
     const Four tangential = Four::load(constraints[p].penalty[1].data());
     for (std::size_t i = 0; i < Four::kVectors; ++i) {
-      const auto fits = hn::And(hn::Eq(wanted.normal.part[i], normal.part[i]),
-                                hn::Eq(wanted.tangential.part[i], tangential.part[i]));
+      const auto fits =
+          hn::And(hn::Eq(wanted.normal.part[i], normal.part[i]), hn::Eq(wanted.tangential.part[i], tangential.part[i]));
       misfits.part[i] = hn::Add(misfits.part[i], hn::IfThenZeroElse(fits, hn::Set(Four::D(), 1.0)));
     }
   }

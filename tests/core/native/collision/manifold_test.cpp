@@ -23,6 +23,7 @@ Manifold marked_manifold(std::int32_t a, std::int32_t b, const Bodies& bodies, c
   Manifold manifold;
   manifold.a = a;
   manifold.b = b;
+  manifold.activate();
   renew(manifold, bodies, sides);
   REQUIRE(manifold.contact.count == 4);
   for (std::size_t i = 0; i < manifold.cached.size(); ++i)
