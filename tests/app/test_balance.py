@@ -283,8 +283,8 @@ def random_stack(make, seed):
 # Left out as well are the storeys that rest at 0.99 of the limit and not at 0.999 at some accuracy: 15, 20, 24 and 96
 # of the first 130.
 BRIDGES = (1, 3, 5, 15, 37, 45, 50)
-STOREYS = (2, 7, 11, 13, 19, 28, 31)
-WALLS = (4, 6, 12, 13, 16, 21, 34)
+STOREYS = (2, 7, 11, 13, 19, 28, 31, 169)
+WALLS = (4, 6, 12, 13, 16, 21, 34, 155, 196)
 LEANING_ROWS = range(8)
 
 

@@ -10,7 +10,7 @@ namespace holdfast::internal::native {
 
 /// Which bodies of moving islands sleep: those that have been slow for some steps stay where they are, as if they were
 /// fixed, while the others are stepped against them. Most bodies of a load that moves are slow, and what is stepped
-/// falls into many small islands.
+/// falls into many small islands. None sleep in an island where all are slow enough to be at rest.
 ///
 /// Four things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
 /// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
@@ -27,7 +27,7 @@ class SleepingBodies {
   /// Wakes all bodies: the islands of the scene are the real ones.
   void wake(Scene& scene);
 
-  /// Lets bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer count
+  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer count
   /// as moving. True where there are any; the islands must then be found anew.
   /// @param islands the real ones
   bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands, std::vector<std::uint8_t>& moving);
