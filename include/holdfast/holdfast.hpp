@@ -43,6 +43,10 @@
 #define HOLDFAST_LOCAL
 #endif
 
+namespace holdfast::internal {
+struct ScreenCloser;
+}  // namespace holdfast::internal
+
 namespace holdfast {
 
 /// Version of the library that is linked, such as "1.0.0". May be called from any thread.
@@ -273,6 +277,7 @@ class HOLDFAST_API Screen {
   std::span<const Acceleration> accelerations() const noexcept;
 
  private:
+  friend struct internal::ScreenCloser;
   struct HOLDFAST_LOCAL State;
   std::unique_ptr<State> state_;
 };

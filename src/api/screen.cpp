@@ -7,6 +7,7 @@
 #include "api/engine_loader.hpp"
 #include "api/guarded.hpp"
 #include "api/memory_run.hpp"
+#include "api/screen_closer.hpp"
 #include "api/screen_state.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/model/norms.hpp"
@@ -143,9 +144,13 @@ void Screen::evaluate(std::span<const LayoutView> layouts, std::vector<WorldOutc
 }
 
 void Screen::cancel() noexcept {
-  state_->stop.no_more = true;
-  state_->stop.drop = true;
+  state_->cancel();
   state_->world_stream->cancel();
+}
+
+void internal::ScreenCloser::close(Screen& screen) noexcept {
+  screen.state_->closed = true;
+  screen.cancel();
 }
 
 std::span<const Acceleration> Screen::accelerations() const noexcept { return state_->accelerations; }

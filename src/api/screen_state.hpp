@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -56,10 +57,17 @@ struct Screen::State {
   std::vector<LayoutMargins> margins(std::vector<internal::ReadLayout> layouts);
   bool record(std::vector<internal::ReadLayout> layouts, const std::string& path, const RecordOptions& record_options);
 
-  /// A `cancel` that comes before a call does nothing to it.
+  /// A `cancel` that comes before a call does nothing to it, unless the screen is closed.
   void forget_cancel() {
     stop.no_more = false;
     stop.drop = false;
+    // After that: who closes the screen sets this first, so that one of the two sees the other.
+    if (closed) cancel();
+  }
+
+  void cancel() {
+    stop.no_more = true;
+    stop.drop = true;
   }
 
   /// Throws when there are none.
@@ -78,6 +86,7 @@ struct Screen::State {
   std::optional<internal::Workers> workers;
   internal::Thresholds thresholds;
   internal::StopRequest stop;
+  std::atomic<bool> closed = false;  ///< the running call ends early, and all that follow
   internal::StageCosts costs;
   internal::RunObserver observer;
   std::vector<Problem> problems;  ///< of the layouts of the last call
