@@ -56,7 +56,8 @@ class LittleMemory(CliTest):
                 with self.subTest(engine=engine, mebibytes=limit):
                     done = self.run_here(*self.arguments("--engine", engine, "--overwrite", "--threads", 2),
                                          preexec_fn=memory(limit))
-                    if "error while loading shared libraries" in done.stderr:
+                    # The C library itself ends a process that has no room to load what the end of a thread takes.
+                    if any(text in done.stderr for text in ("error while loading shared libraries", "libgcc_s.so.1")):
                         continue
                     codes.add(done.returncode)
                     self.assertIn(done.returncode, (0, 1, 2), done.stderr)
