@@ -27,8 +27,8 @@ class SleepingBodies {
   /// Wakes all bodies: the islands of the scene are the real ones.
   void wake(Scene& scene);
 
-  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer count
-  /// as moving. True where there are any; the islands must then be found anew.
+  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer
+  /// count as moving. True where there are any; the islands must then be found anew.
   /// @param islands the real ones
   bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands, std::vector<std::uint8_t>& moving);
 
