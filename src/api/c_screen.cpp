@@ -108,7 +108,7 @@ int holdfast_screen_new(const holdfast_settings* settings, const holdfast_screen
 
 void holdfast_screen_free(holdfast_screen* screen) {
   const auto object = Handles<holdfast_screen, CScreen>::all().remove(screen);
-  if (object != nullptr && object->screen) holdfast::internal::ScreenCloser::close(*object->screen);
+  if (object != nullptr && object->screen) ScreenCloser::close(*object->screen);
 }
 
 int holdfast_screen_add_acceleration(holdfast_screen* screen, const char* name, const double* segments,

@@ -65,6 +65,7 @@ struct Screen::State {
     if (closed) cancel();
   }
 
+  /// Ends the running call early.
   void cancel() {
     stop.no_more = true;
     stop.drop = true;

@@ -293,8 +293,8 @@ inline constexpr double kSleepingLoadChange = 1.0;
 // --- Rest ---
 
 /// Bodies slower than this share of |g − a| h may be at rest: a proof is tried, and where no body of an island is
-/// faster none of them sleeps. Without the latter, 1 in 200 stacks of 9 to 40 boxes is held at 1.002 of its limit. Half
-/// and twice: insensitive.
+/// faster none of them sleeps. Without the latter, 1 in 200 stacks of 9 to 40 boxes is held at 1.002 of its limit.
+/// Half and twice: insensitive.
 inline constexpr double kRestShare = 0.02;
 
 /// Longest wait between two tries, steps.

@@ -8,16 +8,6 @@
 
 namespace holdfast::internal::native {
 
-namespace {
-
-std::size_t points_in(const ContactProblem& problem) {
-  std::size_t points = 0;
-  for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
-  return points;
-}
-
-}  // namespace
-
 std::unique_ptr<ContactSolver> make_contact_solver() { return std::make_unique<AdmmSolver>(); }
 
 std::span<const std::uint32_t> AdmmSolver::order(std::size_t count, std::span<const BodyPair> pairs) {
@@ -30,7 +20,7 @@ std::span<const std::uint32_t> AdmmSolver::order(std::size_t count, std::span<co
 
 /// Fits R to the impulses that are there. False where it stays, because few points call for another: they are not
 /// worth a factorisation.
-bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limits) {
+bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limits, std::size_t points) {
   PenaltyFit fit{.sticking = limits.sticking,
                  .sliding = limits.sliding,
                  .idle = limits.idle_penalty,
@@ -41,7 +31,7 @@ bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limit
   fit.heaviest /= static_cast<double>(kLanes);
   if (problem.continues) {
     const double others = count_misfits(fit, problem.constraints);
-    if (others <= limits.refit_share * static_cast<double>(points_in(problem))) return false;
+    if (others <= limits.refit_share * static_cast<double>(points)) return false;
   }
   fit_penalty(fit, problem.constraints);
   problem.continues = true;
@@ -84,7 +74,8 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
   u_.resize(count);
   g_.resize(count);
   r_.resize(count);
-  const std::size_t points = points_in(problem);
+  std::size_t points = 0;
+  for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
   PrimalResidual primal_residual;
   const auto may_pass = [&] {
     const double mean = limits.mean_residual * unit;
@@ -93,7 +84,7 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
   };
   const int most = limits.iterations + limits.more_iterations;
   while (!result.converged && result.iterations < (may_pass() ? limits.iterations : most)) {
-    if (result.iterations % limits.refit_every == 0 && refit_penalty(problem, limits)) {
+    if (result.iterations % limits.refit_every == 0 && refit_penalty(problem, limits, points)) {
       factorise(problem);
       ++result.factorisations;
       anderson_.restart();

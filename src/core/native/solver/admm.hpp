@@ -25,7 +25,7 @@ class AdmmSolver final : public ContactSolver {
   SolveResult solve(ContactProblem& problem, const SolveLimits& limits) override;
 
  private:
-  bool refit_penalty(ContactProblem& problem, const SolveLimits& limits);
+  bool refit_penalty(ContactProblem& problem, const SolveLimits& limits, std::size_t points);
   void factorise(const ContactProblem& problem);
   double update_velocities(ContactProblem& problem);
 
