@@ -283,7 +283,7 @@ inline constexpr double kRisingSpeed = 1e-7;
 inline constexpr std::uint32_t kWakeEvery = 16;
 
 /// Bodies that are this many contacts away from one that is hit do not sleep in the step.
-/// None: insensitive; twice: 600 boxes that brake take 4 % more time. Noticed by `sleeping_bodies`.
+/// None: insensitive; twice: 600 boxes that brake take 4 % more time.
 inline constexpr int kHitLayers = 1;
 
 /// Change of the force on a sleeping body and its sleeping neighbours that wakes it, over their mass times |g − a|.
