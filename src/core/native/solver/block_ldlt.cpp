@@ -1,15 +1,8 @@
 #include "core/native/solver/block_ldlt.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace holdfast::internal::native {
-
-namespace {
-
-constexpr std::size_t kBits = 64;
-
-}  // namespace
 
 bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
   if (count == count_ && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
@@ -33,43 +26,38 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
 }
 
 void BlockLdlt::eliminate() {
-  const std::size_t words = (count_ + kBits - 1) / kBits;
-  const auto row = [&](std::size_t body) { return graph_.data() + body * words; };
-  const auto set = [&](std::size_t body, std::size_t other) { row(body)[other / kBits] |= 1ULL << (other % kBits); };
-  const auto clear = [&](std::size_t body, std::size_t other) {
-    row(body)[other / kBits] &= ~(1ULL << (other % kBits));
-  };
-  graph_.assign(count_ * words, 0);
+  graph_.assign(count_, count_);
+  of_degree_.assign(count_, count_);
   degree_.assign(count_, 0);
   for (const auto& [a, b] : pairs_) {
-    set(a, b);
-    set(b, a);
+    graph_.set(a, b);
+    graph_.set(b, a);
     ++degree_[a];
     ++degree_[b];
   }
+  for (std::size_t body = 0; body < count_; ++body) of_degree_.set(degree_[body], body);
   elimination_index_.assign(count_, 0);
   shape_.column_begin.assign(1, 0);
   shape_.block_row.clear();
-  constexpr std::uint32_t kEliminated = ~0U;
+  std::size_t least = 0;
   for (std::size_t step = 0; step < count_; ++step) {
-    const auto body = static_cast<std::size_t>(std::min_element(degree_.begin(), degree_.end()) - degree_.begin());
+    while (of_degree_.first_in(least) == BitRows::kNone) ++least;
+    const std::size_t body = of_degree_.first_in(least);
+    of_degree_.clear(least, body);
     elimination_index_[body] = static_cast<std::uint32_t>(step);
     neighbours_.clear();
-    for (std::size_t word = 0; word < words; ++word)
-      for (std::uint64_t bits = row(body)[word]; bits != 0; bits &= bits - 1)
-        neighbours_.push_back(
-            static_cast<std::uint32_t>(word * kBits + static_cast<std::size_t>(std::countr_zero(bits))));
+    graph_.for_each_in(body, [&](std::size_t other) { neighbours_.push_back(static_cast<std::uint32_t>(other)); });
     // Eliminating a body joins its neighbours to each other.
     for (const std::uint32_t other : neighbours_) {
-      for (std::size_t word = 0; word < words; ++word) row(other)[word] |= row(body)[word];
-      clear(other, other);
-      clear(other, body);
-      std::uint32_t degree = 0;
-      for (std::size_t word = 0; word < words; ++word)
-        degree += static_cast<std::uint32_t>(std::popcount(row(other)[word]));
-      degree_[other] = degree;
+      const std::uint32_t before = degree_[other];
+      // Among those that are new is the neighbour itself.
+      degree_[other] += graph_.add_row(other, body) - 2;
+      graph_.clear(other, other);
+      graph_.clear(other, body);
+      of_degree_.clear(before, other);
+      of_degree_.set(degree_[other], other);
+      least = std::min<std::size_t>(least, degree_[other]);
     }
-    degree_[body] = kEliminated;
     shape_.block_row.insert(shape_.block_row.end(), neighbours_.begin(), neighbours_.end());
     shape_.column_begin.push_back(static_cast<std::uint32_t>(shape_.block_row.size()));
   }

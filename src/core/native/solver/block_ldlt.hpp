@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/native/solver/bit_rows.hpp"
 #include "core/native/solver/contact_problem.hpp"
 #include "core/native/solver/ldlt_kernels.hpp"
 
@@ -63,9 +64,10 @@ class BlockLdlt {
   LdltStructure shape_;
   std::vector<BodyBlock> diagonal_, below_, scratch_;
   std::vector<DiagonalFactor> factor_;
-  std::vector<std::uint64_t> graph_;       ///< a row of bits a body: its neighbours that are not eliminated
+  BitRows graph_;                          ///< a body: its neighbours that are not eliminated
+  BitRows of_degree_;                      ///< a degree: the bodies that have it and are not eliminated
+  std::vector<std::uint32_t> degree_;      ///< a body
   std::vector<std::uint32_t> neighbours_;  ///< of one body
-  std::vector<std::uint32_t> degree_;
   std::vector<std::uint32_t> block_at_row_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
+#include <set>
 
 #include "random.hpp"
 #include "same_bits.hpp"
@@ -227,6 +228,37 @@ TEST_CASE("block_ldlt: contacts much stiffer than masses leave a small backward 
       CAPTURE(stiffness, sample, error);
       // With the inverses of the diagonal blocks it is up to 1e-9.
       CHECK(error < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("block_ldlt: bodies are eliminated in the order of least degree, of several the first",
+          "[core][block_ldlt]") {
+  Random random(5);
+  for (const std::uint32_t count : {1U, 9U, 63U, 64U, 65U, 150U}) {
+    const std::vector<BodyPair> pairs = random_pairs(random, count, 4.0 / count);
+    std::vector<std::set<std::uint32_t>> neighbours(count);
+    for (const auto& [a, b] : pairs) {
+      neighbours[a].insert(b);
+      neighbours[b].insert(a);
+    }
+    BlockLdlt ldlt;
+    ldlt.analyse(count, pairs);
+    std::vector<std::uint32_t> left(count);
+    std::iota(left.begin(), left.end(), 0U);
+    for (std::uint32_t step = 0; step < count; ++step) {
+      const auto least = std::min_element(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return neighbours[a].size() < neighbours[b].size();
+      });
+      const std::uint32_t body = *least;
+      left.erase(least);
+      CAPTURE(count, step, body);
+      REQUIRE(ldlt.elimination_index(body) == step);
+      for (const std::uint32_t other : neighbours[body]) {
+        neighbours[other].insert(neighbours[body].begin(), neighbours[body].end());
+        neighbours[other].erase(other);
+        neighbours[other].erase(body);
+      }
     }
   }
 }
