@@ -18,7 +18,7 @@ NativeOptions native_options(const Settings& settings) {
                               .impact_cuts = 0,
                               .impact_length = 2e-3,
                               .slip_end_cuts = 0,
-                              .overlap = 5e-4,
+                              .overlap = 7.5e-4,
                               .penetration_slop = 1e-4,
                               .sticking_penalty = kLargeIslandStickingPenalty,
                               .sliding_penalty = kLargeIslandSlidingPenalty,
