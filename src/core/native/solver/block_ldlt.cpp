@@ -50,7 +50,7 @@ void BlockLdlt::eliminate() {
     // Eliminating a body joins its neighbours to each other.
     for (const std::uint32_t other : neighbours_) {
       const std::uint32_t before = degree_[other];
-      // Among those that are new is the neighbour itself.
+      // The body goes, and among those that are new is the neighbour itself.
       degree_[other] += graph_.add_row(other, body) - 2;
       graph_.clear(other, other);
       graph_.clear(other, body);
