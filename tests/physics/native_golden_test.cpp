@@ -63,8 +63,8 @@ struct Golden {
 constexpr Golden kGolden[] = {
     {"brake", brake, 0x3ea7530253e225c1},
     {"lean", lean, 0x8612fa476e5e4303},
-    {"tumble", tumble, 0xab9dcfad834d9b42},
-    {"drop", drop, 0x5089fe0183922d1b},
+    {"tumble", tumble, 0xe14f814bfd963f6d},
+    {"drop", drop, 0xb6c6cac9da8495e5},
 };
 
 }  // namespace

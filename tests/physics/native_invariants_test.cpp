@@ -60,10 +60,10 @@ struct Bounds {
 };
 
 /// What is expected: an energy that rises by no more than a hundredth of a millimetre, and overlaps that nobody sees.
-/// `screening` takes steps again from 1 mm only, and where a load has sunk into a wall by a tenth of a millimetre it is
-/// put back.
+/// `screening` takes steps again from 1 mm only, and from 2 mm where the contact was solved, on top of what overlapped
+/// before; and where a load has sunk into a wall by a tenth of a millimetre it is put back.
 constexpr Bounds kExpected{1e-5, 1e-3, 1e-3};
-constexpr Bounds kScreening{1e-4, 2e-3, 2e-3};
+constexpr Bounds kScreening{1e-4, 2.5e-3, 2e-3};
 
 void check_worst(const Worst& worst, const Bounds& bounds) {
   CAPTURE(text(worst.rise), text(worst.lost), text(worst.overlap.of_boxes), text(worst.overlap.with_side),

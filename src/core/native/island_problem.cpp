@@ -274,19 +274,6 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
   });
 }
 
-void IslandProblem::prepare_position_correction(const Scene& scene, const IslandView& island, const StepTerms& terms,
-                                                ContactSolver& solver) {
-  begin(scene, island, terms, terms.step, solver);
-  for_each_active(scene, island, [&](std::uint32_t index) {
-    add_constraints(
-        scene, index, terms.step, [](const PointView& point) { return point.gap <= kTouch; },
-        [](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
-          constraint.friction = 0.0;
-          constraint.velocity_bias.row[0][lane] = point.gap + kTouch;
-        });
-  });
-}
-
 /// Adds what the solution says of a point, over all of its directions.
 void IslandProblem::store_impulse(std::size_t p, std::size_t lane, double step, CachedImpulse& cached) const {
   const ContactConstraint& constraint = problem.constraints[p];

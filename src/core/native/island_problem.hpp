@@ -51,10 +51,6 @@ class IslandProblem {
   /// For impulses of a step that balance bodies at rest. Has bounds for the normal impulses.
   void prepare_rest(const Scene& scene, const IslandView& island, const StepTerms& terms, ContactSolver& solver);
 
-  /// For displacements, in place of velocities, that end overlaps.
-  void prepare_position_correction(const Scene& scene, const IslandView& island, const StepTerms& terms,
-                                   ContactSolver& solver);
-
   /// Caches impulses and contact velocities in their manifolds, for the next solve to start from. Points without a part
   /// in the problem have none.
   void store_step_impulses(Scene& scene, const IslandView& island, double step) const;

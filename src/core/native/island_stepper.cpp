@@ -44,7 +44,8 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     integrate(scene, island, part.length, share);
     if (share == 1.0 && part.length == remaining) return;
     for (const std::uint32_t index : island.manifolds) scene.undo.emplace_back(index, scene.manifolds[index]);
-    if (update_manifolds(scene, island, terms)) report.missed_contact = true;
+    for (const std::uint32_t index : island.manifolds)
+      if (update_manifold(scene, index, terms)) report.missed_contact = true;
     remaining -= share * part.length;
     ++(share < 1.0 ? impact_cuts_ : slip_end_cuts_);
   }
@@ -197,44 +198,38 @@ void IslandStepper::integrate(Scene& scene, const IslandView& island, double ste
   }
 }
 
-/// Finds the contacts of the island anew. True when it finds a missed contact.
-bool IslandStepper::update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms) {
-  bool missed = false;
-  for (const std::uint32_t index : island.manifolds) {
-    Manifold& manifold = scene.manifolds[index];
-    const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
-    const ContactSet contact =
-        contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
-    missed = missed || is_missed_contact(contact, manifold.contact, options_.missed_contact_overlap);
-    update_contact(manifold, contact, scene.bodies);
-  }
+/// Finds a contact anew. True when it finds a missed one.
+bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const StepTerms& terms) const {
+  Manifold& manifold = scene.manifolds[index];
+  const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
+  const ContactSet contact =
+      contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
+  const bool missed = is_missed_contact(contact, manifold.contact, options_.missed_contact_overlap);
+  update_contact(manifold, contact, scene.bodies);
   return missed;
 }
 
-void IslandStepper::correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms,
-                                      IslandReport& report) {
+void IslandStepper::correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms) {
   effort_ = options_.effort(island.bodies.size());
   bool any = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    for (int i = 0; i < manifold.contact.count; ++i) {
-      if (manifold.contact.points[at(i)].gap >= -effort_.overlap) continue;
-      any = true;
-      manifold.activate();
-    }
+    if (manifold.contact.nearest_gap() >= -effort_.overlap) continue;
+    any = true;
+    manifold.activate();
   }
   if (!any) return;
-  prepared_.prepare_position_correction(scene, island, terms, *solver_);
-  SolveLimits limits;
-  limits.iterations = kCorrectionIterations;
-  limits.tolerance = kCorrectionTolerance * effort_.overlap;
-  solve_once(limits, report);
+  correction_.find(scene, island, kCorrectionTolerance * effort_.overlap);
   for (const std::uint32_t body : island.bodies) {
-    scene.bodies.state.position[body] += linear(prepared_.solution(body));
-    rotate(scene.bodies, body, clamped(angular(prepared_.solution(body)), kLargestTurn));
+    if (!correction_.moves(static_cast<std::int32_t>(body))) continue;
+    scene.bodies.state.position[body] += correction_.shift(body);
+    rotate(scene.bodies, body, clamped(correction_.turn(body), kLargestTurn));
     scene.bodies.update_shape(body);
   }
-  update_manifolds(scene, island, terms);
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (correction_.moves(manifold.a) || correction_.moves(manifold.b)) update_manifold(scene, index, terms);
+  }
 }
 
 }  // namespace holdfast::internal::native

@@ -6,6 +6,7 @@
 
 #include "core/native/island_problem.hpp"
 #include "core/native/native_options.hpp"
+#include "core/native/position_correction.hpp"
 #include "core/native/scene.hpp"
 #include "core/native/solver/contact_solver.hpp"
 #include "core/native/solver/equilibrium.hpp"
@@ -38,9 +39,9 @@ class IslandStepper {
   /// what it does in the forces that prove rest. Changes nothing else.
   void find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms);
 
-  /// Takes overlaps above a length out of the island, by a solve for displacements that never feeds velocities. Nothing
-  /// may sleep: between bodies that do not give way, others would be squeezed out.
-  void correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
+  /// Takes overlaps above a length out of the island, by displacements that never feed velocities. Nothing may sleep:
+  /// between bodies that do not give way, others would be squeezed out.
+  void correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms);
 
   /// Takes the island a step forward, cut at its events. Activates manifolds that the bodies would overlap at.
   void advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report);
@@ -67,7 +68,7 @@ class IslandStepper {
   bool jumps(const Bodies& bodies, std::uint32_t body, const StepTerms& terms, double step) const;
   void find_mean_velocities(const Bodies& bodies, const IslandView& island, const StepTerms& terms, double step);
   void integrate(Scene& scene, const IslandView& island, double step, double share);
-  bool update_manifolds(Scene& scene, const IslandView& island, const StepTerms& terms);
+  bool update_manifold(Scene& scene, std::uint32_t index, const StepTerms& terms) const;
 
   // Solves.
   SolveLimits step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const;
@@ -102,6 +103,7 @@ class IslandStepper {
   std::unique_ptr<ContactSolver> solver_;
   EquilibriumCheck equilibrium_;
   InteriorPoint interior_point_;
+  PositionCorrection correction_;
   std::vector<std::uint8_t> jumps_;        ///< a body of the scene: see `jumps`, of the last solve
   std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
   PointBits impacting_;                    ///< points that take part in an impact

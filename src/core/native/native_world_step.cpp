@@ -137,10 +137,7 @@ void NativeWorld::step_islands() {
 void NativeWorld::correct_positions() {
   for (std::size_t i = 0; i < connectivity_.size(); ++i) {
     const IslandView island = connectivity_[i];
-    if (moving_[island.bodies.front()] == 0) continue;
-    IslandReport report;
-    stepper_.correct_positions(scene_, island, terms_, report);
-    counters_.solve_iterations += report.iterations;
+    if (moving_[island.bodies.front()] != 0) stepper_.correct_positions(scene_, island, terms_);
   }
 }
 

@@ -94,6 +94,11 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
   return contact;
 }
 
+/// Whether two points are near enough to be one.
+bool are_one(const ContactPoint& first, const ContactPoint& second) {
+  return (first.on_a - second.on_a).squaredNorm() + (first.on_b - second.on_b).squaredNorm() <= kSameEdge * kSameEdge;
+}
+
 /// Whether the point of two edges is one of several points of the faces' contact. The faces' separation counts overlap
 /// beyond each other's sides, which is no part of the contact, and so two edges may seem better. A box that has sunk a
 /// little into the edge that it lies on has that edge in its face, and needs both of its ends: with the one point of
@@ -105,10 +110,24 @@ bool has_point_of(const ContactSet& faces, const ContactSet& edges) {
   const auto is_beside = [&](const ContactPoint& point) { return point.gap <= std::max(0.0, wanted.gap) + kSameEdge; };
   return std::count_if(faces.points.begin(), end, is_beside) > 1 &&
          std::any_of(faces.points.begin(), end, [&](const ContactPoint& point) {
-           return std::abs(point.gap - wanted.gap) <= kEdgeHandicap &&
-                  (point.on_a - wanted.on_a).squaredNorm() + (point.on_b - wanted.on_b).squaredNorm() <=
-                      kSameEdge * kSameEdge;
+           return std::abs(point.gap - wanted.gap) <= kEdgeHandicap && are_one(point, wanted);
          });
+}
+
+/// Adds the points of the faces' contact to that of two edges. Between faces that are nearly parallel the edges hold
+/// the boxes at one point only: in a step they may turn about it until other corners overlap.
+void add_points_of(const ContactSet& faces, double margin, ContactSet& edges) {
+  if (faces.count == 0 || edges.normal.dot(faces.normal) < kParallelFaces) return;
+  const ContactPoint edge = edges.points[0];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(faces.count); ++i) {
+    ContactPoint point = faces.points[i];
+    point.gap = edges.normal.dot(point.on_b - point.on_a);
+    // What overlaps more than the edges is the faces' overlap, which is not the least.
+    if (edges.count == static_cast<int>(edges.points.size()) || point.gap > margin || point.gap < edge.gap - kTouch ||
+        are_one(point, edge))
+      continue;
+    edges.points[static_cast<std::size_t>(edges.count++)] = point;
+  }
 }
 
 }  // namespace
@@ -126,8 +145,10 @@ ContactSet contact_of(const OrientedBox& a, const OrientedBox& b, double margin,
   if (!choice) return {};
   const ContactSet faces = face_contact(a, b, pose, choice->face, margin);
   if (choice->axis.kind != ContactAxis::Kind::edges) return faces;
-  const ContactSet edges = edge_contact(a, b, pose, choice->axis);
-  return edges.count > 0 && !has_point_of(faces, edges) ? edges : faces;
+  ContactSet edges = edge_contact(a, b, pose, choice->axis);
+  if (edges.count == 0 || has_point_of(faces, edges)) return faces;
+  add_points_of(faces, margin, edges);
+  return edges;
 }
 
 ContactSet contact_of(const HalfSpace& a, const OrientedBox& b, double margin) {

@@ -36,10 +36,11 @@ struct ContactSet {
 /// Contact of two boxes: the points whose gap is at most `margin`, m.
 ///
 /// Faces: the incident face clipped by the side planes of the reference face (Sutherland and Hodgman 1974), up to
-/// 8 points, in order around the overlap; edges: the closest points of the two edges, 1 point. The axis is the one of
-/// least overlap (separating axis test, Gottschalk et al. 1996); `previous` wins near ties. A contact along an edge or
-/// a corner alone, where the boxes as seen along the normal overlap by less than 10 µm, is none: boxes of a packing
-/// must slide past each other's edges. A box that stands on its edge or corner on a face has 2 points or 1.
+/// 8 points, in order around the overlap; edges: first the closest points of the two edges, then those of the faces'
+/// contact where its normal is within 11° of that of the edges. The axis is the one of least overlap (separating axis
+/// test, Gottschalk et al. 1996); `previous` wins near ties. A contact along an edge or a corner alone, where the boxes
+/// as seen along the normal overlap by less than 10 µm, is none: boxes of a packing must slide past each other's edges.
+/// A box that stands on its edge or corner on a face has 2 points or 1.
 ///
 /// Aligned boxes take a path of their own, whose numbers are the boxes' own coordinates: boxes that share a face's
 /// coordinate have a gap of rounding only, and mirroring the scene or exchanging the boxes changes signs, not bits.

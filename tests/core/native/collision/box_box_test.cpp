@@ -193,6 +193,27 @@ TEST_CASE("box_box: edge-edge normal points from a to b", "[core][box_box]") {
   }
 }
 
+TEST_CASE("box_box: edges between nearly parallel faces have the points of the faces too", "[core][box_box]") {
+  // The right face of a, yawed, and the left face of b, pitched: two edges that lead cross 1 mm apart.
+  const auto contact_at = [](double angle) {
+    const OrientedBox a = turned(box_at({0, 0, 0}, {1, 1, 1}), Vec3::UnitZ(), -angle);
+    const double apart = std::cos(angle) + std::sin(angle) + 1e-3;
+    const OrientedBox b = turned(box_at({apart, 0.1, 0.1}, {1, 1, 1}), Vec3::UnitY(), angle);
+    return contact_of(a, b, 0.2, {});
+  };
+  const ContactSet slight = contact_at(0.05);
+  CHECK(slight.axis.kind == ContactAxis::Kind::edges);
+  REQUIRE(slight.count == 4);
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK(slight.points[i].gap > slight.points[0].gap);
+    CHECK(slight.points[i].gap < 0.15);
+    CHECK((slight.points[i].on_a - slight.points[0].on_a).norm() > 0.5);
+  }
+  const ContactSet far = contact_at(0.5);
+  CHECK(far.axis.kind == ContactAxis::Kind::edges);
+  CHECK(far.count == 1);
+}
+
 TEST_CASE("box_box: a box that has sunk into the edge it lies on is held at both ends of it", "[core][box_box]") {
   // A box hangs over the edge of a wider one, leans over it, and has sunk into it a little deeper at one end: less
   // along the product of that edge and one of its own than along its face, as the edge goes on beyond its sides.
