@@ -31,8 +31,8 @@ def loose_loads(folder, layouts):
     return [Path(folder) / path.name for path in layouts]
 
 
-def generated_loads(folder, boxes, count=2):
-    """Generated layouts of that many boxes, made anew."""
+def generated_loads(folder, boxes, count):
+    """Generated layouts of that many boxes each, made anew."""
     target = Path(folder) / str(boxes)
     subprocess.run([sys.executable, BENCH / "candidates.py", str(count), target, "--boxes", str(boxes), str(boxes)],
                    check=True, stdout=subprocess.DEVNULL)

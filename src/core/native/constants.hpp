@@ -161,8 +161,9 @@ inline constexpr double kSolvedOverlap = 2.0;
 inline constexpr int kLateContactRounds = 1;
 
 /// Overlaps are corrected to this share of the overlap that is left alone. Where less is left, more bodies are
-/// displaced, of which each may disturb its contacts: with a tenth, 600 boxes that brake take 10 % more time.
-/// Half and twice: insensitive.
+/// displaced, of which each may disturb its contacts: with a tenth, 600 boxes that brake take 20 % more time.
+/// Half: 600 boxes that brake take 5 % more time; twice: `tip_lands_on_its_side` gains ten times the energy at
+/// `standard`.
 inline constexpr double kCorrectionTolerance = 0.5;
 
 /// Sweeps of a position correction over the points of a contact, each time that it visits it.
