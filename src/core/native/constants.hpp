@@ -48,8 +48,8 @@ inline constexpr double kEdgeHandicap = 50e-6;
 inline constexpr double kSameEdge = 1e-3;
 
 /// Cosine of 11°: faces whose normal is this near to that of a contact of edges are nearly parallel, and add their
-/// points to it. Without these points 600 boxes that brake take a fifth more time, since a third of it goes into steps
-/// that are taken again because a corner overlaps. 0.9: insensitive; 0.995: 600 boxes that brake take 7 % more time.
+/// points to it. Without these points 600 boxes that brake take a fifth more time, much of it for steps that are taken
+/// again because a corner overlaps. 0.9: insensitive; 0.995: 600 boxes that brake take 7 % more time.
 inline constexpr double kParallelFaces = 0.98;
 
 /// A contact point keeps its cached impulse from step to step while it moves less than this over one of its bodies.

@@ -1,8 +1,11 @@
 #include "core/native/position_correction.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <vector>
 
 #include "core/native/collision/boxes.hpp"
 #include "core/native/constants.hpp"
@@ -184,7 +187,7 @@ TEST_CASE("position_correction: of all displacements that leave no overlap, the 
           "[core][position_correction]") {
   Random random(5);
   for (int round = 0; round < 20; ++round) {
-    // A heap of cubes, four on four and tilted, that overlap by up to 2 mm or touch nearly.
+    // A heap of cubes, four on four, and tilted, that overlap by up to 2 mm or touch nearly.
     Boxes boxes;
     boxes.add(box_at(Vec3(0, 0, -kSide), Vec3(4, 4, kSide)), kFixed);
     for (int i = 0; i < 8; ++i) {
@@ -209,7 +212,7 @@ TEST_CASE("position_correction: of all displacements that leave no overlap, the 
   }
 }
 
-TEST_CASE("position_correction: a box that does not fit between walls ends in the middle",
+TEST_CASE("position_correction: a box that does not fit between walls stays between them",
           "[core][position_correction]") {
   Boxes boxes;
   boxes.add(box_at(Vec3(-kSide + 1e-3, 0, 0), kCube), kFixed);
@@ -218,6 +221,7 @@ TEST_CASE("position_correction: a box that does not fit between walls ends in th
   const IslandView island = boxes.island();
   PositionCorrection correction;
   correction.find(boxes.scene, island, 1e-4);
+  // Each wall pushes it as far as it overlaps, again and again.
   CHECK(correction.shift(2).allFinite());
-  CHECK(std::abs(correction.shift(2).x()) < 4e-3);
+  CHECK(std::abs(correction.shift(2).x()) < 2.01e-3);
 }
