@@ -191,7 +191,9 @@ TEST_CASE("position_correction: of all displacements that leave no overlap, the 
     Boxes boxes;
     boxes.add(box_at(Vec3(0, 0, -kSide), Vec3(4, 4, kSide)), kFixed);
     for (int i = 0; i < 8; ++i) {
-      const Vec3 cell(i % 2, i / 2 % 2, i / 4);
+      const int row = i / 2 % 2;
+      const int layer = i / 4;
+      const Vec3 cell(i % 2, row, layer);
       const Vec3 centre = (kSide - 1e-3) * cell + random.vector(-1e-3, 1e-3);
       const Vec3 axis = random.vector(-1.0, 1.0);
       const double angle = random.between(0.0, 2e-3);
