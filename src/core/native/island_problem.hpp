@@ -51,6 +51,13 @@ class IslandProblem {
   /// For impulses of a step that balance bodies at rest. Has bounds for the normal impulses.
   void prepare_rest(const Scene& scene, const IslandView& island, const StepTerms& terms, ContactSolver& solver);
 
+  /// Starts the solve from these velocities of the bodies, in place of those that were prepared.
+  /// @param velocity_of `BodyVector(std::uint32_t body)`
+  template <class VelocityOf>
+  void start_from(const IslandView& island, VelocityOf velocity_of) {
+    for (const std::uint32_t body : island.bodies) problem.velocity[row_[body]] = velocity_of(body);
+  }
+
   /// Caches impulses and contact velocities in their manifolds, for the next solve to start from. Points without a part
   /// in the problem have none.
   void store_step_impulses(Scene& scene, const IslandView& island, double step) const;

@@ -12,34 +12,50 @@ namespace holdfast::internal::native {
 bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
                           IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
+  Bodies& bodies = scene.bodies;
+  const bool large = island.bodies.size() > kSmallIslandBodies;
   for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
   prepared_.prepare_rest(scene, island, terms, *solver_);
-  if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
-  bool rests = !leans && find_balance(terms, report);
+  if (balances(terms)) return true;
+  std::optional<bool> found = leans ? std::optional(false) : settle(terms, report);
+  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
+  if (!found && !terms.reset_warm_start) found = false;
+  std::optional<bool> judged;
+  if (!found && large) found = judged = judge_by_motion(terms, report);
+  bool rests = found ? *found : decide_balance(terms, report);
   // Where the acceleration has not changed, the last step is as good a start for a large island as what follows.
-  const bool large = island.bodies.size() > kSmallIslandBodies;
   if (!rests && large && !terms.reset_warm_start) return false;
-  if (!rests) {
-    const double speed = find_beginning_motion(large ? kBeginningMotion : 0.0, terms, report);
+  if (!rests && !judged) {
+    SolveLimits limits = limits_after_reset();
+    if (leans) {
+      // With one contact less, bodies begin to move like this.
+      prepared_.start_from(island, [&](std::uint32_t body) {
+        return body_vector(terms.step * bodies.acceleration[body], terms.step * bodies.angular_acceleration[body]);
+      });
+      limits = repeated_limits(limits, island);
+    }
+    const double speed = find_beginning_motion(limits, large ? kBeginningMotion : 0.0, terms, report);
     // Forces that merely balance could lie in contacts that nothing pushes.
-    if (terms.reset_warm_start && speed < kLeaningMotion * terms.velocity_unit && admit_pushed(scene))
-      rests = find_balance(terms, report);
+    if (terms.reset_warm_start && speed < kLeaningMotion * terms.velocity_unit && admit_pushed(scene)) {
+      found = settle(terms, report);
+      rests = found ? *found : decide_balance(terms, report);
+    }
   }
   prepared_.store_rest_impulses(scene, island, terms.step);
   if (rests) return true;
   for (const std::uint32_t body : island.bodies) {
-    scene.bodies.acceleration[body] = linear(prepared_.solution(body)) / terms.step;
-    scene.bodies.angular_acceleration[body] = angular(prepared_.solution(body)) / terms.step;
+    bodies.acceleration[body] = linear(prepared_.solution(body)) / terms.step;
+    bodies.angular_acceleration[body] = angular(prepared_.solution(body)) / terms.step;
   }
   return false;
 }
 
-/// How the bodies of the prepared island begin to move by Coulomb's law, from where the step goes on: their largest
-/// speed, m/s. Where they hardly move it is as exact as a proof of rest, since they may be just above the limit of
-/// balance.
+/// How the bodies of the prepared island begin to move by Coulomb's law, from where the solve before has ended: their
+/// largest speed, m/s. Where they hardly move it is as exact as a proof of rest, since they may be just above the limit
+/// of balance.
 /// @param tolerance of the velocities where they do move, over |g − a| h; 0: likewise
-double IslandStepper::find_beginning_motion(double tolerance, const StepTerms& terms, IslandReport& report) {
-  SolveLimits limits = limits_after_reset();
+double IslandStepper::find_beginning_motion(SolveLimits limits, double tolerance, const StepTerms& terms,
+                                            IslandReport& report) {
   const double exact = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
   limits.tolerance = std::max(exact, tolerance);
   solve(limits, terms, terms.step, report);
@@ -69,10 +85,26 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
   return any;
 }
 
+/// Whether the impulses of the prepared problem balance each of its bodies.
+bool IslandStepper::balances(const StepTerms& terms) {
+  return equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance;
+}
+
+/// Whether the prepared island rests, where its impulses balance it or its velocities are a motion that proves that no
+/// impulses do.
+std::optional<bool> IslandStepper::balance_of_prepared(const StepTerms& terms) {
+  if (balances(terms)) return true;
+  double mass = 0.0;
+  for (const ProblemBody& body : prepared_.problem.bodies) mass += body.mass;
+  const double largest_impulse = mass * terms.velocity_unit + prepared_.outside_impulse();
+  if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
+  return std::nullopt;
+}
+
 /// Looks for forces in the contacts' cones that balance the prepared island. The problem is convex: it ends with them,
-/// or with a motion that proves that there are none. The splitting is quick far from the limit of balance; near it the
-/// interior point method decides.
-bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
+/// or with a motion that proves that there are none. The splitting is quick far from the limit of balance; near it, it
+/// leaves the answer open.
+std::optional<bool> IslandStepper::settle(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
   limits.iterations = kBalanceCheckEvery;
   limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
@@ -82,24 +114,34 @@ bool IslandStepper::find_balance(const StepTerms& terms, IslandReport& report) {
   limits.accelerate = true;
   limits.sticking = limits.sliding = kRestPenalty;
   limits.refit_share = 0.0;
-  double island_mass = 0.0;
-  for (const ProblemBody& body : prepared_.problem.bodies) island_mass += body.mass;
-  const double largest_impulse = island_mass * terms.velocity_unit + prepared_.outside_impulse();
-  const auto decided = [&]() -> std::optional<bool> {
-    if (equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance) return true;
-    if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
-    return std::nullopt;
-  };
   for (int done = 0; done < kSettlingIterations; done += limits.iterations) {
     solve(limits, terms, terms.step, report);
-    if (const std::optional<bool> rests = decided()) return *rests;
+    if (const std::optional<bool> rests = balance_of_prepared(terms)) return rests;
   }
-  // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
-  if (!terms.reset_warm_start) return false;
+  return std::nullopt;
+}
+
+/// Whether the prepared island rests, by how it begins to move, which its step needs anyway where it does: it rests
+/// where that leaves impulses that balance it, and moves where it clearly does. Else all is left as it was. An
+/// iteration costs a fraction of one of the interior point method.
+std::optional<bool> IslandStepper::judge_by_motion(const StepTerms& terms, IslandReport& report) {
+  const ContactProblem before = prepared_.problem;
+  SolveLimits limits = limits_after_reset();
+  limits.tolerance = std::max(limits.tolerance, kBeginningMotion);
+  const SolveResult result = solve(limits, terms, terms.step, report);
+  if (balances(terms)) return true;
+  const double speed = largest_speed(prepared_.problem);
+  if (speed >= kClearMotion * terms.velocity_unit && result.residual <= kClearResidual * speed) return false;
+  prepared_.problem = before;
+  return std::nullopt;
+}
+
+/// Decides by the interior point method whether forces balance the prepared island.
+bool IslandStepper::decide_balance(const StepTerms& terms, IslandReport& report) {
   interior_point_.start(prepared_.problem, terms.velocity_unit);
   for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i) {
     ++report.iterations;
-    if (const std::optional<bool> rests = decided()) return *rests;
+    if (const std::optional<bool> rests = balance_of_prepared(terms)) return *rests;
   }
   return false;
 }

@@ -57,19 +57,19 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
                                               const SolveLimits& limits, double remaining, IslandReport& report) {
   Part part{.length = remaining, .impact_time = std::numeric_limits<double>::infinity()};
   predicted_.assign(scene.manifolds.size(), 0);
+  bool repeated = false;
   for (int round = 0; round < kActivationRounds;) {
     prepared_.prepare_step(scene, island, terms, part.length, *solver_, point_filter(terms, part.length), predicted_);
-    part.result = solve(limits, terms, part.length, report);
+    if (repeated) prepared_.start_from(island, [&](std::uint32_t body) { return found_[body]; });
+    part.result = solve(repeated ? repeated_limits(limits, island) : limits, terms, part.length, report);
     find_mean_velocities(scene.bodies, island, terms, part.length);
     const Event event = find_overlap(scene, island, terms, part.length);
     part.impact_time = event.time;
-    if (event.activated) {
+    repeated = event.activated || find_begun_slips(scene, terms);
+    if (repeated) {
       prepared_.store_step_impulses(scene, island, part.length);
-      ++round;
-      continue;
-    }
-    if (find_begun_slips(scene, terms)) {
-      prepared_.store_step_impulses(scene, island, part.length);
+      keep_solution(island, scene.bodies.count());
+      if (event.activated) ++round;
       continue;
     }
     if (slip_end_cuts_ >= effort_.slip_end_cuts || part.length != remaining) break;
@@ -113,6 +113,19 @@ SolveLimits IslandStepper::limits_after_reset() const {
   limits.iterations = effort_.reset_iterations;
   limits.accelerate = true;
   return limits;
+}
+
+/// How a solve is repeated, with more contacts, from where it has ended.
+SolveLimits IslandStepper::repeated_limits(SolveLimits limits, const IslandView& island) const {
+  if (island.bodies.size() > kSmallIslandBodies)
+    limits.iterations = std::max(kLeastIterations, static_cast<int>(kRepeatedShare * limits.iterations));
+  return limits;
+}
+
+/// Keeps the velocities that a solve has found, for the one that repeats it.
+void IslandStepper::keep_solution(const IslandView& island, std::size_t bodies) {
+  found_.resize(bodies);
+  for (const std::uint32_t body : island.bodies) found_[body] = prepared_.solution(body);
 }
 
 /// Solves what is prepared. Where the residual may not pass, it goes on for longer, and where the iteration diverges,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/native/island_problem.hpp"
 #include "core/native/native_options.hpp"
@@ -73,6 +74,8 @@ class IslandStepper {
   // Solves.
   SolveLimits step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const;
   SolveLimits limits_after_reset() const;
+  SolveLimits repeated_limits(SolveLimits limits, const IslandView& island) const;
+  void keep_solution(const IslandView& island, std::size_t bodies);
   SolveResult solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report);
   SolveResult solve_once(const SolveLimits& limits, IslandReport& report);
 
@@ -93,8 +96,12 @@ class IslandStepper {
   double first_slip_end(const Scene& scene, const StepTerms& terms, double step) const;
 
   // Proof of rest.
-  bool find_balance(const StepTerms& terms, IslandReport& report);
-  double find_beginning_motion(double tolerance, const StepTerms& terms, IslandReport& report);
+  bool balances(const StepTerms& terms);
+  std::optional<bool> balance_of_prepared(const StepTerms& terms);
+  std::optional<bool> settle(const StepTerms& terms, IslandReport& report);
+  std::optional<bool> judge_by_motion(const StepTerms& terms, IslandReport& report);
+  bool decide_balance(const StepTerms& terms, IslandReport& report);
+  double find_beginning_motion(SolveLimits limits, double tolerance, const StepTerms& terms, IslandReport& report);
   bool admit_pushed(const Scene& scene);
 
   NativeOptions options_;
@@ -106,6 +113,7 @@ class IslandStepper {
   PositionCorrection correction_;
   std::vector<std::uint8_t> jumps_;        ///< a body of the scene: see `jumps`, of the last solve
   std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
+  std::vector<BodyVector> found_;          ///< a body of the scene: velocity by the solve that is repeated
   PointBits impacting_;                    ///< points that take part in an impact
   PointBits could_impact_;                 ///< those that touch, and take part where the impact reaches them
   PointBits predicted_;                    ///< points that are solved because they were found to close within the step

@@ -1,15 +1,20 @@
 #include "core/native/native_world.hpp"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/native/native_scenes.hpp"
+#include "physics/measures.hpp"
 #include "same_bits.hpp"
 
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
+using holdfast::internal::physics::bundled_layout;
 using native_scenes::kFlat;
 using native_scenes::OneWorld;
 
@@ -30,6 +35,47 @@ class CountedSolver final : public ContactSolver {
 
  private:
   int& solves_;
+  std::unique_ptr<ContactSolver> solver_ = make_contact_solver();
+};
+
+/// The engine's solver; counts moving steps that are solved again, and those that start where the solve before ended.
+class RepeatsCounted final : public ContactSolver {
+ public:
+  struct Counts {
+    int repeated = 0, warm = 0;
+  };
+  explicit RepeatsCounted(Counts& counts) : counts_(counts) {}
+
+  std::span<const std::uint32_t> order(std::size_t count, std::span<const BodyPair> pairs) override {
+    return solver_->order(count, pairs);
+  }
+  SolveResult solve(ContactProblem& problem, const SolveLimits& limits) override {
+    // The same bodies from the same velocities, in an order that changes with their contacts. Only the solves of steps
+    // may take more iterations.
+    std::vector<Key> free;
+    if (limits.more_iterations > 0) free = sorted(problem.free_velocity);
+    if (!free.empty() && free == free_) {
+      ++counts_.repeated;
+      if (sorted(problem.velocity) == found_) ++counts_.warm;
+    }
+    const SolveResult result = solver_->solve(problem, limits);
+    free_ = free;
+    found_ = sorted(problem.velocity);
+    return result;
+  }
+
+ private:
+  using Key = std::array<double, 3>;
+
+  static std::vector<Key> sorted(const std::vector<BodyVector>& velocities) {
+    std::vector<Key> keys;
+    for (const BodyVector& v : velocities) keys.push_back({v.row[0], v.row[1], v.row[2]});
+    std::sort(keys.begin(), keys.end());
+    return keys;
+  }
+
+  Counts& counts_;
+  std::vector<Key> free_, found_;
   std::unique_ptr<ContactSolver> solver_ = make_contact_solver();
 };
 
@@ -78,6 +124,17 @@ TEST_CASE("native_world: contacts are solved by the solver that it is given", "[
   plain.run();
   CHECK(solves > 50);
   CHECK(same_bits(counted.batch.state.position, plain.batch.state.position));
+}
+
+TEST_CASE("native_world: a step that is solved again starts where its last solve has ended", "[core][native_world]") {
+  Settings settings;
+  settings.native.accuracy = Accuracy::screening;
+  RepeatsCounted::Counts counts;
+  OneWorld scene(settings, bundled_layout("BR8_009_ep", settings), constant(1.2 * kGravity, 1.0),
+                 std::make_unique<RepeatsCounted>(counts));
+  scene.run();
+  CHECK(counts.repeated > 10);
+  CHECK(counts.warm == counts.repeated);
 }
 
 TEST_CASE("native_world: a world of a batch writes its own bodies alone", "[core][native_world]") {
