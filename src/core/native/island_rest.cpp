@@ -28,7 +28,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   if (!rests && !judged) {
     SolveLimits limits = limits_after_reset();
     if (leans) {
-      // With one contact less, bodies begin to move like this.
+      // How the bodies begin to move with the contacts of the round before.
       prepared_.start_from(island, [&](std::uint32_t body) {
         return body_vector(terms.step * bodies.acceleration[body], terms.step * bodies.angular_acceleration[body]);
       });

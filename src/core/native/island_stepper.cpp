@@ -115,7 +115,7 @@ SolveLimits IslandStepper::limits_after_reset() const {
   return limits;
 }
 
-/// How a solve is repeated, with more contacts, from where it has ended.
+/// How a solve is repeated, with other contacts or less friction, from where it has ended.
 SolveLimits IslandStepper::repeated_limits(SolveLimits limits, const IslandView& island) const {
   if (island.bodies.size() > kSmallIslandBodies)
     limits.iterations = std::max(kLeastIterations, static_cast<int>(kRepeatedShare * limits.iterations));
