@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/layouts_shown.hpp"
 #include "core/model/damage.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/results_reader.hpp"
@@ -15,10 +16,8 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::size_t kLayoutsShown = 20;
-
 /// The worst over the accelerations of a layout.
-struct LayoutLine {
+struct LayoutDamage {
   std::uint32_t boxes_beyond = 0;  ///< in the world with the most
   double peak_acceleration = 0.0;  ///< of any box, m/s²
   double velocity_change = 0.0;    ///< of any box, m/s
@@ -43,7 +42,7 @@ struct LayoutLine {
 
 /// All worlds of a file, layout by layout.
 struct DamageLines {
-  std::map<std::uint64_t, LayoutLine> layouts;
+  std::map<std::uint64_t, LayoutDamage> layouts;
   std::uint64_t worlds = 0;
   std::uint64_t exceeding = 0;  ///< worlds with a box beyond the boundary
 };
@@ -75,7 +74,7 @@ std::string name_in(const std::vector<std::string>& names, std::uint64_t index, 
 }
 
 std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
-  std::vector<std::pair<std::string, LayoutLine>> shown;
+  std::vector<std::pair<std::string, LayoutDamage>> shown;
   // A part names the layouts that begin in it.
   for (const auto& [layout, line] : lines.layouts)
     shown.emplace_back(name_in(info.layouts, layout - info.layout_begin, "layout"), line);

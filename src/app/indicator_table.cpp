@@ -6,14 +6,13 @@
 #include <cmath>
 #include <vector>
 
+#include "app/layouts_shown.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/results_reader.hpp"
 
 namespace holdfast::internal {
 
 namespace {
-
-constexpr std::size_t kLayoutsShown = 20;
 
 /// A share in per cent.
 std::string share_text(double share) { return fmt::format("{:.0f} %", 100.0 * share); }

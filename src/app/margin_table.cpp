@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/layouts_shown.hpp"
 #include "core/base/number_text.hpp"
 #include "core/engine/margin_search.hpp"
 #include "core/model/norms.hpp"
@@ -17,8 +18,6 @@
 namespace holdfast::internal {
 
 namespace {
-
-constexpr std::size_t kLayoutsShown = 20;
 
 /// The margins of a layout beside what a norm needs, g; nothing is needed where that is 0.
 struct Judged {

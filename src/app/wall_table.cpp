@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "app/layouts_shown.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/results_reader.hpp"
 
@@ -14,12 +15,11 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::size_t kLayoutsShown = 20;
-constexpr std::uint64_t kSlice = 1024;                       ///< worlds in memory at a time
+constexpr std::uint64_t kWallTableSlice = 1024;              ///< worlds in memory at a time
 constexpr std::array<std::size_t, 4> kWalls = {1, 2, 3, 4};  ///< of `kContainerSides`: front, rear, left, right
 
 /// The largest over the accelerations of a layout: share of the limit, or N where there is none.
-struct LayoutLine {
+struct LayoutWalls {
   std::array<double, kSideCount> largest = {};
   std::size_t worst_wall = kWalls.front();
   std::uint64_t worst_acceleration = 0;
@@ -40,7 +40,7 @@ struct LayoutLine {
 
 /// All worlds of a file, layout by layout.
 struct WallLines {
-  std::map<std::uint64_t, LayoutLine> layouts;
+  std::map<std::uint64_t, LayoutWalls> layouts;
   bool limited = false;  ///< by a norm
   std::uint64_t worlds = 0;
   std::uint64_t exceeding = 0;  ///< worlds in which a wall is pressed beyond its limit
@@ -57,8 +57,8 @@ struct WallLines {
 Result<WallLines> read_lines(ResultsReader& results) {
   WallLines lines;
   const std::uint64_t count = results.info().world_count;
-  for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
-    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kSlice, count - begin));
+  for (std::uint64_t begin = 0; begin < count; begin += kWallTableSlice) {
+    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kWallTableSlice, count - begin));
     if (!rows) return rows.errors();
     const Result<std::vector<WallForces>> walls = results.walls(begin, rows->size());
     if (!walls) return walls.errors();
@@ -73,7 +73,7 @@ std::string value_text(double value, bool limited) {
 }
 
 std::string text_of(const WallLines& lines, const ResultsInfo& info) {
-  std::vector<std::pair<std::string, LayoutLine>> shown;
+  std::vector<std::pair<std::string, LayoutWalls>> shown;
   for (const auto& [layout, line] : lines.layouts) {
     // A part names the layouts that begin in it.
     const std::uint64_t i = layout - info.layout_begin;

@@ -14,7 +14,7 @@ namespace holdfast::internal {
 namespace {
 
 /// Which of front, rear, left, right is supported.
-using Sides = std::bitset<4>;
+using SideSet = std::bitset<4>;
 
 /// Length that two boxes have in common along an axis, m; negative: the gap between them.
 double overlap(const Box& a, const Box& b, Eigen::Index axis) {
@@ -79,7 +79,7 @@ class Contacts {
 
   const std::vector<Box>& boxes_;
   std::vector<double> supported_area_;  ///< m²
-  std::vector<Sides> sides_;
+  std::vector<SideSet> sides_;
 };
 
 double mass_of(const BoxMaterial& material, double volume) {

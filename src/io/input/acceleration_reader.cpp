@@ -12,9 +12,8 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::size_t kColumns = 5;
-constexpr const char* kLineFormat = "initial-time duration ax ay az";
-constexpr std::array kNames{"the initial time", "the duration", "ax", "ay", "az"};
+constexpr const char* kAccelerationLine = "initial-time duration ax ay az";
+constexpr std::array kAccelerationNames{"the initial time", "the duration", "ax", "ay", "az"};
 
 /// The segment of a line, or nothing if its numbers are not valid.
 std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields, ErrorList& errors) {
@@ -26,23 +25,23 @@ std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields
                 .accepted = std::move(accepted)});
     return std::nullopt;
   };
-  if (fields.size() != kColumns) {
+  if (fields.size() != kAccelerationColumns) {
     errors.add({.line = line,
                 .column = fields[0].column,
-                .what = fields.size() < kColumns ? "too few columns" : "too many columns",
+                .what = fields.size() < kAccelerationColumns ? "too few columns" : "too many columns",
                 .value = std::to_string(fields.size()),
-                .accepted = std::string("the five columns are ") + kLineFormat});
+                .accepted = std::string("the five columns are ") + kAccelerationLine});
     return std::nullopt;
   }
-  std::array<double, kColumns> numbers{};
+  std::array<double, kAccelerationColumns> numbers{};
   bool good = true;
-  for (std::size_t i = 0; i < kColumns; ++i) {
+  for (std::size_t i = 0; i < kAccelerationColumns; ++i) {
     const std::optional<double> number = parse_number(fields[i].text);
     good = good && number;
     if (number)
       numbers[i] = *number;
     else
-      refuse(i, std::string(kNames[i]) + " is not a number",
+      refuse(i, std::string(kAccelerationNames[i]) + " is not a number",
              i < 2 ? "a finite number of s" : "a finite number of m/s²");
   }
   if (!good) return std::nullopt;
@@ -72,7 +71,7 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
   }
   if (errors.empty() && acceleration.segments.empty())
     errors.add({.what = trimmed(file.text).empty() ? "is empty" : "has no segments",
-                .accepted = std::string("an acceleration has one line per segment: ") + kLineFormat});
+                .accepted = std::string("an acceleration has one line per segment: ") + kAccelerationLine});
   if (!errors.empty()) return errors.take();
   return acceleration;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -7,6 +8,9 @@
 #include "io/input/text_file.hpp"
 
 namespace holdfast::internal {
+
+/// Columns of a line, which holds a segment.
+inline constexpr std::size_t kAccelerationColumns = 5;
 
 /// Reads an acceleration file: one line per segment, `initial-time duration ax ay az` in s and m/s², in the order of
 /// time and without overlap; in gaps the acceleration is zero. `#` begins a comment anywhere in a line. A segment that

@@ -12,6 +12,8 @@
 #include <optional>
 
 #include "core/base/number_text.hpp"
+#include "io/input/acceleration_reader.hpp"
+#include "io/input/layout_reader.hpp"
 #include "io/input/regular_file.hpp"
 #include "io/input/text_file.hpp"
 #include "io/input/text_lines.hpp"
@@ -21,9 +23,6 @@ namespace holdfast::internal {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kAccelerationColumns = 5;
-constexpr std::size_t kLayoutColumns = 7;
 
 InputKind kind_of_line(std::span<const Field> fields) {
   const bool is_acceleration = fields.size() == kAccelerationColumns;

@@ -15,9 +15,8 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::size_t kColumns = 7;
-constexpr const char* kLineFormat = "x1 y1 z1 x2 y2 z2 material";
-constexpr std::array kNames{"x1", "y1", "z1", "x2", "y2", "z2"};
+constexpr const char* kLayoutLine = "x1 y1 z1 x2 y2 z2 material";
+constexpr std::array kCornerNames{"x1", "y1", "z1", "x2", "y2", "z2"};
 
 std::optional<int> parse_material(std::string_view text) {
   const std::optional<long> id = parse_integer(text);
@@ -27,7 +26,7 @@ std::optional<int> parse_material(std::string_view text) {
 
 /// Whether the line in the place of the header is a box, which would otherwise be lost without a message.
 bool looks_like_box(const std::vector<Field>& fields) {
-  if (fields.size() < kColumns || !parse_material(fields[6].text)) return false;
+  if (fields.size() < kLayoutColumns || !parse_material(fields[6].text)) return false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::optional<double> low = parse_number(fields[axis].text);
     const std::optional<double> high = parse_number(fields[axis + 3].text);
@@ -47,7 +46,7 @@ class LayoutReader {
     read_lines();
     if (errors_.empty() && box_count_ == 0)
       errors_.add({.what = header_line_ == 0 ? "is empty" : "has no boxes",
-                   .accepted = std::string("a layout is a header line, then one line per box: ") + kLineFormat});
+                   .accepted = std::string("a layout is a header line, then one line per box: ") + kLayoutLine});
     if (!errors_.empty()) return errors_.take();
     if (extra_line_ > 0)
       warnings.push_back({.file = file_.path,
@@ -108,26 +107,26 @@ class LayoutReader {
 
   void read_box(long line, const std::vector<Field>& fields) {
     ++box_count_;
-    if (fields.size() < kColumns) {
+    if (fields.size() < kLayoutColumns) {
       errors_.add({.line = line,
                    .column = fields[0].column,
                    .what = "box " + std::to_string(box_count_) + " has too few columns",
                    .value = std::to_string(fields.size()),
-                   .accepted = std::string("the seven columns are ") + kLineFormat});
+                   .accepted = std::string("the seven columns are ") + kLayoutLine});
       return;
     }
-    if (fields.size() > kColumns && extra_line_ == 0) {
+    if (fields.size() > kLayoutColumns && extra_line_ == 0) {
       extra_line_ = line;
-      extra_column_ = fields[kColumns].column;
+      extra_column_ = fields[kLayoutColumns].column;
     }
     std::array<double, 6> corner{};
     bool good = true;
     for (std::size_t i = 0; i < corner.size(); ++i) {
       const std::optional<double> number = parse_number(fields[i].text);
       if (!number)
-        good = refuse(line, fields[i], kNames[i], "not a number", "a finite number of cm such as 80 or 12.5");
+        good = refuse(line, fields[i], kCornerNames[i], "not a number", "a finite number of cm such as 80 or 12.5");
       else if (std::abs(*number) > kFarthestCorner)
-        good = refuse(line, fields[i], kNames[i], "too far away", "a number of cm from -1000000 to 1000000");
+        good = refuse(line, fields[i], kCornerNames[i], "too far away", "a number of cm from -1000000 to 1000000");
       else
         corner[i] = *number / 100.0;
     }

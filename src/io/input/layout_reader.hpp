@@ -10,6 +10,9 @@
 
 namespace holdfast::internal {
 
+/// Columns of a line that holds a box.
+inline constexpr std::size_t kLayoutColumns = 7;
+
 /// Largest coordinate of a corner, cm: ten kilometres. An open side is no boundary; a larger coordinate is a mistake.
 inline constexpr double kFarthestCorner = 1e6;
 

@@ -22,25 +22,25 @@ namespace {
 
 constexpr std::chrono::duration<double> kLongestWait = std::chrono::hours(24 * 365);
 
-/// The layout of a job, as a run of one.
-class OneLayout final : public LayoutSource {
- public:
-  explicit OneLayout(ReadLayout layout) : layout_(std::move(layout)) {}
-
-  std::size_t count() const override { return 1; }
-  const std::string& label(std::size_t /*layout*/) const override { return layout_.layout.name; }
-  std::shared_ptr<const ReadLayout> take(std::size_t /*layout*/, std::size_t /*takers*/) override {
-    return {std::shared_ptr<void>(), &layout_};  // owned by this, which outlives its units
-  }
-
- private:
-  ReadLayout layout_;
-};
-
 }  // namespace
 
 /// A layout in flight. Its units run on several threads, each of which writes worlds of its own.
 class WorldStream::Job {
+  /// The layout of a job, as a run of one.
+  class OneLayout final : public LayoutSource {
+   public:
+    explicit OneLayout(ReadLayout layout) : layout_(std::move(layout)) {}
+
+    std::size_t count() const override { return 1; }
+    const std::string& label(std::size_t /*layout*/) const override { return layout_.layout.name; }
+    std::shared_ptr<const ReadLayout> take(std::size_t /*layout*/, std::size_t /*takers*/) override {
+      return {std::shared_ptr<void>(), &layout_};  // owned by this, which outlives its units
+    }
+
+   private:
+    ReadLayout layout_;
+  };
+
  public:
   Job(std::uint64_t ticket, ReadLayout layout, const WorldStream& stream)
       : units(1, stream.accelerations_.size(), stream.engine_.traits(), stream.settings_.screening.first_failure),

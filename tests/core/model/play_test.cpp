@@ -70,7 +70,9 @@ TEST_CASE("play: shifted layouts of boxes anywhere are good layouts", "[play]") 
     Layout layout;
     // Boxes in a grid of cells, each anywhere in its cell, on two levels.
     for (int cell = 0; cell < 60; ++cell) {
-      const Vec3 origin(0.6 * (cell % 10), 0.8 * (cell / 10 % 3), 1.0 * (cell / 30));
+      const int row = cell / 10 % 3;
+      const int level = cell / 30;
+      const Vec3 origin(0.6 * (cell % 10), 0.8 * row, 1.0 * level);
       const double length = 0.3 + 0.3 * random.between(0, 1);
       const double width = 0.4 + 0.4 * random.between(0, 1);
       const double x = (0.6 - length) * random.between(0, 1);
