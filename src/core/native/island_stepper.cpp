@@ -227,7 +227,7 @@ void IslandStepper::correct_positions(Scene& scene, const IslandView& island, co
   bool any = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    if (manifold.contact.nearest_gap() >= -effort_.overlap) continue;
+    if (manifold.nearest_gap >= -effort_.overlap) continue;
     any = true;
     manifold.activate();
   }

@@ -66,7 +66,7 @@ class NativeWorld {
   void find_farther_contacts(const Vec3& acceleration);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
-  void set_contact(std::int32_t a, std::int32_t b, const ContactSet& contact);
+  void set_contact(std::int32_t a, std::int32_t b, std::int32_t known, const ContactSet& contact);
   void update_sides(std::size_t body, double margin);
   void set_surfaces(Manifold& manifold) const;
   void end_manifold(std::size_t index);

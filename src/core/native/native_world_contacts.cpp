@@ -43,12 +43,13 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
     mark_failed(a, b);
     if (!solved) late_contacts_.push_back({a, b, contact, poses_of(bodies, a, b)});
   }
-  set_contact(a, b, contact);
+  set_contact(a, b, known, contact);
 }
 
-void NativeWorld::set_contact(std::int32_t a, std::int32_t b, const ContactSet& contact) {
+/// Gives a pair its contact.
+/// @param known index of its manifold, negative where it has none
+void NativeWorld::set_contact(std::int32_t a, std::int32_t b, std::int32_t known, const ContactSet& contact) {
   const Bodies& bodies = scene_.bodies;
-  const std::int32_t known = pairs_.find(a, b);
   if (known >= 0 && contact.count > 0) {
     update_contact(scene_.manifolds[at(known)], contact, bodies);
   } else if (known >= 0) {

@@ -246,7 +246,7 @@ void NativeWorld::retake_step(double step, int halvings, int attempt) {
   if (attempt < kLateContactRounds && take_back_late_contacts()) {
     const std::vector<LateContact> late = late_contacts_;
     find_contacts(moving_);
-    for (const LateContact& found : late) set_contact(found.a, found.b, found.contact);
+    for (const LateContact& found : late) set_contact(found.a, found.b, pairs_.find(found.a, found.b), found.contact);
     take_step(step, halvings, attempt + 1);
   } else {
     find_contacts(moving_);
@@ -299,7 +299,7 @@ bool NativeWorld::overlaps_with(const std::vector<std::uint8_t>& done) const {
   const double overlap = penetration_slop(terms_, options_.large_island.penetration_slop);
   return std::any_of(scene_.manifolds.begin(), scene_.manifolds.end(), [&](const Manifold& manifold) {
     return !manifold.active && !manifold.with_side() && has_end_in(manifold, done) && has_end_in(manifold, moving_) &&
-           manifold.contact.nearest_gap() < -overlap;
+           manifold.nearest_gap < -overlap;
   });
 }
 
@@ -317,7 +317,7 @@ void NativeWorld::add_resting_pushes(double duration) {
 void NativeWorld::finish_step() {
   for (Manifold& manifold : scene_.manifolds) {
     if (!has_end_in(manifold, moving_) || has_end_in(manifold, ahead_)) continue;
-    const double nearest = manifold.contact.nearest_gap();
+    const double nearest = manifold.nearest_gap;
     counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     if (!manifold.active) continue;
     bool carries = false;

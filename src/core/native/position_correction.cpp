@@ -109,7 +109,7 @@ void PositionCorrection::find(const Scene& scene, const IslandView& island, doub
   visits_.clear();
   find_contacts_of_bodies(scene, island);
   for (std::uint32_t c = 0; c < count; ++c)
-    if (scene.manifolds[island.manifolds[c]].contact.nearest_gap() < -tolerance) visit_later(c);
+    if (scene.manifolds[island.manifolds[c]].nearest_gap < -tolerance) visit_later(c);
   // What is wedged between sides of the container overlaps for ever.
   const std::size_t most = kCorrectionVisits * count;
   for (std::size_t visit = 0; visit < std::min(visits_.size(), most); ++visit) {

@@ -40,12 +40,10 @@ struct Boxes {
     const auto count = static_cast<std::int32_t>(scene.bodies.count());
     for (std::int32_t a = 0; a < count; ++a) {
       for (std::int32_t b = a + 1; b < count; ++b) {
-        const std::vector<OrientedBox>& shape = scene.bodies.shape;
         Manifold manifold;
         manifold.a = a;
         manifold.b = b;
-        manifold.contact =
-            contact_of(shape[static_cast<std::size_t>(a)], shape[static_cast<std::size_t>(b)], 0.02, ContactAxis{});
+        update_contact(manifold, contact_now(scene.bodies, {}, a, b, 0.02, ContactAxis{}), scene.bodies);
         if (manifold.contact.count > 0) scene.manifolds.push_back(manifold);
       }
     }

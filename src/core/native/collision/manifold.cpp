@@ -92,6 +92,7 @@ void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies&
   const std::array<OrientedBox, 2> now = poses_of(bodies, manifold.a, manifold.b);
   if (manifold.active) match_points(manifold, contact, now);
   manifold.contact = contact;
+  manifold.nearest_gap = contact.nearest_gap();
   manifold.found_at = now;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/native/bodies.hpp"
@@ -25,7 +26,7 @@ struct CachedImpulse {
 };
 
 /// A pair of bodies that touch or soon may, with the impulses of its points.
-struct Manifold {
+struct alignas(64) Manifold {
   // First what most loops read, and nothing else: in one cache line.
   std::int32_t a = 0;  ///< body, or −1 − side of the container
   std::int32_t b = 0;  ///< body
@@ -37,6 +38,7 @@ struct Manifold {
   double friction = 0.0;  ///< static
   double kinetic_friction = 0.0;
   double restitution = 0.0;
+  double nearest_gap = std::numeric_limits<double>::infinity();  ///< of the contact's points, m
   ContactSet contact;
   std::array<CachedImpulse, 8> cached;  ///< zero where the pair is not active
   std::array<OrientedBox, 2> found_at;  ///< a and b where the contact was found; a side stays where it is

@@ -1,6 +1,7 @@
 #include "core/native/solver/anderson.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/native/constants.hpp"
@@ -27,7 +28,8 @@ void Anderson::restart() {
 
 void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::vector<ConstraintVector>& g,
                           const std::vector<ConstraintVector>& r) {
-  const double square = dot(constraints, r, r);
+  double square = 0.0;
+  dot(constraints, r, std::array{r.data()}, std::span(&square, 1));
   const bool known = has_last_ && last_g_.size() == g.size();
   if (!known || square > kAndersonGrowth * last_square_) {
     stored_ = next_ = 0;
@@ -43,8 +45,8 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
     take_difference(r, last_r_, r_step_[column]);
     stored_ = std::min(stored_ + 1, kDepth);
     next_ = (next_ + 1) % kDepth;
-    for (std::size_t i = 0; i < stored_; ++i)
-      gram_[i][column] = gram_[column][i] = dot(constraints, r_step_[i], r_step_[column]);
+    along_steps(constraints, r_step_[column], gram_[column]);
+    for (std::size_t i = 0; i < stored_; ++i) gram_[i][column] = gram_[column][i];
   }
   if (stored_ == 0) {
     last_g_ = g;
@@ -52,13 +54,21 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
   }
   has_last_ = true;
   last_square_ = square;
-  for (std::size_t i = 0; i < stored_; ++i) along_[i] = dot(constraints, r, r_step_[i]);
+  along_steps(constraints, r, along_);
   if (pause_ > 0) {
     --pause_;
     return;
   }
   double weight[kDepth];
   if (weigh(weight)) subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
+}
+
+/// The inner products of `r` with all of `r_step_`.
+void Anderson::along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,
+                           std::span<double, kDepth> out) const {
+  std::array<const ConstraintVector*, kDepth> steps{};
+  for (std::size_t i = 0; i < stored_; ++i) steps[i] = r_step_[i].data();
+  dot(constraints, r, std::span(steps).first(stored_), out);
 }
 
 /// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False where the

@@ -26,6 +26,8 @@ class Anderson {
  private:
   static constexpr std::size_t kDepth = 5;
 
+  void along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,
+                   std::span<double, kDepth> out) const;
   bool weigh(double (&weight)[kDepth]) const;
 
   int pause_ = 0;           ///< iterations until it acts again

@@ -190,13 +190,30 @@ HWY_ATTR PrimalResidual relax_and_project_kernel(Projection projection, ContactC
   return residual.result();
 }
 
-HWY_ATTR double dot_kernel(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
-                           const ConstraintVector* b) {
-  Four sum[3] = {Four::all(0.0), Four::all(0.0), Four::all(0.0)};
-  for (std::size_t p = 0; p < count; ++p)
-    for (std::size_t i = 0; i < 3; ++i)
-      sum[i] = sum[i] + load(a[p], i) * load(b[p], i) * Four::load(constraints[p].inverse_penalty[i > 0].data());
-  return total(sum[0] + (sum[1] + sum[2]));
+/// `kMany` inner products in one pass.
+template <std::size_t kMany>
+HWY_INLINE void dot_all(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
+                        const ConstraintVector* const* b, double* out) {
+  Four sum[kMany][3];
+  for (Four(&of_one)[3] : sum)
+    for (Four& row : of_one) row = Four::all(0.0);
+  for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Four x = load(a[p], i);
+      const Four inverse_penalty = Four::load(constraints[p].inverse_penalty[i > 0].data());
+      for (std::size_t k = 0; k < kMany; ++k) sum[k][i] = sum[k][i] + x * load(b[k][p], i) * inverse_penalty;
+    }
+  }
+  for (std::size_t k = 0; k < kMany; ++k) out[k] = total(sum[k][0] + (sum[k][1] + sum[k][2]));
+}
+
+HWY_ATTR void dot_kernel(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
+                         const ConstraintVector* const* b, std::size_t many, double* out) {
+  for (; many >= 5; many -= 5, b += 5, out += 5) dot_all<5>(constraints, count, a, b, out);
+  if (many == 4) dot_all<4>(constraints, count, a, b, out);
+  if (many == 3) dot_all<3>(constraints, count, a, b, out);
+  if (many == 2) dot_all<2>(constraints, count, a, b, out);
+  if (many == 1) dot_all<1>(constraints, count, a, b, out);
 }
 
 HWY_ATTR void take_difference_kernel(std::size_t count, const ConstraintVector* now, ConstraintVector* last,
@@ -293,9 +310,9 @@ PrimalResidual relax_and_project(Projection projection, std::span<ContactConstra
                                                         most.empty() ? nullptr : most.data(), wrench.data());
 }
 
-double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
-           std::span<const ConstraintVector> b) {
-  return HWY_DYNAMIC_DISPATCH(dot_kernel)(constraints.data(), constraints.size(), a.data(), b.data());
+void dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
+         std::span<const ConstraintVector* const> b, std::span<double> out) {
+  HWY_DYNAMIC_DISPATCH(dot_kernel)(constraints.data(), constraints.size(), a.data(), b.data(), b.size(), out.data());
 }
 
 void take_difference(std::span<const ConstraintVector> now, std::span<ConstraintVector> last,

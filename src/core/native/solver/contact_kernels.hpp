@@ -56,9 +56,11 @@ PrimalResidual relax_and_project(Projection projection, std::span<ContactConstra
                                  std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
                                  double relaxation, std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
 
-/// Σ a b / R over all points: an inner product of impulses.
-double dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
-           std::span<const ConstraintVector> b);
+/// Σ a b / R over all points: the inner products of impulses with several others.
+/// @param b   of each its first constraint
+/// @param out a product for each b
+void dot(std::span<const ContactConstraint> constraints, std::span<const ConstraintVector> a,
+         std::span<const ConstraintVector* const> b, std::span<double> out);
 
 /// step = now − last, last = now.
 void take_difference(std::span<const ConstraintVector> now, std::span<ConstraintVector> last,
