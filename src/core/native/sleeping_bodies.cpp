@@ -14,20 +14,30 @@ bool any_asleep(const Bodies& bodies) {
   return std::any_of(bodies.asleep.begin(), bodies.asleep.end(), [](std::uint8_t asleep) { return asleep != 0; });
 }
 
+/// Sum of a manifold's contact forces on its body b, N.
+Vec3 contact_force(const Manifold& manifold) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < at(manifold.contact.count); ++i) sum += manifold.cached[i].force;
+  return sum;
+}
+
 /// Sums of the contact forces on the bodies that sleep, N; 0 for the others.
-void contact_forces_on_sleeping(const Scene& scene, std::vector<Vec3>& force) {
+/// @param counts `bool(const Manifold&)`: whether the manifold's forces count
+template <class Counts>
+void contact_forces_on_sleeping(const Scene& scene, std::vector<Vec3>& force, Counts counts) {
   const Bodies& bodies = scene.bodies;
   force.assign(bodies.count(), Vec3::Zero());
   for (const Manifold& manifold : scene.manifolds) {
     const bool on_a = is_asleep(bodies, manifold.a);
     const bool on_b = is_asleep(bodies, manifold.b);
-    if (!manifold.active || !(on_a || on_b)) continue;
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < at(manifold.contact.count); ++i) sum += manifold.cached[i].force;
+    if (!manifold.active || !(on_a || on_b) || !counts(manifold)) continue;
+    const Vec3 sum = contact_force(manifold);
     if (on_b) force[at(manifold.b)] += sum;
     if (on_a) force[at(manifold.a)] -= sum;
   }
 }
+
+bool all_count(const Manifold& /*manifold*/) { return true; }
 
 }  // namespace
 
@@ -55,7 +65,9 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   }
   if (!any_asleep(bodies)) return false;
   wake_hit(scene, terms);
-  contact_forces_on_sleeping(scene, load_now_);
+  wake_unsupported(scene, terms);
+  if (!any_asleep(bodies)) return false;
+  contact_forces_on_sleeping(scene, load_now_, all_count);
   stopped_.assign(bodies.count(), Vec3::Zero());
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (bodies.asleep[i] == 0) continue;
@@ -96,6 +108,26 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
   }
 }
 
+/// Bodies that moving ones carry do not sleep: as if they were fixed they would not press on these, and would stay in
+/// the air where these leave. Against g − a, the contact forces of what stays must be a share of what balances the
+/// body.
+void SleepingBodies::wake_unsupported(Scene& scene, const StepTerms& terms) {
+  Bodies& bodies = scene.bodies;
+  const auto of_what_stays = [&](const Manifold& manifold) {
+    return stays(bodies, manifold.a) && stays(bodies, manifold.b);
+  };
+  const double least = kSleepingSupport * terms.effective_gravity.squaredNorm();
+  for (bool any_woke = true; any_woke;) {
+    any_woke = false;
+    contact_forces_on_sleeping(scene, load_now_, of_what_stays);
+    for (std::size_t i = 0; i < bodies.count(); ++i) {
+      if (bodies.asleep[i] == 0 || -load_now_[i].dot(terms.effective_gravity) >= bodies.mass[i] * least) continue;
+      bodies.asleep[i] = 0;
+      any_woke = true;  // it carries others, which have to be looked at again
+    }
+  }
+}
+
 void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving) {
   const Bodies& bodies = scene.bodies;
   if (any_asleep(bodies)) wake_overloaded(scene, terms);
@@ -114,7 +146,7 @@ void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std:
 /// weight, and forces in a jam are not determined: what counts is the change over the box and its sleeping neighbours.
 void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms) {
   const Bodies& bodies = scene.bodies;
-  contact_forces_on_sleeping(scene, load_now_);
+  contact_forces_on_sleeping(scene, load_now_, all_count);
   change_.assign(bodies.count(), Vec3::Zero());
   mass_.assign(bodies.count(), 0.0);
   const auto add = [&](std::size_t to, std::size_t of) {

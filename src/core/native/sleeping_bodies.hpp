@@ -12,10 +12,10 @@ namespace holdfast::internal::native {
 /// fixed, while the others are stepped against them. Most bodies of a load that moves are slow, and what is stepped
 /// falls into many small islands. None sleep in an island where all are slow enough to be at rest.
 ///
-/// Four things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
+/// Five things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
 /// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
-/// since they fell asleep. Bodies that are hit, and those near them, do not sleep in that step. And all wake where the
-/// effective gravity changes.
+/// since they fell asleep. Bodies that are hit, and those near them, do not sleep in that step, nor do those that
+/// moving ones carry. And all wake where the effective gravity changes.
 class SleepingBodies {
  public:
   explicit SleepingBodies(std::size_t bodies = 0)
@@ -40,6 +40,7 @@ class SleepingBodies {
 
  private:
   void wake_hit(Scene& scene, const StepTerms& terms);
+  void wake_unsupported(Scene& scene, const StepTerms& terms);
   void wake_overloaded(const Scene& scene, const StepTerms& terms);
 
   std::vector<std::uint32_t> slow_steps_;  ///< a body: steps in which it was slow, since it was fast or overloaded

@@ -77,10 +77,14 @@ TEST_CASE("sleeping_bodies: all are awake in every 32nd step, and where the acce
   std::vector<std::ptrdiff_t> counts;
   scene.run([&] { counts.push_back(asleep(scene)); });
   REQUIRE(counts.size() == 120);
-  // In the first step of an acceleration no box counts as slow, and in the second one it has to be.
+  // In the first step of an acceleration no box counts as slow, in the second one it has to be, and in the third what
+  // carries it may still begin to sleep.
   for (std::size_t step = 0; step < counts.size(); ++step) {
     CAPTURE(step, counts[step]);
-    CHECK((counts[step] == 0) == (step % 60 < 2 || step % 60 == 31));
+    if (step % 60 < 2 || step % 60 == 31)
+      CHECK(counts[step] == 0);
+    else if (step % 60 > 2)
+      CHECK(counts[step] > 0);
   }
 }
 
@@ -127,4 +131,39 @@ TEST_CASE("sleeping_bodies: what a position correction separates is no contact o
     REQUIRE(broken.empty());
   });
   CHECK(most > 10);
+}
+
+TEST_CASE("sleeping_bodies: a box falls where what it lies on is drawn away from under it", "[core][sleeping_bodies]") {
+  // The lid is held by two stops, between which the drawer slides away.
+  for (const double drawn : {0.0, 0.05, 0.1, 0.15, 0.2}) {
+    std::size_t falls_at[2] = {};
+    for (const bool sleep : {false, true}) {
+      Settings settings = on_the_floor(0.02);
+      settings.native.sleep = sleep;
+      Layout layout = boxes_on_a_plate(10);
+      layout.boxes.back() = box({6.0 - drawn, 3.0, 0.1}, {0.6, 0.4, 0.3});
+      layout.boxes.back().material = 2;
+      const std::size_t lid = layout.boxes.size();
+      layout.boxes.push_back(box({6.1, 2.7, 0.4}, {0.4, 1.0, 0.3}));
+      layout.boxes.push_back(box({5.6, 2.4, 0.1}, {0.5, 0.5, 0.7}));
+      layout.boxes.push_back(box({5.6, 3.5, 0.1}, {0.5, 0.5, 0.7}));
+      OneWorld scene(settings, layout, constant(kBraking, 1.5));
+      const double height = scene.batch.state.position[lid].z();
+      const Bodies& bodies = scene.world.view().scene.bodies;
+      const auto body = std::find(bodies.world_box.begin(), bodies.world_box.end(), lid) - bodies.world_box.begin();
+      std::size_t step = 0;
+      std::ptrdiff_t most = 0;
+      scene.run([&] {
+        ++step;
+        most = std::max(most, asleep(scene));
+        const Vec3& now = bodies.state.position[static_cast<std::size_t>(body)];
+        if (falls_at[sleep ? 1 : 0] == 0 && now.z() < height - 0.1) falls_at[sleep ? 1 : 0] = step;
+      });
+      CHECK((most > 10) == sleep);
+    }
+    CAPTURE(drawn, falls_at[0], falls_at[1]);
+    CHECK(falls_at[0] > 30);
+    CHECK(falls_at[1] >= falls_at[0] - 1);
+    CHECK(falls_at[1] <= falls_at[0] + 1);
+  }
 }
