@@ -48,11 +48,10 @@ struct DamageLines {
 };
 
 Result<DamageLines> read_lines(ResultsReader& results) {
-  constexpr std::uint64_t kSlice = 1024;  // worlds in memory at a time
   DamageLines lines;
   const std::uint64_t count = results.info().world_count;
-  for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
-    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kSlice, count - begin));
+  for (std::uint64_t begin = 0; begin < count; begin += kSliceWorlds) {
+    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kSliceWorlds, count - begin));
     if (!rows) return rows.errors();
     const Result<std::vector<std::uint32_t>> beyond = results.boxes_beyond(begin, rows->size());
     if (!beyond) return beyond.errors();

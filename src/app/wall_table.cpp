@@ -15,7 +15,6 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::uint64_t kWallTableSlice = 1024;              ///< worlds in memory at a time
 constexpr std::array<std::size_t, 4> kWalls = {1, 2, 3, 4};  ///< of `kContainerSides`: front, rear, left, right
 
 /// The largest over the accelerations of a layout: share of the limit, or N where there is none.
@@ -57,8 +56,8 @@ struct WallLines {
 Result<WallLines> read_lines(ResultsReader& results) {
   WallLines lines;
   const std::uint64_t count = results.info().world_count;
-  for (std::uint64_t begin = 0; begin < count; begin += kWallTableSlice) {
-    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kWallTableSlice, count - begin));
+  for (std::uint64_t begin = 0; begin < count; begin += kSliceWorlds) {
+    const Result<std::vector<WorldRow>> rows = results.worlds(begin, std::min(kSliceWorlds, count - begin));
     if (!rows) return rows.errors();
     const Result<std::vector<WallForces>> walls = results.walls(begin, rows->size());
     if (!walls) return walls.errors();

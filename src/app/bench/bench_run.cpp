@@ -26,8 +26,6 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::uint64_t kSliceWorlds = 1024;
-
 /// Resources that the process used, and how it ended.
 struct Ended {
   int exit_code = 0;

@@ -10,9 +10,6 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Worlds that are read at a time.
-constexpr std::uint64_t kReplicaSlice = 4096;
-
 std::string line_of(const ResultsInfo& info, std::uint64_t world, const WorldRow& row, const ReplicaOutcome& replicas) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\r\n", world, csv_field(layout_name(info, row)),
                      csv_field(acceleration_name(info, row)), to_string(replicas.verdict), replicas.count,
@@ -27,8 +24,8 @@ void write_replica_csv(ResultsReader& results, const std::string& path) {
   OutputFile file(path);
   file.write(
       "world,layout,acceleration,verdict,replicas,failed,share,wilson_low,wilson_high,simulated,cpu_seconds\r\n");
-  for (std::uint64_t begin = 0; begin < info.world_count; begin += kReplicaSlice) {
-    const std::uint64_t count = std::min(kReplicaSlice, info.world_count - begin);
+  for (std::uint64_t begin = 0; begin < info.world_count; begin += kSliceWorlds) {
+    const std::uint64_t count = std::min(kSliceWorlds, info.world_count - begin);
     const Result<std::vector<WorldRow>> rows = results.worlds(begin, count);
     if (!rows) throw h5::Failure(rows.error());
     const Result<std::vector<ReplicaOutcome>> replicas = results.replicas(begin, count);

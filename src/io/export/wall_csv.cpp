@@ -10,7 +10,6 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::uint64_t kWallSlice = 1024;  ///< worlds in memory at a time
 constexpr const char* kHeader =
     "world,layout,acceleration,side,peak_force_N,peak_time_s,peak_x_m,peak_y_m,peak_z_m,lasting_force_N,limit_N,"
     "exceeded,impulse_x_Ns,impulse_y_Ns,impulse_z_Ns\r\n";
@@ -30,8 +29,8 @@ void write_wall_csv(ResultsReader& results, const std::string& path) {
   const ResultsInfo& info = results.info();
   OutputFile file(path);
   file.write(kHeader);
-  for (std::uint64_t begin = 0; begin < info.world_count; begin += kWallSlice) {
-    const std::uint64_t count = std::min(kWallSlice, info.world_count - begin);
+  for (std::uint64_t begin = 0; begin < info.world_count; begin += kSliceWorlds) {
+    const std::uint64_t count = std::min(kSliceWorlds, info.world_count - begin);
     const Result<std::vector<WorldRow>> rows = results.worlds(begin, count);
     if (!rows) throw h5::Failure(rows.error());
     const Result<std::vector<WallForces>> walls = results.walls(begin, count);

@@ -34,6 +34,11 @@ class Failure : public std::exception {
   std::string text_;
 };
 
+/// Throws the error of a file that is not what it should be.
+[[noreturn]] inline void fail(const std::string& path, std::string what, std::string accepted = "") {
+  throw Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
+}
+
 /// Runs `work` and returns the error that it threw, if any; for the public functions.
 template <class Work>
 std::optional<Error> caught(const std::string& path, Work&& work) {

@@ -13,10 +13,6 @@ namespace holdfast::internal {
 
 namespace {
 
-[[noreturn]] void fail_part(const std::string& path, std::string what, std::string accepted = "") {
-  throw h5::Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
-}
-
 std::string attribute_of(Axis axis) { return std::string(to_string(axis)) + "_begin"; }
 
 void check_follows(const std::string& path, const PartRange& before, const PartRange& part) {
@@ -25,7 +21,7 @@ void check_follows(const std::string& path, const PartRange& before, const PartR
     if (axis == Axis::accelerations || axis == Axis::segments) continue;
     const std::uint64_t expected = is_long(representative(axis)) ? chunk_begin(axis, before.end[i]) : before.end[i];
     if (part.begin[i] != expected || part.end[i] < before.end[i])
-      fail_part(path, "does not continue where the previous part ends (" + std::string(to_string(axis)) + ")");
+      h5::fail(path, "does not continue where the previous part ends (" + std::string(to_string(axis)) + ")");
   }
 }
 
@@ -109,8 +105,8 @@ std::vector<PartRange> check_parts(const std::string& results_path, const std::s
   for (const std::uint64_t number : list_parts(results_path)) {
     const std::string path = part_path(results_path, number);
     if (number != ranges.size() + 1) {
-      fail_part(part_path(results_path, ranges.size() + 1), "is missing, although later parts exist",
-                "remove " + parts_folder(results_path) + " to start anew");
+      h5::fail(part_path(results_path, ranges.size() + 1), "is missing, although later parts exist",
+               "remove " + parts_folder(results_path) + " to start anew");
     }
     ranges.push_back(h5::with_cure(kCureOfPart, [&] {
       const h5::File file = h5::File::open(path);

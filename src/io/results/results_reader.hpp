@@ -69,6 +69,9 @@ namespace h5 {
 class File;
 }
 
+/// Worlds that are read and held in memory at a time by what goes through all worlds of a file.
+inline constexpr std::uint64_t kSliceWorlds = 1024;
+
 /// Reads a results file, or a single part of one. Used by one thread at a time.
 class ResultsReader {
  public:

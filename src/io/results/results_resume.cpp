@@ -96,10 +96,9 @@ void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   if (!results) throw h5::Failure(results.error());
   const bool has_layouts = results->info().has_margins || results->info().has_indicators;
   if (has_layouts && visitor.layout) visit_layouts(*results, visitor.layout);
-  constexpr std::uint64_t kSlice = 1024;
   const std::uint64_t count = results->info().world_count;
-  for (std::uint64_t begin = 0; begin < count; begin += kSlice) {
-    const auto rows = results->worlds(begin, std::min(kSlice, count - begin));
+  for (std::uint64_t begin = 0; begin < count; begin += kSliceWorlds) {
+    const auto rows = results->worlds(begin, std::min(kSliceWorlds, count - begin));
     if (!rows) throw h5::Failure(rows.error());
     std::vector<WallForces> walls(rows->size());
     if (results->info().has_walls) {

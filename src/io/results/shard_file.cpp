@@ -53,10 +53,6 @@ AxisCounts entries_before(const h5::File& file, std::uint64_t layout, std::uint6
   return counts;
 }
 
-[[noreturn]] void fail_shard(const std::string& path, std::string what, std::string accepted) {
-  throw h5::Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
-}
-
 }  // namespace
 
 std::string shards_folder(const std::string& results_path) { return results_path + ".shards"; }
@@ -70,13 +66,13 @@ Result<ShardFile> ShardFile::open(const std::string& path) {
     h5::be_quiet();
     const h5::File file = h5::File::open(path);
     if (h5::read_text_attribute(file, "/", "format") != kFormatName || !h5::has_attribute(file, "/", "shard"))
-      fail_shard(path, "is no shard", "a results file of `holdfast screen --part K/N`");
+      h5::fail(path, "is no shard", "a results file of `holdfast screen --part K/N`");
     ShardFile shard;
     shard.path_ = path;
     shard.run_ = read_run(file);
     const Shard& part = shard.shard().shard;
     if (part.part < 1 || part.part > part.parts || part.block < 1)
-      fail_shard(path, "is damaged", "simulate the shard again");
+      h5::fail(path, "is damaged", "simulate the shard again");
     const h5::Dataset names = h5::Dataset::open(file, dataset_spec("/inputs/layouts/name"));
     std::uint64_t expected = 0;
     for (std::uint64_t block = part.part - 1; block < part.block_count(); block += part.parts)
@@ -84,7 +80,7 @@ Result<ShardFile> ShardFile::open(const std::string& path) {
     const bool whole =
         h5::read_count_attribute(file, "/", "complete") == 1 && names.length() == expected &&
         h5::Dataset::open(file, representative(Axis::worlds)).length() == expected * shard.run_.accelerations.size();
-    if (!whole) fail_shard(path, "does not have all of its layouts", "its command with --resume finishes it");
+    if (!whole) h5::fail(path, "does not have all of its layouts", "its command with --resume finishes it");
     const auto texts = [&](const char* column) {
       const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(column));
       return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());

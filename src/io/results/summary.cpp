@@ -9,8 +9,7 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Largest numbers of worlds and of boxes in a slice; a slice has at least one world.
-constexpr std::uint64_t kSliceWorlds = 1024;
+/// Largest number of boxes in a slice, which has at least one world and at most `kSliceWorlds`.
 constexpr std::uint64_t kSliceBoxes = std::uint64_t{1} << 17U;
 
 template <class T>
