@@ -17,14 +17,16 @@ echo "Lint: includes"
 python3 tools/check_includes.py
 
 echo "Lint: clang-tidy"
-# GCC's flags are passed on: those that Clang does not know are no finding. What includes several sources, which CMake
-# writes into the build folder, comes first: it takes longest.
+# GCC's flags are passed on: those that Clang does not know are no finding. Where CMake compiles several sources at once
+# (CMAKE_UNITY_BUILD), the files that include them are in the build folder, and come first: they take longest.
 python3 -c '
 import json, os, sys
 files = {os.path.join(c["directory"], c["file"]) for c in json.load(open(sys.argv[1]))}
-build = os.path.dirname(os.path.abspath(sys.argv[1]))
-folder_of = {f: os.path.relpath(f, build if f.startswith(build) else os.getcwd()) for f in files}
-own = [f for f in files if folder_of[f].startswith(tuple(sys.argv[2:] or [""])) and ("/Unity/" in f) == f.startswith(build)]
-print(*sorted(own, key=lambda f: ("/Unity/" in f, os.path.getsize(f)), reverse=True), sep="\n")' "$build/compile_commands.json" "${folders[@]}" |
+build = os.path.dirname(os.path.abspath(sys.argv[1])) + "/"
+made = {f for f in files if f.startswith(build)}
+folder_of = {f: os.path.relpath(f, build if f in made else os.getcwd()) for f in files}
+own = [f for f in files if folder_of[f].startswith(tuple(sys.argv[2:])) or not sys.argv[2:]]
+own = [f for f in own if f not in made or "/Unity/" in folder_of[f]]
+print(*sorted(own, key=lambda f: (f in made, os.path.getsize(f)), reverse=True), sep="\n")' "$build/compile_commands.json" "${folders[@]}" |
   xargs -r -d '\n' -n 1 -P "$jobs" clang-tidy --quiet -p "$build" --extra-arg=-Wno-unknown-warning-option 2> >(grep -vE '^[0-9]+ warnings? (generated|treated)' >&2)
 echo "Lint: all clean"

@@ -209,6 +209,7 @@ HWY_INLINE void dot_all(const ContactConstraint* constraints, std::size_t count,
 
 HWY_ATTR void dot_kernel(const ContactConstraint* constraints, std::size_t count, const ConstraintVector* a,
                          const ConstraintVector* const* b, std::size_t many, double* out) {
+  // Five is what the accelerated iteration asks for; more would not fit into the registers of most instruction sets.
   for (; many >= 5; many -= 5, b += 5, out += 5) dot_all<5>(constraints, count, a, b, out);
   if (many == 4) dot_all<4>(constraints, count, a, b, out);
   if (many == 3) dot_all<3>(constraints, count, a, b, out);
