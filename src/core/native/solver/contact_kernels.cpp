@@ -17,11 +17,79 @@ HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
+/// Constraints that go through an iteration together. One alone waits for the results of its square root and division
+/// for most of the time: two take 0.7 of the time on a Zen 4 core, with AVX-512 and with AVX2; three or four take no
+/// less. Where the lanes of one take two vectors, registers do not suffice for more.
+constexpr std::size_t kTogether = Four::kVectors == 1 ? 2 : 1;
+
+/// Constraints in a row, whose lanes are worked on together.
+template <std::size_t kCount>
+struct Together {
+  using P = Pack<kLanes, kCount>;
+  using Vector = TripleOf<P>;
+  static constexpr std::size_t kConstraints = kCount;
+
+  /// Of each item a number for each of its points.
+  /// @param field `const Lanes&(const Item&)`
+  template <class Item, class Field>
+  static HWY_INLINE P lanes(const Item* items, Field field) {
+    return P::load_each([&](std::size_t n) HWY_ATTR { return field(items[n]).data(); });
+  }
+  static HWY_INLINE P row(const ConstraintVector* items, std::size_t i) {
+    return lanes(items, [i](const ConstraintVector& item) HWY_ATTR -> const Lanes& { return item.row[i]; });
+  }
+  static HWY_INLINE Vector load(const ConstraintVector* items) {
+    return {{row(items, 0), row(items, 1), row(items, 2)}};
+  }
+  static HWY_INLINE P row(const ContactConstraint* items, ConstraintVector ContactConstraint::*member, std::size_t i) {
+    return lanes(items, [=](const ContactConstraint& item) HWY_ATTR -> const Lanes& { return (item.*member).row[i]; });
+  }
+  static HWY_INLINE P penalty(const ContactConstraint* items, std::size_t i) {
+    return lanes(items, [i](const ContactConstraint& item) HWY_ATTR -> const Lanes& { return item.penalty[i > 0]; });
+  }
+  static HWY_INLINE P inverse_penalty(const ContactConstraint* items, std::size_t i) {
+    return lanes(items,
+                 [i](const ContactConstraint& item) HWY_ATTR -> const Lanes& { return item.inverse_penalty[i > 0]; });
+  }
+  /// @param arms_of `const Arms&(std::size_t constraint)`
+  template <class ArmsOf>
+  static HWY_INLINE Vector arms(ArmsOf arms_of, std::array<Lanes, 3> Arms::*side) {
+    const auto component = [&](std::size_t i) HWY_ATTR {
+      return P::load_each([&](std::size_t n) HWY_ATTR { return (arms_of(n).*side)[i].data(); });
+    };
+    return {{component(0), component(1), component(2)}};
+  }
+
+  static HWY_INLINE P friction(const ContactConstraint* items) {
+    return P::each([items](std::size_t n) HWY_ATTR { return items[n].friction; });
+  }
+  /// Component k of direction i.
+  static HWY_INLINE P direction(const ContactConstraint* items, std::size_t i, std::size_t k) {
+    return P::each([=](std::size_t n) HWY_ATTR { return items[n].directions[i][k]; });
+  }
+  static HWY_INLINE Vector angular_velocity(const ContactConstraint* items, std::int32_t ContactConstraint::*body,
+                                            const BodyVector* velocity) {
+    const auto component = [=](std::size_t i) HWY_ATTR {
+      return P::each([=](std::size_t n) HWY_ATTR { return velocity[items[n].*body].row[3 + i]; });
+    };
+    return {{component(0), component(1), component(2)}};
+  }
+};
+
+/// Calls `visit(Together, first)` for all constraints, as many together as there are.
+template <class Visit>
+HWY_INLINE void for_all(std::size_t count, Visit visit) {
+  std::size_t first = 0;
+  for (; first + kTogether <= count; first += kTogether) visit(Together<kTogether>(), first);
+  for (; first < count; ++first) visit(Together<1>(), first);
+}
+
 /// limit / √square where that shortens, else 1.
-HWY_INLINE Four shrink(const Four& limit, const Four& square) {
-  Four p;
-  const Four::D d;
-  for (std::size_t i = 0; i < Four::kVectors; ++i) {
+template <class P>
+HWY_INLINE P shrink(const P& limit, const P& square) {
+  P p;
+  const typename P::D d;
+  for (std::size_t i = 0; i < P::kVectors; ++i) {
     const auto beyond = hn::Gt(square.part[i], hn::Mul(limit.part[i], limit.part[i]));
     // The square is positive wherever it is beyond the limit; elsewhere 1 keeps 0/0 out.
     const auto safe = hn::IfThenElse(beyond, square.part[i], hn::Set(d, 1.0));
@@ -31,48 +99,67 @@ HWY_INLINE Four shrink(const Four& limit, const Four& square) {
 }
 
 /// Velocity of b's surface relative to a's at the points, container frame.
-struct Relative {
-  Four x, y, z;
-};
-HWY_INLINE Relative relative_velocity(const Arms& arms, const double* va, const double* vb) {
-  const auto arm = [](const std::array<Lanes, 3>& from, int i)
-                       HWY_ATTR { return Four::load(from[static_cast<std::size_t>(i)].data()); };
-  const Four ax = arm(arms.a, 0), ay = arm(arms.a, 1), az = arm(arms.a, 2);
-  const Four bx = arm(arms.b, 0), by = arm(arms.b, 1), bz = arm(arms.b, 2);
-  const Four wax = Four::all(va[3]), way = Four::all(va[4]), waz = Four::all(va[5]);
-  const Four wbx = Four::all(vb[3]), wby = Four::all(vb[4]), wbz = Four::all(vb[5]);
-  return {Four::all(vb[0] - va[0]) + (wby * bz - wbz * by) - (way * az - waz * ay),
-          Four::all(vb[1] - va[1]) + (wbz * bx - wbx * bz) - (waz * ax - wax * az),
-          Four::all(vb[2] - va[2]) + (wbx * by - wby * bx) - (wax * ay - way * ax)};
+template <class T>
+HWY_INLINE typename T::Vector relative_velocity(const ContactConstraint* constraints, const BodyVector* velocity) {
+  using P = typename T::P;
+  const auto arms_of = [=](std::size_t n) HWY_ATTR -> const Arms& { return constraints[n].arms; };
+  const auto linear = [=](std::size_t i) HWY_ATTR {
+    return P::each([=](std::size_t n)
+                       HWY_ATTR { return velocity[constraints[n].b].row[i] - velocity[constraints[n].a].row[i]; });
+  };
+  return typename T::Vector{{linear(0), linear(1), linear(2)}} +
+         cross(T::angular_velocity(constraints, &ContactConstraint::b, velocity), T::arms(arms_of, &Arms::b)) -
+         cross(T::angular_velocity(constraints, &ContactConstraint::a, velocity), T::arms(arms_of, &Arms::a));
 }
 
-HWY_INLINE Four along(const Relative& v, const std::array<double, 3>& direction) {
-  return Four::all(direction[0]) * v.x + Four::all(direction[1]) * v.y + Four::all(direction[2]) * v.z;
-}
-
-/// Adds the wrench of the forces `f` (along the constraint's directions, on b) to b, and its opposite to a.
-HWY_INLINE void add_wrench(const ContactConstraint& constraint, const Arms& arms, const Four (&f)[3],
-                           LaneWrench* wrench) {
-  Four force[3];
+/// u = J v + velocity_bias, along the directions.
+template <class T>
+HWY_INLINE typename T::Vector contact_velocity(const ContactConstraint* constraints, const BodyVector* velocity) {
+  const typename T::Vector v = relative_velocity<T>(constraints, velocity);
+  typename T::Vector u;
   for (std::size_t i = 0; i < 3; ++i) {
-    force[i] = Four::all(constraint.directions[0][i]) * f[0] + Four::all(constraint.directions[1][i]) * f[1] +
-               Four::all(constraint.directions[2][i]) * f[2];
+    const auto direction = [=](std::size_t k) HWY_ATTR { return T::direction(constraints, i, k); };
+    u.at[i] = dot(typename T::Vector{{direction(0), direction(1), direction(2)}}, v) +
+              T::row(constraints, &ContactConstraint::velocity_bias, i);
   }
-  LaneWrench& on_a = wrench[constraint.a];
-  LaneWrench& on_b = wrench[constraint.b];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    (Four::load(on_a.row[i]) - force[i]).store(on_a.row[i]);
-    (Four::load(on_b.row[i]) + force[i]).store(on_b.row[i]);
-    const Four torque_a = Four::load(arms.a[j].data()) * force[k] - Four::load(arms.a[k].data()) * force[j];
-    const Four torque_b = Four::load(arms.b[j].data()) * force[k] - Four::load(arms.b[k].data()) * force[j];
-    (Four::load(on_a.row[3 + i]) - torque_a).store(on_a.row[3 + i]);
-    (Four::load(on_b.row[3 + i]) + torque_b).store(on_b.row[3 + i]);
+  return u;
+}
+
+/// Adds the wrenches of the forces `f` (along the constraints' directions, on b) to b, and their opposites to a.
+/// @param mid_arms arms of the constraints; null: those of their own
+template <class T>
+HWY_INLINE void add_wrench(const ContactConstraint* constraints, const Arms* mid_arms, const typename T::Vector& f,
+                           LaneWrench* wrench) {
+  using Vector = typename T::Vector;
+  Vector force;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto direction = [=](std::size_t i) HWY_ATTR { return T::direction(constraints, i, k); };
+    force.at[k] = dot(Vector{{direction(0), direction(1), direction(2)}}, f);
+  }
+  const auto arms_of = [=](std::size_t n)
+                           HWY_ATTR -> const Arms& { return mid_arms == nullptr ? constraints[n].arms : mid_arms[n]; };
+  const Vector torque_a = cross(T::arms(arms_of, &Arms::a), force);
+  const Vector torque_b = cross(T::arms(arms_of, &Arms::b), force);
+  // One after the other: they may share a body.
+  for (std::size_t n = 0; n < T::kConstraints; ++n) {
+    LaneWrench& on_a = wrench[constraints[n].a];
+    LaneWrench& on_b = wrench[constraints[n].b];
+    for (std::size_t i = 0; i < 3; ++i) {
+      (Four::load(on_a.row[i]) - force.at[i].group(n)).store(on_a.row[i]);
+      (Four::load(on_b.row[i]) + force.at[i].group(n)).store(on_b.row[i]);
+      (Four::load(on_a.row[3 + i]) - torque_a.at[i].group(n)).store(on_a.row[3 + i]);
+      (Four::load(on_b.row[3 + i]) + torque_b.at[i].group(n)).store(on_b.row[3 + i]);
+    }
   }
 }
 
 HWY_INLINE Four load(const ConstraintVector& from, std::size_t row) { return Four::load(from.row[row].data()); }
+
+template <class T>
+HWY_INLINE void store(const typename T::Vector& vector, ConstraintVector* to) {
+  for (std::size_t i = 0; i < 3; ++i)
+    vector.at[i].store_each([=](std::size_t n) HWY_ATTR { return to[n].row[i].data(); });
+}
 
 /// The largest of the lanes.
 HWY_INLINE double largest(const Four& four) {
@@ -92,101 +179,112 @@ struct ResidualSum {
 
 HWY_ATTR void contact_velocities_kernel(const ContactConstraint* constraints, std::size_t count,
                                         const BodyVector* velocity, ConstraintVector* out) {
-  for (std::size_t p = 0; p < count; ++p) {
-    const ContactConstraint& constraint = constraints[p];
-    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
-    for (std::size_t i = 0; i < 3; ++i)
-      (along(v, constraint.directions[i]) + load(constraint.velocity_bias, i)).store(out[p].row[i].data());
-  }
+  for_all(count, [=](auto together, std::size_t p) HWY_ATTR {
+    using T = decltype(together);
+    store<T>(contact_velocity<T>(constraints + p, velocity), out + p);
+  });
 }
 
-/// What `relax` computes for a constraint.
+/// What `relax` computes.
+template <class T>
 struct Relaxed {
-  Four u[3], g[3], r[3];
+  typename T::Vector u, g, r;
 };
-HWY_INLINE Relaxed relax_one(const ContactConstraint& constraint, const BodyVector* velocity, const Four& alpha,
-                             ResidualSum& residual) {
-  const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
-  const Four penalty[2] = {Four::load(constraint.penalty[0].data()), Four::load(constraint.penalty[1].data())};
-  const Four inverse_penalty[2] = {Four::load(constraint.inverse_penalty[0].data()),
-                                   Four::load(constraint.inverse_penalty[1].data())};
-  Relaxed out;
+template <class T>
+HWY_INLINE Relaxed<T> relax_together(const ContactConstraint* constraints, const BodyVector* velocity,
+                                     double relaxation, ResidualSum& residual) {
+  using P = typename T::P;
+  const P alpha = P::all(relaxation);
+  Relaxed<T> out;
+  out.u = contact_velocity<T>(constraints, velocity);
   for (std::size_t i = 0; i < 3; ++i) {
-    out.u[i] = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
-    const Four z = load(constraint.contact_velocity, i);
-    const Four primal_residual = out.u[i] - z;
-    out.r[i] = Four::all(0.0) - alpha * (penalty[i > 0] * primal_residual);
-    out.g[i] = load(constraint.impulse, i) - penalty[i > 0] * z + out.r[i];
+    const P penalty = T::penalty(constraints, i);
+    const P z = T::row(constraints, &ContactConstraint::contact_velocity, i);
+    const P primal_residual = out.u.at[i] - z;
+    out.r.at[i] = P::all(0.0) - alpha * (penalty * primal_residual);
+    out.g.at[i] = T::row(constraints, &ContactConstraint::impulse, i) - penalty * z + out.r.at[i];
     // A lane without a point has no velocity to compare with.
-    const Four counted = primal_residual * (inverse_penalty[i > 0] * penalty[i > 0]);
-    residual.worst = max(residual.worst, counted.abs());
-    residual.squares[i] = residual.squares[i] + counted * counted;
+    const P counted = primal_residual * (T::inverse_penalty(constraints, i) * penalty);
+    const P square = counted * counted;
+    for (std::size_t n = 0; n < T::kConstraints; ++n) {
+      residual.worst = max(residual.worst, counted.group(n).abs());
+      residual.squares[i] = residual.squares[i] + square.group(n);
+    }
   }
   return out;
 }
 
-/// What `project` does with a constraint.
-HWY_INLINE void project_one(Projection projection, ContactConstraint& constraint, const Arms& arms, const Four (&x)[3],
-                            const Four (&u)[3], const NormalBounds* most, LaneWrench* wrench) {
-  const Four friction = Four::all(constraint.friction);
-  const Four square = x[1] * x[1] + x[2] * x[2];
-  Four normal = max(x[0], Four::all(0.0));
+/// What `project` does.
+template <class T>
+HWY_INLINE void project_together(Projection projection, ContactConstraint* constraints, const Arms* mid_arms,
+                                 const typename T::Vector& x, const typename T::Vector& u, const NormalBounds* most,
+                                 LaneWrench* wrench) {
+  using P = typename T::P;
+  const P friction = T::friction(constraints);
+  const P square = x.at[1] * x.at[1] + x.at[2] * x.at[2];
+  P normal = max(x.at[0], P::all(0.0));
   if (projection == Projection::orthogonal) {
     // Where x is outside the disc of radius μ x_n, the nearest point of the cone has this normal part, the larger
     // one.
-    const Four raise = Four::all(1.0 / (1.0 + constraint.friction * constraint.friction));
-    normal = max(normal, raise * (x[0] + friction * square.sqrt()));
-    if (most != nullptr) normal = min(normal, Four::load(most->lane.data()));
+    const P raise = P::each([=](std::size_t n)
+                                HWY_ATTR { return 1.0 / (1.0 + constraints[n].friction * constraints[n].friction); });
+    normal = max(normal, raise * (x.at[0] + friction * square.sqrt()));
+    if (most != nullptr)
+      normal =
+          min(normal, T::lanes(most, [](const NormalBounds& bounds) HWY_ATTR -> const Lanes& { return bounds.lane; }));
   }
-  const Four share = shrink(friction * normal, square);
-  const Four y[3] = {normal, x[1] * share, x[2] * share};
-  Four f[3];
+  const P share = shrink(friction * normal, square);
+  const typename T::Vector y{{normal, x.at[1] * share, x.at[2] * share}};
+  typename T::Vector f;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Four z = (y[i] - x[i]) * Four::load(constraint.inverse_penalty[i > 0].data());
-    y[i].store(constraint.impulse.row[i].data());
-    z.store(constraint.contact_velocity.row[i].data());
-    f[i] = y[i] + Four::load(constraint.penalty[i > 0].data()) * (z - u[i]);
+    const P z = (y.at[i] - x.at[i]) * T::inverse_penalty(constraints, i);
+    y.at[i].store_each([=](std::size_t n) HWY_ATTR { return constraints[n].impulse.row[i].data(); });
+    z.store_each([=](std::size_t n) HWY_ATTR { return constraints[n].contact_velocity.row[i].data(); });
+    f.at[i] = y.at[i] + T::penalty(constraints, i) * (z - u.at[i]);
   }
-  add_wrench(constraint, arms, f, wrench);
+  add_wrench<T>(constraints, mid_arms, f, wrench);
+}
+
+/// Where the entries of constraints begin in an array that may be missing.
+template <class Entry>
+HWY_INLINE const Entry* at_or_null(const Entry* entries, std::size_t first) {
+  return entries == nullptr ? nullptr : entries + first;
 }
 
 HWY_ATTR PrimalResidual relax_kernel(const ContactConstraint* constraints, std::size_t count,
                                      const BodyVector* velocity, double relaxation, ConstraintVector* out_u,
                                      ConstraintVector* out_g, ConstraintVector* out_r) {
-  const Four alpha = Four::all(relaxation);
   ResidualSum residual = ResidualSum::zero();
-  for (std::size_t p = 0; p < count; ++p) {
-    const Relaxed relaxed = relax_one(constraints[p], velocity, alpha, residual);
-    for (std::size_t i = 0; i < 3; ++i) {
-      relaxed.u[i].store(out_u[p].row[i].data());
-      relaxed.g[i].store(out_g[p].row[i].data());
-      relaxed.r[i].store(out_r[p].row[i].data());
-    }
-  }
+  for_all(count, [&](auto together, std::size_t p) HWY_ATTR {
+    using T = decltype(together);
+    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, relaxation, residual);
+    store<T>(relaxed.u, out_u + p);
+    store<T>(relaxed.g, out_g + p);
+    store<T>(relaxed.r, out_r + p);
+  });
   return residual.result();
 }
 
 HWY_ATTR void project_kernel(Projection projection, ContactConstraint* constraints, const Arms* mid_arms,
                              std::size_t count, const ConstraintVector* in_x, const ConstraintVector* in_u,
                              const NormalBounds* most, LaneWrench* wrench) {
-  for (std::size_t p = 0; p < count; ++p) {
-    const Four x[3] = {load(in_x[p], 0), load(in_x[p], 1), load(in_x[p], 2)};
-    const Four u[3] = {load(in_u[p], 0), load(in_u[p], 1), load(in_u[p], 2)};
-    project_one(projection, constraints[p], mid_arms == nullptr ? constraints[p].arms : mid_arms[p], x, u,
-                most == nullptr ? nullptr : most + p, wrench);
-  }
+  for_all(count, [=](auto together, std::size_t p) HWY_ATTR {
+    using T = decltype(together);
+    project_together<T>(projection, constraints + p, at_or_null(mid_arms, p), T::load(in_x + p), T::load(in_u + p),
+                        at_or_null(most, p), wrench);
+  });
 }
 
 HWY_ATTR PrimalResidual relax_and_project_kernel(Projection projection, ContactConstraint* constraints,
                                                  const Arms* mid_arms, std::size_t count, const BodyVector* velocity,
                                                  double relaxation, const NormalBounds* most, LaneWrench* wrench) {
-  const Four alpha = Four::all(relaxation);
   ResidualSum residual = ResidualSum::zero();
-  for (std::size_t p = 0; p < count; ++p) {
-    const Relaxed relaxed = relax_one(constraints[p], velocity, alpha, residual);
-    project_one(projection, constraints[p], mid_arms == nullptr ? constraints[p].arms : mid_arms[p], relaxed.g,
-                relaxed.u, most == nullptr ? nullptr : most + p, wrench);
-  }
+  for_all(count, [&](auto together, std::size_t p) HWY_ATTR {
+    using T = decltype(together);
+    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, relaxation, residual);
+    project_together<T>(projection, constraints + p, at_or_null(mid_arms, p), relaxed.g, relaxed.u, at_or_null(most, p),
+                        wrench);
+  });
   return residual.result();
 }
 
@@ -241,11 +339,12 @@ HWY_ATTR void subtract_kernel(std::size_t count, const std::vector<ConstraintVec
 
 HWY_ATTR void add_impulses_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
                                   LaneWrench* wrench) {
-  for (std::size_t p = 0; p < count; ++p) {
-    const ContactConstraint& constraint = constraints[p];
-    const Four y[3] = {load(constraint.impulse, 0), load(constraint.impulse, 1), load(constraint.impulse, 2)};
-    add_wrench(constraint, mid_arms == nullptr ? constraint.arms : mid_arms[p], y, wrench);
-  }
+  for_all(count, [=](auto together, std::size_t p) HWY_ATTR {
+    using T = decltype(together);
+    typename T::Vector y;
+    for (std::size_t i = 0; i < 3; ++i) y.at[i] = T::row(constraints + p, &ContactConstraint::impulse, i);
+    add_wrench<T>(constraints + p, at_or_null(mid_arms, p), y, wrench);
+  });
 }
 
 HWY_ATTR double supported_power_kernel(const ContactConstraint* constraints, std::size_t count,
@@ -255,12 +354,10 @@ HWY_ATTR double supported_power_kernel(const ContactConstraint* constraints, std
   Four sum = zero;
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
-    const Relative v = relative_velocity(constraint.arms, velocity[constraint.a].row, velocity[constraint.b].row);
-    Four u[3];
-    for (std::size_t i = 0; i < 3; ++i) u[i] = along(v, constraint.directions[i]) + load(constraint.velocity_bias, i);
-    const Four slip = (u[1] * u[1] + u[2] * u[2]).sqrt();
+    const Triple u = contact_velocity<Together<1>>(&constraint, velocity);
+    const Four slip = (u.at[1] * u.at[1] + u.at[2] * u.at[2]).sqrt();
     const Four bound = most == nullptr ? largest_of_all : min(largest_of_all, Four::load(most[p].lane.data()));
-    const Four taken = bound * max(zero, Four::all(constraint.friction) * slip - u[0]);
+    const Four taken = bound * max(zero, Four::all(constraint.friction) * slip - u.at[0]);
     sum = sum + used_lanes(constraint.count) * taken;
   }
   return total(sum);

@@ -21,26 +21,52 @@ namespace holdfast::internal::native::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A fixed number of doubles, however many vectors they take.
-template <std::size_t kSize>
+/// Groups of a fixed number of doubles, however many vectors they take. No two groups share a vector: they may lie
+/// anywhere in memory. A processor that would wait for the results of one group has the others to work on.
+template <std::size_t kSize, std::size_t kGroups = 1>
 struct Pack {
   using D = hn::CappedTag<double, kSize>;
   static constexpr std::size_t kWidth = hn::MaxLanes(D());
-  static constexpr std::size_t kVectors = kSize / kWidth;
+  static constexpr std::size_t kVectorsOfGroup = kSize / kWidth;
+  static constexpr std::size_t kVectors = kGroups * kVectorsOfGroup;
   hn::Vec<D> part[kVectors];
 
-  static HWY_INLINE Pack load(const double* from) {
+  /// @param from `const double*(std::size_t group)`
+  template <class From>
+  static HWY_INLINE Pack load_each(From from) {
     Pack p;
-    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Load(D(), from + i * kWidth);
+    for (std::size_t i = 0; i < kVectors; ++i)
+      p.part[i] = hn::Load(D(), from(i / kVectorsOfGroup) + i % kVectorsOfGroup * kWidth);
     return p;
+  }
+  /// The same number for a whole group.
+  /// @param value `double(std::size_t group)`
+  template <class Value>
+  static HWY_INLINE Pack each(Value value) {
+    Pack p;
+    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value(i / kVectorsOfGroup));
+    return p;
+  }
+  /// @param to `double*(std::size_t group)`
+  template <class To>
+  HWY_INLINE void store_each(To to) const {
+    for (std::size_t i = 0; i < kVectors; ++i)
+      hn::Store(part[i], D(), to(i / kVectorsOfGroup) + i % kVectorsOfGroup * kWidth);
+  }
+  HWY_INLINE Pack<kSize> group(std::size_t n) const {
+    Pack<kSize> p;
+    for (std::size_t i = 0; i < kVectorsOfGroup; ++i) p.part[i] = part[n * kVectorsOfGroup + i];
+    return p;
+  }
+
+  static HWY_INLINE Pack load(const double* from) {
+    return load_each([from](std::size_t) HWY_ATTR { return from; });
   }
   static HWY_INLINE Pack all(double value) {
-    Pack p;
-    for (std::size_t i = 0; i < kVectors; ++i) p.part[i] = hn::Set(D(), value);
-    return p;
+    return each([value](std::size_t) HWY_ATTR { return value; });
   }
   HWY_INLINE void store(double* to) const {
-    for (std::size_t i = 0; i < kVectors; ++i) hn::Store(part[i], D(), to + i * kWidth);
+    store_each([to](std::size_t) HWY_ATTR { return to; });
   }
 
   template <class Operation>
@@ -82,30 +108,37 @@ struct Pack {
 using Four = Pack<kLanes>;
 using Eight = Pack<kPaddedRows>;
 
-/// Three components of a vector at the points of a constraint.
-struct Triple {
-  Four at[3];
+/// Three components of a vector at the points of constraints.
+template <class P>
+struct TripleOf {
+  P at[3];
 
-  static HWY_INLINE Triple load(const std::array<Lanes, 3>& rows) {
-    return {{Four::load(rows[0].data()), Four::load(rows[1].data()), Four::load(rows[2].data())}};
+  static HWY_INLINE TripleOf load(const std::array<Lanes, 3>& rows) {
+    return {{P::load(rows[0].data()), P::load(rows[1].data()), P::load(rows[2].data())}};
   }
   HWY_INLINE void store(std::array<Lanes, 3>& rows) const {
     for (std::size_t i = 0; i < 3; ++i) at[i].store(rows[i].data());
   }
 
-  friend HWY_INLINE Triple operator+(const Triple& a, const Triple& b) {
+  friend HWY_INLINE TripleOf operator+(const TripleOf& a, const TripleOf& b) {
     return {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
   }
-  friend HWY_INLINE Triple operator-(const Triple& a, const Triple& b) {
+  friend HWY_INLINE TripleOf operator-(const TripleOf& a, const TripleOf& b) {
     return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
   }
-  friend HWY_INLINE Triple operator*(const Four& s, const Triple& v) {
+  friend HWY_INLINE TripleOf operator*(const P& s, const TripleOf& v) {
     return {{s * v.at[0], s * v.at[1], s * v.at[2]}};
   }
-  friend HWY_INLINE Four dot(const Triple& a, const Triple& b) {
+  friend HWY_INLINE P dot(const TripleOf& a, const TripleOf& b) {
     return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
   }
+  friend HWY_INLINE TripleOf cross(const TripleOf& a, const TripleOf& b) {
+    return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
+             a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
+  }
 };
+
+using Triple = TripleOf<Four>;
 
 /// 1 in the lanes of so many points, 0 in the others.
 HWY_INLINE Four used_lanes(std::int32_t count) {
