@@ -35,11 +35,11 @@ ContactProblem simplified(const ContactProblem& problem) {
 std::vector<plain::Mover> movers_of(const ContactProblem& problem) {
   std::vector<plain::Mover> movers(problem.bodies.size() + 1);
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const double* v = problem.free_velocity[i].row;
+    const BodyVector& v = problem.free_velocity[i];
     movers[i] = {.inverse_mass = 1.0 / problem.bodies[i].mass,
                  .inverse_inertia = problem.bodies[i].inertia.inverse(),
-                 .velocity = {v[0], v[1], v[2]},
-                 .angular_velocity = {v[3], v[4], v[5]}};
+                 .velocity = linear(v),
+                 .angular_velocity = angular(v)};
   }
   return movers;
 }
@@ -47,7 +47,7 @@ std::vector<plain::Mover> movers_of(const ContactProblem& problem) {
 std::vector<plain::PointLaw> laws_of(const ContactProblem& problem) {
   std::vector<plain::PointLaw> laws;
   for (const ContactConstraint& constraint : problem.constraints) {
-    const std::array<double, 3>& normal = constraint.directions[0];
+    const native::Direction& normal = constraint.directions[0];
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane)
       laws.push_back({.a = static_cast<std::size_t>(constraint.a),
                       .b = static_cast<std::size_t>(constraint.b),
@@ -66,7 +66,7 @@ VelocityDifference velocity_difference(const ContactProblem& found, const Contac
   VelocityDifference difference;
   ContactProblem between = found;
   for (std::size_t i = 0; i < found.bodies.size(); ++i) {
-    for (int row = 0; row < kBodyRows; ++row) between.velocity[i].row[row] -= other.velocity[i].row[row];
+    for (int row = 0; row < kPaddedRows; ++row) between.velocity[i].row[row] -= other.velocity[i].row[row];
     const double speed = largest_speed(between, i);
     difference.worst = std::max(difference.worst, speed);
     difference.mean += speed * speed;
@@ -100,7 +100,7 @@ std::optional<VelocityDifference> method_difference(const ContactProblem& proble
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       other.velocity[i].row[axis] = movers[i].velocity[axis];
-      other.velocity[i].row[3 + axis] = movers[i].angular_velocity[axis];
+      other.velocity[i].row[kAngularRow + axis] = movers[i].angular_velocity[axis];
     }
   }
   return velocity_difference(splitting.problem, other);

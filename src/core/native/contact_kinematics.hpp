@@ -3,19 +3,13 @@
 #include "core/model/container_sides.hpp"
 #include "core/native/constants.hpp"
 #include "core/native/scene.hpp"
-#include "core/native/solver/body_block.hpp"
+#include "core/native/solver/contact_problem.hpp"
 
 // How bodies move at a contact, what a contact is to them, and when it is looked for.
 
 namespace holdfast::internal::native {
 
 inline std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-inline Vec3 linear(const BodyVector& v) { return {v.row[0], v.row[1], v.row[2]}; }
-inline Vec3 angular(const BodyVector& v) { return {v.row[3], v.row[4], v.row[5]}; }
-inline BodyVector body_vector(const Vec3& linear, const Vec3& angular) {
-  return {{linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z(), 0.0, 0.0}};
-}
 
 /// Velocity of a body at a point, m/s; a negative index is a side of the container.
 inline Vec3 velocity_at(const Bodies& bodies, std::int32_t body, const Vec3& point) {

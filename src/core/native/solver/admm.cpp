@@ -52,9 +52,9 @@ double AdmmSolver::update_velocities(ContactProblem& problem) {
     double linear = 0.0, angular = 0.0;
     for (int k = 0; k < 3; ++k) {
       problem.velocity[i].row[k] += change_[i].row[k];
-      problem.velocity[i].row[3 + k] += change_[i].row[3 + k];
+      problem.velocity[i].row[kAngularRow + k] += change_[i].row[kAngularRow + k];
       linear += change_[i].row[k] * change_[i].row[k];
-      angular += change_[i].row[3 + k] * change_[i].row[3 + k];
+      angular += change_[i].row[kAngularRow + k] * change_[i].row[kAngularRow + k];
     }
     const double change = std::sqrt(linear) + problem.bodies[i].radius * std::sqrt(angular);
     // Not std::max, which would lose what is not a number.

@@ -19,6 +19,9 @@ inline constexpr std::uint32_t kNoPair = ~0U;
 /// One number of each of a constraint's points.
 using Lanes = std::array<double, kLanes>;
 
+/// A vector's three components and a zero.
+using Direction = std::array<double, kLanes>;
+
 /// Arms of a constraint's points: from each body's centre of mass to the point, container frame, m.
 struct alignas(32) Arms {
   std::array<Lanes, 3> a = {};
@@ -53,10 +56,10 @@ struct alignas(64) ContactConstraint {
   /// Added to the velocity, m/s: along the normal, what must stay ≥ 0 is the sum; along the tangents, the sum is what
   /// friction opposes.
   ConstraintVector velocity_bias;
-  Lanes expected_impulse = {};                           ///< normal impulse that the point is likely to carry, kg m/s
-  std::array<Lanes, 2> penalty = {};                     ///< R of the splitting, normal and tangential, kg
-  std::array<Lanes, 2> inverse_penalty = {};             ///< 1 / R, 0 where R is 0, 1/kg
-  std::array<std::array<double, 3>, 3> directions = {};  ///< normal (from a to b) and tangents, unit, container frame
+  Lanes expected_impulse = {};                ///< normal impulse that the point is likely to carry, kg m/s
+  std::array<Lanes, 2> penalty = {};          ///< R of the splitting, normal and tangential, kg
+  std::array<Lanes, 2> inverse_penalty = {};  ///< 1 / R, 0 where R is 0, 1/kg
+  std::array<Direction, 3> directions = {};   ///< normal (from a to b) and tangents, unit, container frame
   double friction = 0.0;
   std::int32_t a = 0;  ///< index of a body in the problem; their count: something fixed
   std::int32_t b = 0;

@@ -70,7 +70,7 @@ struct Together {
   static HWY_INLINE Vector angular_velocity(const ContactConstraint* items, std::int32_t ContactConstraint::*body,
                                             const BodyVector* velocity) {
     const auto component = [=](std::size_t i) HWY_ATTR {
-      return P::each([=](std::size_t n) HWY_ATTR { return velocity[items[n].*body].row[3 + i]; });
+      return P::each([=](std::size_t n) HWY_ATTR { return velocity[items[n].*body].row[kAngularRow + i]; });
     };
     return {{component(0), component(1), component(2)}};
   }

@@ -33,8 +33,9 @@ bool impulses_are_in_cones(const ContactProblem& problem) {
 
 double largest_speed(const ContactProblem& problem, std::size_t body) {
   const double* v = problem.velocity[body].row;
+  const double* w = v + kAngularRow;
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
-         problem.bodies[body].radius * std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+         problem.bodies[body].radius * std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
 }
 
 double largest_speed(const ContactProblem& problem) {
@@ -48,17 +49,16 @@ void momentum_residual(const ContactProblem& problem, std::span<const LaneWrench
   out.resize(problem.bodies.size());
   const BodyVector rest;
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const double* v = (at_rest ? rest : problem.velocity[i]).row;
-    const double* free = problem.free_velocity[i].row;
+    const BodyVector& v = at_rest ? rest : problem.velocity[i];
+    const BodyVector& free = problem.free_velocity[i];
     const auto total = [&](std::size_t row) {
       const double* lane = wrench[i].row[row];
       return (lane[0] + lane[1]) + (lane[2] + lane[3]);
     };
-    const Vec3 turn(free[3] - v[3], free[4] - v[4], free[5] - v[5]);
-    const Vec3 angular = problem.bodies[i].inertia * turn;
+    const Vec3 turning = problem.bodies[i].inertia * (angular(free) - angular(v));
     for (std::size_t k = 0; k < 3; ++k) {
-      out[i].row[k] = problem.bodies[i].mass * (free[k] - v[k]) + total(k);
-      out[i].row[3 + k] = angular[static_cast<Eigen::Index>(k)] + total(3 + k);
+      out[i].row[k] = problem.bodies[i].mass * (free.row[k] - v.row[k]) + total(k);
+      out[i].row[kAngularRow + k] = turning[static_cast<Eigen::Index>(k)] + total(3 + k);
     }
   }
 }

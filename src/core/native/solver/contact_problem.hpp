@@ -10,6 +10,14 @@
 
 namespace holdfast::internal::native {
 
+inline Vec3 linear(const BodyVector& v) { return {v.row[0], v.row[1], v.row[2]}; }
+inline Vec3 angular(const BodyVector& v) {
+  return {v.row[kAngularRow], v.row[kAngularRow + 1], v.row[kAngularRow + 2]};
+}
+inline BodyVector body_vector(const Vec3& linear, const Vec3& angular) {
+  return {{linear.x(), linear.y(), linear.z(), 0.0, angular.x(), angular.y(), angular.z(), 0.0}};
+}
+
 /// What a body's mass does in a solve.
 struct ProblemBody {
   double mass = 0.0;            ///< kg

@@ -31,13 +31,13 @@ bool EquilibriumCheck::refutes_rest(const ContactProblem& problem, double larges
   double fastest = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const ProblemBody& body = problem.bodies[i];
-    const double* v = problem.velocity[i].row;
-    const double* free = problem.free_velocity[i].row;
+    const BodyVector& v = problem.velocity[i];
+    const BodyVector& free = problem.free_velocity[i];
     speed_[i] = largest_speed(problem, i);
     fastest = std::max(fastest, speed_[i]);
     // Gravity does not turn a body, but a force from outside may.
-    power_[i] = body.mass * (v[0] * free[0] + v[1] * free[1] + v[2] * free[2]) +
-                Vec3(v[3], v[4], v[5]).dot(body.inertia * Vec3(free[3], free[4], free[5]));
+    power_[i] = body.mass * (v.row[0] * free.row[0] + v.row[1] * free.row[1] + v.row[2] * free.row[2]) +
+                angular(v).dot(body.inertia * angular(free));
   }
   // Every motion may be the proof: without the bodies that hardly move it is one sooner.
   motion_ = problem.velocity;

@@ -75,7 +75,7 @@ bool InteriorPoint::iterate(ContactProblem& problem) {
   if (usable) {
     take_step(step, points_);
     for (std::size_t i = 0; i < problem.bodies.size(); ++i)
-      for (int k = 0; k < kBodyRows; ++k) problem.velocity[i].row[k] += step * dv_[i].row[k];
+      for (int k = 0; k < kPaddedRows; ++k) problem.velocity[i].row[k] += step * dv_[i].row[k];
   }
   write_back(points_, problem.constraints);
   return usable;

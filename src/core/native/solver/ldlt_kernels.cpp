@@ -16,90 +16,104 @@ HWY_BEFORE_NAMESPACE();
 namespace holdfast::internal::native::HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE Triple cross(const Triple& p, const std::array<double, 3>& n) {
-  const Four x = Four::all(n[0]), y = Four::all(n[1]), z = Four::all(n[2]);
-  return {{p.at[1] * z - p.at[2] * y, p.at[2] * x - p.at[0] * z, p.at[0] * y - p.at[1] * x}};
+/// Sums over the lanes of three components, as a vector's rows; the fourth is zero.
+HWY_INLINE Four totals(const Four& x, const Four& y, const Four& z) { return totals(x, y, z, Four::all(0.0)); }
+HWY_INLINE Four totals(const Triple& v) { return totals(v.at[0], v.at[1], v.at[2]); }
+
+HWY_INLINE Four negative(const Four& x) { return Four::all(0.0) - x; }
+
+/// A 3×3 matrix by its columns, or by its rows.
+struct Columns {
+  Four of[3];
+};
+
+/// n nᵀ times a number, plus another on the diagonal.
+HWY_INLINE Columns outer_square(double factor, const Direction& n, double diagonal) {
+  Columns out;
+  const Four scaled = Four::all(factor) * Four::load(n.data());
+  for (std::size_t j = 0; j < 3; ++j) {
+    alignas(64) static constexpr double kUnit[3][kLanes] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    out.of[j] = scaled * Four::all(n[j]) + Four::all(diagonal) * Four::load(kUnit[j]);
+  }
+  return out;
 }
 
 /// How a constraint's points, each at arm r with R = t I + d n nᵀ, resist when a body turns.
 struct Lever {
-  Triple arm, turn;          ///< r; r × n
-  Triple tangential, extra;  ///< t r; d r × n
-  double moment[3][3];       ///< torque from linear velocity, Σ t [r]ₓ + d (r × n) nᵀ
+  Triple arm, turn;             ///< r; r × n
+  Triple tangential, extra;     ///< t r; d r × n
+  Columns moment, moment_rows;  ///< torque from linear velocity, Σ t [r]ₓ + d (r × n) nᵀ
 };
-HWY_INLINE Lever lever(const std::array<Lanes, 3>& arms, const Four& t, const Four& d, const std::array<double, 3>& n) {
+HWY_INLINE Lever lever(const std::array<Lanes, 3>& arms, const Four& t, const Four& d, const Direction& n) {
   Lever l;
   l.arm = Triple::load(arms);
-  l.turn = cross(l.arm, n);
+  l.turn = cross(l.arm, {{Four::all(n[0]), Four::all(n[1]), Four::all(n[2])}});
   l.tangential = t * l.arm;
   l.extra = d * l.turn;
-  double r[3], m[3];
+  const Four zero = Four::all(0.0);
+  const Triple& r = l.tangential;
+  // The columns of Σ t [r]ₓ, which are the opposites of its rows.
+  const Four skew[3] = {totals(zero, r.at[2], negative(r.at[1])), totals(negative(r.at[2]), zero, r.at[0]),
+                        totals(r.at[1], negative(r.at[0]), zero)};
+  alignas(64) double extra[kLanes];
+  const Four sum = totals(l.extra);
+  sum.store(extra);
+  const Four normal = Four::load(n.data());
   for (std::size_t i = 0; i < 3; ++i) {
-    r[i] = total(l.tangential.at[i]);
-    m[i] = total(l.extra.at[i]);
+    l.moment.of[i] = sum * Four::all(n[i]) + skew[i];
+    l.moment_rows.of[i] = Four::all(extra[i]) * normal - skew[i];
   }
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) l.moment[i][j] = m[i] * n[j];
-  l.moment[0][1] -= r[2];
-  l.moment[0][2] += r[1];
-  l.moment[1][0] += r[2];
-  l.moment[1][2] -= r[0];
-  l.moment[2][0] -= r[1];
-  l.moment[2][1] += r[0];
   return l;
 }
 
 /// Torque from angular velocity, Σ t ((p · q) I − q pᵀ) + d (p × n) (q × n)ᵀ, where torques act on p and q turns:
-/// [p]ₓ [q]ₓᵀ = (p · q) I − q pᵀ.
-HWY_INLINE void add_turning(const Lever& p, const Lever& q, double (&out)[3][3]) {
+/// [p]ₓ [q]ₓᵀ = (p · q) I − q pᵀ. By its columns, or, transposed, by its rows.
+template <bool kTransposed>
+HWY_INLINE Columns turning(const Lever& p, const Lever& q) {
   const Four diagonal = dot(p.tangential, q.arm);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Four sum = p.extra.at[i] * q.turn.at[j] - q.arm.at[i] * p.tangential.at[j];
-      out[i][j] = total(i == j ? sum + diagonal : sum);
-    }
-  }
+  const auto entry = [&](std::size_t i, std::size_t j) HWY_ATTR {
+    const Four sum = p.extra.at[i] * q.turn.at[j] - q.arm.at[i] * p.tangential.at[j];
+    return i == j ? sum + diagonal : sum;
+  };
+  Columns out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.of[k] =
+        kTransposed ? totals(entry(k, 0), entry(k, 1), entry(k, 2)) : totals(entry(0, k), entry(1, k), entry(2, k));
+  return out;
 }
 
-/// block += sign · (linear, momentᵀ; moment, turning), moments of the row's and of the column's body.
-HWY_INLINE void add_block(double sign, const double (&linear)[3][3], const double (&row_moment)[3][3],
-                          const double (&column_moment)[3][3], const double (&turning)[3][3], bool transpose,
-                          BodyBlock& block) {
-  const Eight s = Eight::all(sign);
+/// Adds (linear, column_momentᵀ; row_moment, turning) to a block, or subtracts it.
+template <bool kSubtracts>
+HWY_INLINE void add_block(const Columns& linear, const Columns& row_moment, const Columns& column_moment_rows,
+                          const Columns& turning, BodyBlock& block) {
+  const auto add = [](const Four& x, double* to)
+                       HWY_ATTR { (kSubtracts ? Four::load(to) - x : Four::load(to) + x).store(to); };
   for (std::size_t c = 0; c < 3; ++c) {
-    alignas(64) double left[kPaddedRows] = {}, right[kPaddedRows] = {};
-    for (std::size_t r = 0; r < 3; ++r) {
-      left[r] = linear[r][c];
-      left[3 + r] = row_moment[r][c];
-      right[r] = column_moment[c][r];
-      right[3 + r] = transpose ? turning[c][r] : turning[r][c];
-    }
-    (Eight::load(block.column[c]) + s * Eight::load(left)).store(block.column[c]);
-    (Eight::load(block.column[3 + c]) + s * Eight::load(right)).store(block.column[3 + c]);
+    add(linear.of[c], block.column[c]);
+    add(row_moment.of[c], block.column[c] + kAngularRow);
+    add(column_moment_rows.of[c], block.column[3 + c]);
+    add(turning.of[c], block.column[3 + c] + kAngularRow);
   }
 }
 
 /// Adds what a constraint resists, given its two levers and what it resists linear velocities with.
 template <class AnyLever>
-HWY_INLINE void add_constraint(const ContactConstraint& constraint, std::uint32_t pair, const double (&linear)[3][3],
+HWY_INLINE void add_constraint(const ContactConstraint& constraint, std::uint32_t pair, const Columns& linear,
                                const AnyLever& a, const AnyLever& b, const ContactBlocks& blocks) {
   const auto fixed = static_cast<std::int32_t>(blocks.diagonal.size());
-  double turning[3][3];
-  if (constraint.a != fixed) {
-    add_turning(a, a, turning);
-    add_block(1.0, linear, a.moment, a.moment, turning, false, blocks.diagonal[static_cast<std::size_t>(constraint.a)]);
-  }
-  if (constraint.b != fixed) {
-    add_turning(b, b, turning);
-    add_block(1.0, linear, b.moment, b.moment, turning, false, blocks.diagonal[static_cast<std::size_t>(constraint.b)]);
-  }
+  const auto add_own = [&](std::int32_t body, const AnyLever& own) HWY_ATTR {
+    if (body == fixed) return;
+    add_block<false>(linear, own.moment, own.moment_rows, turning<false>(own, own),
+                     blocks.diagonal[static_cast<std::size_t>(body)]);
+  };
+  add_own(constraint.a, a);
+  add_own(constraint.b, b);
   if (pair == kNoPair) return;
   BodyBlock& block = blocks.below[blocks.pair_block[pair]];
-  add_turning(a, b, turning);
   if (constraint.a > constraint.b)
-    add_block(-1.0, linear, a.moment, b.moment, turning, false, block);
+    add_block<true>(linear, a.moment, b.moment_rows, turning<false>(a, b), block);
   else
-    add_block(-1.0, linear, b.moment, a.moment, turning, true, block);
+    add_block<true>(linear, b.moment, a.moment_rows, turning<true>(a, b), block);
 }
 
 HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arms* mid_arms, std::size_t count,
@@ -107,48 +121,41 @@ HWY_ATTR void add_penalty_kernel(const ContactConstraint* constraints, const Arm
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
     const Arms& arms = mid_arms == nullptr ? constraint.arms : mid_arms[p];
-    const std::array<double, 3>& n = constraint.directions[0];
+    const Direction& n = constraint.directions[0];
     const Four t = Four::load(constraint.penalty[1].data());
     const Four d = Four::load(constraint.penalty[0].data()) - t;
-    const double sum_t = total(t);
-    const double sum_d = total(d);
-    double linear[3][3];
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) linear[i][j] = sum_d * n[i] * n[j] + (i == j ? sum_t : 0.0);
-    add_constraint(constraint, blocks.constraint_pair[p], linear, lever(arms.a, t, d, n), lever(arms.b, t, d, n),
-                   blocks);
+    add_constraint(constraint, blocks.constraint_pair[p], outer_square(total(d), n, total(t)), lever(arms.a, t, d, n),
+                   lever(arms.b, t, d, n), blocks);
   }
 }
 
 /// The same where each point has a matrix R of its own, in the container's frame.
 struct MatrixLever {
   Triple arm;
-  Triple torque[3];     ///< rows of [r]ₓ R
-  double moment[3][3];  ///< torque from linear velocity, Σ [r]ₓ R
+  Triple torque[3];             ///< rows of [r]ₓ R
+  Columns moment, moment_rows;  ///< torque from linear velocity, Σ [r]ₓ R
 };
-HWY_INLINE MatrixLever lever(const std::array<Lanes, 3>& arms, const Four (&r)[3][3]) {
+HWY_INLINE MatrixLever lever(const std::array<Lanes, 3>& arms, const Triple (&r)[3]) {
   MatrixLever l;
   l.arm = Triple::load(arms);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    for (std::size_t c = 0; c < 3; ++c) {
-      l.torque[i].at[c] = l.arm.at[j] * r[k][c] - l.arm.at[k] * r[j][c];
-      l.moment[i][c] = total(l.torque[i].at[c]);
-    }
+    l.torque[i] = l.arm.at[j] * r[k] - l.arm.at[k] * r[j];
+    l.moment_rows.of[i] = totals(l.torque[i]);
   }
+  for (std::size_t c = 0; c < 3; ++c) l.moment.of[c] = totals(l.torque[0].at[c], l.torque[1].at[c], l.torque[2].at[c]);
   return l;
 }
 
 /// Torque from angular velocity, Σ [p]ₓ R [q]ₓᵀ: its row i is q × row i of [p]ₓ R.
-HWY_INLINE void add_turning(const MatrixLever& p, const MatrixLever& q, double (&out)[3][3]) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t k = (j + 1) % 3;
-      const std::size_t l = (j + 2) % 3;
-      out[i][j] = total(q.arm.at[k] * p.torque[i].at[l] - q.arm.at[l] * p.torque[i].at[k]);
-    }
-  }
+template <bool kTransposed>
+HWY_INLINE Columns turning(const MatrixLever& p, const MatrixLever& q) {
+  const Triple row[3] = {cross(q.arm, p.torque[0]), cross(q.arm, p.torque[1]), cross(q.arm, p.torque[2])};
+  Columns out;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.of[k] = kTransposed ? totals(row[k]) : totals(row[0].at[k], row[1].at[k], row[2].at[k]);
+  return out;
 }
 
 HWY_ATTR void add_resistance_kernel(const ContactConstraint* constraints, const ConstraintMatrix* resistance,
@@ -156,23 +163,19 @@ HWY_ATTR void add_resistance_kernel(const ContactConstraint* constraints, const 
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
     const auto& directions = constraint.directions;
-    Four own[3][3], half[3][3], r[3][3];
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) own[i][j] = Four::load(resistance[p].entry[i][j].data());
+    const auto& own = resistance[p].entry;
+    const auto along = [&](std::size_t i) HWY_ATTR {
+      return Triple{{Four::all(directions[0][i]), Four::all(directions[1][i]), Four::all(directions[2][i])}};
+    };
+    const Triple rows[3] = {Triple::load(own[0]), Triple::load(own[1]), Triple::load(own[2])};
+    Triple r[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        half[i][j] = Four::all(directions[0][i]) * own[0][j] + Four::all(directions[1][i]) * own[1][j] +
-                     Four::all(directions[2][i]) * own[2][j];
-      }
+      const Triple from = along(i);
+      const Triple half = from.at[0] * rows[0] + from.at[1] * rows[1] + from.at[2] * rows[2];
+      for (std::size_t j = 0; j < 3; ++j) r[i].at[j] = dot(half, along(j));
     }
-    double linear[3][3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        r[i][j] = half[i][0] * Four::all(directions[0][j]) + half[i][1] * Four::all(directions[1][j]) +
-                  half[i][2] * Four::all(directions[2][j]);
-        linear[i][j] = total(r[i][j]);
-      }
-    }
+    Columns linear;
+    for (std::size_t c = 0; c < 3; ++c) linear.of[c] = totals(r[0].at[c], r[1].at[c], r[2].at[c]);
     add_constraint(constraint, blocks.constraint_pair[p], linear, lever(constraint.arms.a, r),
                    lever(constraint.arms.b, r), blocks);
   }
@@ -183,8 +186,8 @@ HWY_INLINE void subtract_product(const BodyBlock& m, const BodyBlock& s, BodyBlo
   Eight column[kBodyRows];
   for (int k = 0; k < kBodyRows; ++k) column[k] = Eight::load(m.column[k]);
   for (int c = 0; c < kBodyRows; ++c) {
-    Eight sum = column[0] * Eight::all(s.column[0][c]);
-    for (int k = 1; k < kBodyRows; ++k) sum = sum + column[k] * Eight::all(s.column[k][c]);
+    Eight sum = column[0] * Eight::all(s.column[0][padded_row(c)]);
+    for (int k = 1; k < kBodyRows; ++k) sum = sum + column[k] * Eight::all(s.column[k][padded_row(c)]);
     (Eight::load(out.column[c]) - sum).store(out.column[c]);
   }
 }
@@ -195,9 +198,9 @@ HWY_INLINE void divide(const DiagonalFactor& factor, BodyBlock& m, BodyBlock& sc
   for (int k = 0; k < kBodyRows; ++k) column[k] = Eight::load(m.column[k]);
   for (int c = 0; c < kBodyRows; ++c) {
     Eight sum = column[c];
-    for (int k = 0; k < c; ++k) sum = sum + column[k] * Eight::all(factor.lower.column[k][c]);
+    for (int k = 0; k < c; ++k) sum = sum + column[k] * Eight::all(factor.lower.column[k][padded_row(c)]);
     sum.store(scaled.column[c]);
-    (sum * Eight::all(factor.inverse_d.row[c])).store(m.column[c]);
+    (sum * Eight::all(factor.inverse_d.row[padded_row(c)])).store(m.column[c]);
   }
 }
 
@@ -209,14 +212,14 @@ HWY_INLINE void factorise(const BodyBlock& block, DiagonalFactor& factor) {
   factor = DiagonalFactor{};
   for (int j = 0; j < kBodyRows; ++j) {
     double scaled[kBodyRows];
-    d[j] = block.column[j][j];
+    d[j] = block.column[j][padded_row(j)];
     for (int k = 0; k < j; ++k) {
       scaled[k] = l[j][k] * d[k];
       d[j] -= l[j][k] * scaled[k];
     }
-    const double inverse_d = factor.inverse_d.row[j] = 1.0 / d[j];
+    const double inverse_d = factor.inverse_d.row[padded_row(j)] = 1.0 / d[j];
     for (int i = j + 1; i < kBodyRows; ++i) {
-      double sum = block.column[j][i];
+      double sum = block.column[j][padded_row(i)];
       for (int k = 0; k < j; ++k) sum -= l[i][k] * scaled[k];
       l[i][j] = sum * inverse_d;
     }
@@ -227,7 +230,8 @@ HWY_INLINE void factorise(const BodyBlock& block, DiagonalFactor& factor) {
     x[c] = 1.0;
     for (int i = c + 1; i < kBodyRows; ++i)
       for (int k = c; k < i; ++k) x[i] -= l[i][k] * x[k];
-    for (int i = c; i < kBodyRows; ++i) factor.lower.column[c][i] = factor.upper.column[i][c] = x[i];
+    for (int i = c; i < kBodyRows; ++i)
+      factor.lower.column[c][padded_row(i)] = factor.upper.column[i][padded_row(c)] = x[i];
   }
 }
 
@@ -250,7 +254,7 @@ HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, Bod
 /// m x.
 HWY_INLINE Eight product(const BodyBlock& m, const double* x) {
   Eight sum = Eight::load(m.column[0]) * Eight::all(x[0]);
-  for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(m.column[k]) * Eight::all(x[k]);
+  for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(m.column[k]) * Eight::all(x[padded_row(k)]);
   return sum;
 }
 
@@ -277,7 +281,7 @@ HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, c
       for (int k = 0; k < kBodyRows; ++k) {
         alignas(64) double lane[kPaddedRows];
         sum[k].store(lane);
-        x[j].row[k] -= ((lane[0] + lane[1]) + (lane[2] + lane[3])) + (lane[4] + lane[5]);
+        x[j].row[padded_row(k)] -= ((lane[0] + lane[1]) + (lane[2] + lane[4])) + (lane[5] + lane[6]);
       }
     }
     product(factor[j].upper, x[j].row).store(x[j].row);

@@ -154,6 +154,31 @@ HWY_INLINE double total(const Four& four) {
   return (lane[0] + lane[1]) + (lane[2] + lane[3]);
 }
 
+/// The sums over the lanes of four, each in the order of `total`.
+HWY_INLINE Four totals(const Four& a, const Four& b, const Four& c, const Four& d) {
+#if HWY_TARGET == HWY_SCALAR
+  alignas(64) const double sums[kLanes] = {total(a), total(b), total(c), total(d)};
+  return Four::load(sums);
+#else
+  const Four::D lanes;
+  // Of each two lanes of x the sum, and of the same of y, side by side.
+  const auto neighbours = [lanes](const auto& x, const auto& y) HWY_ATTR {
+    return hn::Add(hn::InterleaveLower(lanes, x, y), hn::InterleaveUpper(lanes, x, y));
+  };
+  constexpr std::size_t kLast = Four::kVectors - 1;
+  Four sums;
+  if constexpr (kLast == 0) {
+    const auto of_ab = neighbours(a.part[0], b.part[0]);
+    const auto of_cd = neighbours(c.part[0], d.part[0]);
+    sums.part[0] = hn::Add(hn::ConcatLowerLower(lanes, of_cd, of_ab), hn::ConcatUpperUpper(lanes, of_cd, of_ab));
+  } else {
+    sums.part[0] = hn::Add(neighbours(a.part[0], b.part[0]), neighbours(a.part[kLast], b.part[kLast]));
+    sums.part[kLast] = hn::Add(neighbours(c.part[0], d.part[0]), neighbours(c.part[kLast], d.part[kLast]));
+  }
+  return sums;
+#endif
+}
+
 }  // namespace holdfast::internal::native::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -215,8 +215,8 @@ TEST_CASE("equilibrium: a spin refutes rest above the torque that friction holds
   const double held = friction * kWeight * std::hypot(0.5, 0.5);
   for (const double share : {-2.0, 0.5, 0.99, 1.01, 2.0}) {
     ContactProblem problem = block_on_floor(friction, Vec3::Zero());
-    problem.free_velocity[0].row[5] = share * held / problem.bodies[0].inertia(2, 2);
-    problem.velocity[0].row[5] = 1.0;
+    problem.free_velocity[0].row[padded_row(5)] = share * held / problem.bodies[0].inertia(2, 2);
+    problem.velocity[0].row[padded_row(5)] = 1.0;
     // It lifts off as fast as the corners slip times mu.
     problem.velocity[0].row[2] = friction * std::hypot(0.5, 0.5);
     CAPTURE(share);

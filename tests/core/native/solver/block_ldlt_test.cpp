@@ -37,7 +37,7 @@ Block random_block(Random& random) {
 
 void put(const Block& from, BodyBlock& to) {
   for (int c = 0; c < kBodyRows; ++c)
-    for (int r = 0; r < kBodyRows; ++r) to.column[c][r] = from(r, c);
+    for (int r = 0; r < kBodyRows; ++r) to.column[c][padded_row(r)] = from(r, c);
 }
 
 /// A system with the graph of the factor: filled in, as a dense matrix with rows by elimination index, and its
@@ -82,7 +82,7 @@ std::vector<BodyVector> solution_of(BlockLdlt& factor, const System& system) {
   std::vector<BodyVector> x(static_cast<std::size_t>(system.right.size()) / kBodyRows);
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < kBodyRows; ++k)
-      x[i].row[k] = system.right[static_cast<Eigen::Index>(i * kBodyRows + k)];
+      x[i].row[padded_row(k)] = system.right[static_cast<Eigen::Index>(i * kBodyRows + k)];
   factor.factorise();
   factor.solve(x);
   return x;
@@ -94,7 +94,7 @@ double error_of(const std::vector<BodyVector>& x, const System& system) {
   double worst = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < kBodyRows; ++k)
-      worst = std::max(worst, std::abs(x[i].row[k] - exact[static_cast<Eigen::Index>(i * kBodyRows + k)]));
+      worst = std::max(worst, std::abs(x[i].row[padded_row(k)] - exact[static_cast<Eigen::Index>(i * kBodyRows + k)]));
   return worst / exact.cwiseAbs().maxCoeff();
 }
 
@@ -139,7 +139,7 @@ double backward_error(const std::vector<BodyVector>& x, const System& system) {
   Exact solution(system.right.size());
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < kBodyRows; ++k)
-      solution[static_cast<Eigen::Index>(i * kBodyRows + k)] = static_cast<long double>(x[i].row[k]);
+      solution[static_cast<Eigen::Index>(i * kBodyRows + k)] = static_cast<long double>(x[i].row[padded_row(k)]);
   const Exact left = system.matrix.cast<long double>() * solution - system.right.cast<long double>();
   return static_cast<double>(left.norm() / (static_cast<long double>(system.matrix.norm()) * solution.norm()));
 }

@@ -1,4 +1,5 @@
 #include "core/native/solver/contact_kernels.hpp"
+#include "core/native/solver/contact_problem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +52,8 @@ struct PlainSweep {
       for (std::size_t i = 0; i < 3; ++i)
         directions(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(i)) = constraint.directions[d][i];
     const auto speed = [&](std::int32_t body, const std::array<Lanes, 3>& arms) {
-      const double* v = velocity[static_cast<std::size_t>(body)].row;
-      return Vec3(Vec3(v[0], v[1], v[2]) + Vec3(v[3], v[4], v[5]).cross(arm_of(arms, lane)));
+      const BodyVector& v = velocity[static_cast<std::size_t>(body)];
+      return Vec3(linear(v) + angular(v).cross(arm_of(arms, lane)));
     };
     Vec3 u = directions * (speed(constraint.b, constraint.arms.b) - speed(constraint.a, constraint.arms.a));
     u += Vec3(constraint.velocity_bias.row[0][lane], constraint.velocity_bias.row[1][lane],

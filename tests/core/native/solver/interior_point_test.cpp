@@ -105,7 +105,7 @@ void turn(ContactProblem& problem, const Mat3& axes) {
   for (ProblemBody& body : problem.bodies) body.inertia = (axes * body.inertia * axes.transpose()).eval();
   for (BodyVector& v : problem.free_velocity) turn(v.row[0], v.row[1], v.row[2]);
   for (ContactConstraint& contact : problem.constraints) {
-    for (std::array<double, 3>& direction : contact.directions) turn(direction[0], direction[1], direction[2]);
+    for (Direction& direction : contact.directions) turn(direction[0], direction[1], direction[2]);
     for (std::array<Lanes, 3>* arms : {&contact.arms.a, &contact.arms.b})
       for (std::size_t lane = 0; lane < kLanes; ++lane) turn((*arms)[0][lane], (*arms)[1][lane], (*arms)[2][lane]);
   }

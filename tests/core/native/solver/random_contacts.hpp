@@ -26,7 +26,7 @@ inline Contacts random_contacts(std::uint32_t seed) {
   Random random(seed);
   Contacts contacts;
   for (std::size_t i = 0; i < kBodies; ++i)
-    for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[k] = random.between(-1, 1);
+    for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[padded_row(k)] = random.between(-1, 1);
   for (std::size_t p = 0; p < kConstraints; ++p) {
     ContactConstraint& constraint = contacts.constraints[p];
     constraint.b = static_cast<std::int32_t>(random.below(kBodies));
