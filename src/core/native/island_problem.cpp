@@ -13,21 +13,28 @@ namespace holdfast::internal::native {
 struct IslandProblem::PointView {
   int index = 0;     ///< among the contact's points
   double gap = 0.0;  ///< m
-  Vec3 velocity;     ///< of b's surface relative to a's at the start of the step, m/s
-  double normal_velocity = 0.0;
+  const Vec3& normal;
+  const End& a;
+  const End& b;
+  Vec3 arm_a, arm_b;  ///< at the start of the step; from anywhere where the body stays
   const CachedImpulse& cached;
-  const std::array<Vec3, 3>& directions;
 
   bool is_in(std::uint8_t bits) const { return (bits >> index & 1) != 0; }
 
-  /// Starts the solve from what the last one left. The bias is part of the contact velocity.
-  void warm_start(double step, ContactConstraint& constraint, std::size_t lane) const {
-    for (std::size_t d = 0; d < 3; ++d) {
-      constraint.impulse.row[d][lane] = step * cached.force.dot(directions[d]);
-      constraint.contact_velocity.row[d][lane] =
-          cached.contact_velocity.dot(directions[d]) + (d > 0 ? constraint.velocity_bias.row[d][lane] : 0.0);
+  /// Of the surfaces at the start of the step: positive where they separate, m/s.
+  double normal_velocity() const { return normal.dot(b.velocity_at(arm_b) - a.velocity_at(arm_a)); }
+
+  /// Whether the filter takes it: the velocity matters only where it is not closed.
+  bool is_taken(const PointFilter& filter, double step) const {
+    return filter.is_closed(gap) || filter.takes(gap, normal_velocity(), step);
+  }
+
+  /// Takes what the last solve left, for `start_from_last`.
+  void start_from_cached(ContactConstraint& constraint, std::size_t lane) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      constraint.impulse.row[k][lane] = cached.force[static_cast<Eigen::Index>(k)];
+      constraint.contact_velocity.row[k][lane] = cached.contact_velocity[static_cast<Eigen::Index>(k)];
     }
-    constraint.impulse.row[0][lane] = std::max(0.0, constraint.impulse.row[0][lane]);
   }
 };
 
@@ -62,9 +69,7 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   problem.impulse_per_mass = terms.effective_gravity.norm() * step;
   problem.continues = false;
   sources.clear();
-  turn_mid_.resize(count);
-  turn_end_.resize(count);
-  turns_.assign(count + 1, 0);
+  motion_.assign(count + 1, BodyMotion{});
   late_impact_.assign(count + 1, 0);
   has_late_impact_ = false;
   outside_impulse_ = 0.0;
@@ -82,23 +87,32 @@ void IslandProblem::push(const Bodies& bodies, std::uint32_t body, double step) 
   outside_impulse_ += step * force.norm();
 }
 
-/// Velocities without contacts, start values, and how the bodies will turn within the step.
-void IslandProblem::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
+/// Velocities without contacts, start values, and how the bodies will turn within the step. Returns whether any does.
+bool IslandProblem::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
   const Bodies& bodies = scene.bodies;
+  bool any_turns = false;
   for (const std::uint32_t body : island.bodies) {
     const std::size_t row = row_[body];
     const Vec3& v = bodies.state.velocity[body];
     const Vec3& w = bodies.state.angular_velocity[body];
+    BodyMotion& motion = motion_[row];
+    motion.velocity = {v.x(), v.y(), v.z()};
+    motion.angular_velocity = {w.x(), w.y(), w.z()};
     const Vec3 v_guess = v + step * bodies.acceleration[body];
     const Vec3 w_guess = w + step * bodies.angular_acceleration[body];
     problem.velocity[row] = body_vector(v_guess, w_guess);
     Vec3 w_free = w;
     if (w != Vec3::Zero() || w_guess != Vec3::Zero()) {
-      turns_[row] = 1;
       // The angular velocity is taken as linear in time.
-      turn_mid_[row] = rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
-      turn_end_[row] = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn)).toRotationMatrix();
-      const Mat3 axes = turn_end_[row] * bodies.shape[body].axes;
+      const Mat3 turn_mid =
+          rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
+      const Mat3 turn_end = rotation_by(clamped(step * (w + w_guess) / 2.0, kLargestTurn)).toRotationMatrix();
+      motion.turns = any_turns = true;
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        motion.turn_mid[static_cast<std::size_t>(i)] = {turn_mid(i, 0), turn_mid(i, 1), turn_mid(i, 2)};
+        motion.turn_end[static_cast<std::size_t>(i)] = {turn_end(i, 0), turn_end(i, 1), turn_end(i, 2)};
+      }
+      const Mat3 axes = turn_end * bodies.shape[body].axes;
       const Mat3 inertia = inertia_in_container(axes, bodies.principal_inertia[body]);
       // Without torque the angular momentum stays.
       w_free = inertia.inverse() * (bodies.inertia(body) * w);
@@ -107,6 +121,7 @@ void IslandProblem::predict(const Scene& scene, const IslandView& island, const 
     problem.free_velocity[row] = body_vector(v + step * terms.effective_gravity, w_free);
     push(bodies, body, step);
   }
+  return any_turns;
 }
 
 IslandProblem::End IslandProblem::end_of(const Bodies& bodies, std::int32_t body) const {
@@ -120,67 +135,55 @@ IslandProblem::End IslandProblem::end_of(const Bodies& bodies, std::int32_t body
   end.velocity = bodies.state.velocity[at(body)];
   end.angular_velocity = bodies.state.angular_velocity[at(body)];
   end.inverse_mass = 1.0 / bodies.mass[at(body)];
-  if (turns_[row] != 0) {
-    end.turn_mid = &turn_mid_[row];
-    end.turn_end = &turn_end_[row];
-  }
   return end;
 }
 
-/// Writes the arms of a point of the last constraint, at the end of the step and in its middle.
-void IslandProblem::set_arms(const End& end, const Vec3& arm, std::size_t lane, std::array<Lanes, 3> Arms::*side) {
-  if (!end.moves) return;
-  const Vec3 at_end = end.turn_end != nullptr ? Vec3(*end.turn_end * arm) : arm;
-  const Vec3 at_middle = end.turn_mid != nullptr ? Vec3(*end.turn_mid * arm) : arm;
-  for (std::size_t k = 0; k < 3; ++k) {
-    (problem.constraints.back().arms.*side)[k][lane] = at_end[static_cast<Eigen::Index>(k)];
-    (problem.mid_arms.back().*side)[k][lane] = at_middle[static_cast<Eigen::Index>(k)];
-  }
-}
-
-/// The constraints of a manifold.
+/// The constraints of a manifold, with the arms of the start of the step.
 /// @param takes_part `bool(const PointView&)`
 /// @param fill       `void(const PointView&, ContactConstraint&, std::size_t lane)`: biases and start values
 template <class TakesPart, class FillPoint>
-void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, double step, TakesPart takes_part,
-                                    FillPoint fill) {
+void IslandProblem::add_constraints(const Scene& scene, std::uint32_t index, TakesPart takes_part, FillPoint fill) {
   const Bodies& bodies = scene.bodies;
   const Manifold& manifold = scene.manifolds[index];
-  const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
   const End a = end_of(bodies, manifold.a);
   const End b = end_of(bodies, manifold.b);
   const std::size_t first = problem.constraints.size();
   int used = 0;
   for (int i = 0; i < manifold.contact.count; ++i) {
     const ContactPoint& point = manifold.contact.points[at(i)];
-    const Vec3 arm_a = point.on_a - a.position;
-    const Vec3 arm_b = point.on_b - b.position;
-    const Vec3 velocity = b.velocity_at(arm_b) - a.velocity_at(arm_a);
-    const PointView view{i,         point.gap, velocity, manifold.contact.normal.dot(velocity), manifold.cached[at(i)],
-                         directions};
+    const PointView view{i,
+                         point.gap,
+                         manifold.contact.normal,
+                         a,
+                         b,
+                         point.on_a - a.position,
+                         point.on_b - b.position,
+                         manifold.cached[at(i)]};
     if (!takes_part(view)) continue;
-    const std::size_t lane = static_cast<std::size_t>(used % kLanes);
+    const std::size_t lane = static_cast<std::size_t>(used++ % kLanes);
     if (lane == 0) {
       ContactConstraint& made = problem.constraints.emplace_back();
-      for (std::size_t d = 0; d < 3; ++d)
-        made.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
       made.friction = manifold.friction_now();
       made.a = a.row;
       made.b = b.row;
-      problem.mid_arms.emplace_back();
       sources.push_back({index, {}});
     }
-    ++used;
     ContactConstraint& constraint = problem.constraints.back();
     constraint.count = static_cast<std::int32_t>(lane) + 1;
     sources.back().point[lane] = static_cast<std::uint8_t>(i);
-    set_arms(a, arm_a, lane, &Arms::a);
-    set_arms(b, arm_b, lane, &Arms::b);
-    constraint.expected_impulse[lane] = step * view.cached.force.dot(directions[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (a.moves) constraint.arms.a[k][lane] = view.arm_a[static_cast<Eigen::Index>(k)];
+      if (b.moves) constraint.arms.b[k][lane] = view.arm_b[static_cast<Eigen::Index>(k)];
+    }
     fill(view, constraint, lane);
   }
-  for (std::size_t p = first; p < problem.constraints.size(); ++p)
-    problem.constraints[p].effective_mass = 1.0 / ((a.inverse_mass + b.inverse_mass) * used);
+  if (used == 0) return;
+  const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
+  for (std::size_t p = first; p < problem.constraints.size(); ++p) {
+    ContactConstraint& made = problem.constraints[p];
+    for (std::size_t d = 0; d < 3; ++d) made.directions[d] = {directions[d].x(), directions[d].y(), directions[d].z()};
+    made.effective_mass = 1.0 / ((a.inverse_mass + b.inverse_mass) * used);
+  }
 }
 
 /// Adds the constraints of all active manifolds.
@@ -196,35 +199,25 @@ void IslandProblem::for_each_active(const Scene& scene, const IslandView& island
     problem.constraint_pair.resize(problem.constraints.size(), with_fixed ? kNoPair : pair);
     if (!with_fixed) ++pair;
   }
-  // Without rotation both sets of arms are the same.
-  if (std::none_of(turns_.begin(), turns_.end(), [](std::uint8_t turns) { return turns != 0; }))
-    problem.mid_arms.clear();
 }
 
 void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
                                  ContactSolver& solver, const PointFilter& filter, const PointBits& predicted) {
   begin(scene, island, terms, step, solver);
-  predict(scene, island, terms, step);
-  const double lasting = kLastingSlip * terms.velocity_unit;
+  const bool any_turns = predict(scene, island, terms, step);
   for_each_active(scene, island, [&](std::uint32_t index) {
-    const Manifold& manifold = scene.manifolds[index];
-    const auto takes_part = [&](const PointView& point) {
-      return point.is_in(predicted[index]) || filter.takes(point.gap, point.normal_velocity, step);
-    };
     add_constraints(
-        scene, index, step, takes_part, [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
-          constraint.velocity_bias.row[0][lane] = point.gap > kTouch ? point.gap / step : 0.0;
-          if (std::max(0.0, point.gap) + step * point.normal_velocity < -kJumpShare * terms.velocity_unit * step) {
-            has_late_impact_ = true;
-            late_impact_[at(constraint.a)] = late_impact_[at(constraint.b)] = 1;
-          }
-          // Friction along the mean slip makes curved paths second order in the step.
-          const Vec3 slip = point.velocity - manifold.contact.normal * point.normal_velocity;
-          if (slip.squaredNorm() > lasting * lasting)
-            for (std::size_t d = 1; d < 3; ++d) constraint.velocity_bias.row[d][lane] = slip.dot(point.directions[d]);
-          point.warm_start(step, constraint, lane);
+        scene, index,
+        [&](const PointView& point) { return point.is_in(predicted[index]) || point.is_taken(filter, step); },
+        [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+          constraint.velocity_bias.row[0][lane] = point.gap;
+          point.start_from_cached(constraint, lane);
         });
   });
+  // Without rotation both sets of arms are the same.
+  if (any_turns) problem.mid_arms.resize(problem.constraints.size());
+  has_late_impact_ =
+      start_step({step, terms.velocity_unit}, motion_, problem.constraints, problem.mid_arms, late_impact_);
 }
 
 void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -235,16 +228,17 @@ void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island,
     problem.free_velocity[row_[body]] = problem.velocity[row_[body]] =
         body_vector(bodies.state.velocity[body], bodies.state.angular_velocity[body]);
   for_each_active(scene, island, [&](std::uint32_t index) {
-    const auto takes_part = [&](const PointView& point) {
-      return point.is_in(impacting[index]) && filter.takes(point.gap, point.normal_velocity, step);
-    };
-    add_constraints(scene, index, step, takes_part,
-                    [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
-                      double& bias = constraint.velocity_bias.row[0][lane];
-                      bias = point.gap > kTouch ? point.gap / step : 0.0;
-                      if (point.normal_velocity < -kReboundShare * terms.velocity_unit)
-                        bias += scene.manifolds[index].restitution * point.normal_velocity;
-                    });
+    const Manifold& manifold = scene.manifolds[index];
+    add_constraints(
+        scene, index,
+        [&](const PointView& point) { return point.is_in(impacting[index]) && point.is_taken(filter, step); },
+        [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+          double& bias = constraint.velocity_bias.row[0][lane];
+          bias = point.gap > kTouch ? point.gap / step : 0.0;
+          const double speed = point.normal_velocity();
+          if (speed < -kReboundShare * terms.velocity_unit) bias += manifold.restitution * speed;
+          constraint.expected_impulse[lane] = step * point.cached.force.dot(manifold.contact.normal);
+        });
   });
 }
 
@@ -264,51 +258,53 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
     const double touch = pressed ? kPressedTouch : leaning_gap(bodies, manifold);
     const bool bounded = is_wall_or_roof(bodies, manifold);
     add_constraints(
-        scene, index, step, [&](const PointView& point) { return point.gap <= touch; },
+        scene, index, [&](const PointView& point) { return point.gap <= touch; },
         [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
           problem.normal_bounds.resize(problem.constraints.size());
           problem.normal_bounds.back().lane[lane] =
               bounded ? kPressingMargin * step * point.cached.pressed : std::numeric_limits<double>::infinity();
-          point.warm_start(step, constraint, lane);
+          point.start_from_cached(constraint, lane);
         });
+  });
+  start_from_last(step, problem.constraints);
+}
+
+/// Calls `store(constraint, lane, cached)` for the caches of all points, which hold what the solution says of them.
+template <class Store>
+void IslandProblem::store_impulses(Scene& scene, double step, Store store) {
+  force_.resize(sources.size());
+  contact_velocity_.resize(sources.size());
+  to_container_frame(step, problem.constraints, force_, contact_velocity_);
+  for (std::size_t p = 0; p < sources.size(); ++p) {
+    Manifold& manifold = scene.manifolds[sources[p].manifold];
+    const auto at_point = [](const ConstraintVector& of, std::size_t lane) {
+      return Vec3(of.row[0][lane], of.row[1][lane], of.row[2][lane]);
+    };
+    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
+      CachedImpulse& cached = manifold.cached[sources[p].point[lane]];
+      cached.force = at_point(force_[p], lane);
+      cached.contact_velocity = at_point(contact_velocity_[p], lane);
+      store(p, lane, cached);
+    }
+  }
+}
+
+void IslandProblem::store_step_impulses(Scene& scene, const IslandView& island, double step) {
+  for (const std::uint32_t index : island.manifolds)
+    if (scene.manifolds[index].active) scene.manifolds[index].cached = {};
+  store_impulses(scene, step, [&](std::size_t p, std::size_t lane, CachedImpulse& cached) {
+    cached.pressed = problem.constraints[p].impulse.row[0][lane] / step;
   });
 }
 
-/// Adds what the solution says of a point, over all of its directions.
-void IslandProblem::store_impulse(std::size_t p, std::size_t lane, double step, CachedImpulse& cached) const {
-  const ContactConstraint& constraint = problem.constraints[p];
-  for (std::size_t d = 0; d < 3; ++d) {
-    const Vec3 direction(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
-    cached.force += (constraint.impulse.row[d][lane] / step) * direction;
-    cached.contact_velocity +=
-        (constraint.contact_velocity.row[d][lane] - (d > 0 ? constraint.velocity_bias.row[d][lane] : 0.0)) * direction;
-  }
-}
-
-void IslandProblem::store_step_impulses(Scene& scene, const IslandView& island, double step) const {
-  for (const std::uint32_t index : island.manifolds)
-    if (scene.manifolds[index].active) scene.manifolds[index].cached = {};
-  for (std::size_t p = 0; p < sources.size(); ++p) {
-    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
-      CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];
-      cached.pressed = problem.constraints[p].impulse.row[0][lane] / step;
-      store_impulse(p, lane, step, cached);
-    }
-  }
-}
-
-void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, double step) const {
+void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, double step) {
   for (const std::uint32_t index : island.manifolds)
     if (scene.manifolds[index].active)
       for (CachedImpulse& cached : scene.manifolds[index].cached) cached = {.pressed = cached.pressed};
-  for (std::size_t p = 0; p < sources.size(); ++p) {
-    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
-      CachedImpulse& cached = scene.manifolds[sources[p].manifold].cached[sources[p].point[lane]];
-      const double bound = problem.normal_bounds[p].lane[lane];
-      if (std::isfinite(bound)) cached.pressed = bound / (kPressingMargin * step);
-      store_impulse(p, lane, step, cached);
-    }
-  }
+  store_impulses(scene, step, [&](std::size_t p, std::size_t lane, CachedImpulse& cached) {
+    const double bound = problem.normal_bounds[p].lane[lane];
+    if (std::isfinite(bound)) cached.pressed = bound / (kPressingMargin * step);
+  });
 }
 
 /// The impulse on b that the velocities of the solution follow from: y + R (z − u), which is y once the solve has

@@ -7,6 +7,7 @@
 
 #include "core/native/scene.hpp"
 #include "core/native/solver/contact_solver.hpp"
+#include "core/native/solver/warm_start_kernels.hpp"
 
 namespace holdfast::internal::native {
 
@@ -60,8 +61,8 @@ class IslandProblem {
 
   /// Caches impulses and contact velocities in their manifolds, for the next solve to start from. Points without a part
   /// in the problem have none.
-  void store_step_impulses(Scene& scene, const IslandView& island, double step) const;
-  void store_rest_impulses(Scene& scene, const IslandView& island, double step) const;
+  void store_step_impulses(Scene& scene, const IslandView& island, double step);
+  void store_rest_impulses(Scene& scene, const IslandView& island, double step);
 
   /// Turns the problem of `prepare_rest` into that of a floor that slides away under the load, from where the effective
   /// gravity drives it: friction there holds all it can.
@@ -81,7 +82,7 @@ class IslandProblem {
   const BodyVector& solution(std::uint32_t body) const { return problem.velocity[row_[body]]; }
 
   /// Whether the body's moments of inertia in the problem are those of the end of the step, to which it turns.
-  bool turns(std::uint32_t body) const { return turns_[row_[body]] != 0; }
+  bool turns(std::uint32_t body) const { return motion_[row_[body]].turns; }
 
   /// Whether a contact of the step closes too fast for the step and too slow to be located, at any or at this body.
   bool has_late_impact() const { return has_late_impact_; }
@@ -98,31 +99,29 @@ class IslandProblem {
     Vec3 velocity = Vec3::Zero();
     Vec3 angular_velocity = Vec3::Zero();
     double inverse_mass = 0.0;
-    const Mat3* turn_mid = nullptr;  ///< predicted rotation to the middle and the end of the step; null: none
-    const Mat3* turn_end = nullptr;
 
     Vec3 velocity_at(const Vec3& arm) const { return velocity + angular_velocity.cross(arm); }
   };
 
   void begin(const Scene& scene, const IslandView& island, const StepTerms& terms, double step, ContactSolver& solver);
-  void predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
+  bool predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void push(const Bodies& bodies, std::uint32_t body, double step);
   template <class TakesPart, class FillPoint>
-  void add_constraints(const Scene& scene, std::uint32_t index, double step, TakesPart takes_part, FillPoint fill);
+  void add_constraints(const Scene& scene, std::uint32_t index, TakesPart takes_part, FillPoint fill);
   template <class AddManifold>
   void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
-  void store_impulse(std::size_t constraint, std::size_t lane, double step, CachedImpulse& cached) const;
+  template <class Store>
+  void store_impulses(Scene& scene, double step, Store store);
   Vec3 acting_impulse(std::size_t constraint, std::size_t lane) const;
   End end_of(const Bodies& bodies, std::int32_t body) const;
-  void set_arms(const End& end, const Vec3& arm, std::size_t lane, std::array<Lanes, 3> Arms::*side);
 
   std::vector<std::uint32_t> row_;         ///< a body of the scene
   std::vector<BodyPair> pairs_;            ///< by position in the island
-  std::vector<Mat3> turn_mid_, turn_end_;  ///< predicted rotation from the start of the step, a row that turns
-  std::vector<std::uint8_t> turns_;        ///< a row
+  std::vector<BodyMotion> motion_;         ///< a row
   std::vector<std::uint8_t> late_impact_;  ///< a row
   bool has_late_impact_ = false;
   double outside_impulse_ = 0.0;
+  std::vector<ConstraintVector> force_, contact_velocity_;  ///< of the solution, container frame, a constraint
 };
 
 }  // namespace holdfast::internal::native
