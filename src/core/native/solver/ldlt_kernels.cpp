@@ -251,10 +251,27 @@ HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, Bod
   }
 }
 
+/// A vector whose components are wanted one by one: each fills all rows.
+struct Components {
+  Eight of[kBodyRows];
+
+  static HWY_INLINE Components load(const double* from) {
+    Components c;
+    for (int k = 0; k < kBodyRows; ++k) c.of[k] = Eight::all(from[padded_row(k)]);
+    return c;
+  }
+  static HWY_INLINE Components of_rows(const Eight& x) {
+    // Not where it is kept: then the compiler would load it again after each store to another body.
+    alignas(64) double row[kPaddedRows];
+    x.store(row);
+    return load(row);
+  }
+};
+
 /// m x.
-HWY_INLINE Eight product(const BodyBlock& m, const double* x) {
-  Eight sum = Eight::load(m.column[0]) * Eight::all(x[0]);
-  for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(m.column[k]) * Eight::all(x[padded_row(k)]);
+HWY_INLINE Eight product(const BodyBlock& m, const Components& x) {
+  Eight sum = Eight::load(m.column[0]) * x.of[0];
+  for (int k = 1; k < kBodyRows; ++k) sum = sum + Eight::load(m.column[k]) * x.of[k];
   return sum;
 }
 
@@ -262,11 +279,11 @@ HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, c
                            BodyVector* x) {
   const std::size_t columns = shape.column_begin.size() - 1;
   for (std::size_t j = 0; j < columns; ++j) {
-    const Eight own = product(factor[j].lower, x[j].row);
-    own.store(x[j].row);
+    const Eight own = product(factor[j].lower, Components::load(x[j].row));
+    const Components components = Components::of_rows(own);
     for (std::size_t i = shape.column_begin[j]; i < shape.column_begin[j + 1]; ++i) {
       double* target = x[shape.block_row[i]].row;
-      (Eight::load(target) - product(below[i], x[j].row)).store(target);
+      (Eight::load(target) - product(below[i], components)).store(target);
     }
     (own * Eight::load(factor[j].inverse_d.row)).store(x[j].row);
   }
@@ -284,7 +301,7 @@ HWY_ATTR void solve_kernel(const LdltStructure& shape, const BodyBlock* below, c
         x[j].row[padded_row(k)] -= ((lane[0] + lane[1]) + (lane[2] + lane[4])) + (lane[5] + lane[6]);
       }
     }
-    product(factor[j].upper, x[j].row).store(x[j].row);
+    product(factor[j].upper, Components::load(x[j].row)).store(x[j].row);
   }
 }
 
