@@ -17,7 +17,10 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
     return i;
   };
   const auto free = [&](std::int32_t body) { return !stays(bodies, body); };
+  // Manifolds are large: each is looked at once.
+  ends_.clear();
   for (const Manifold& manifold : manifolds) {
+    ends_.emplace_back(manifold.a, manifold.b);
     if (!manifold.active || !free(manifold.a) || !free(manifold.b)) continue;
     const std::uint32_t of_a = find(static_cast<std::uint32_t>(manifold.a));
     const std::uint32_t of_b = find(static_cast<std::uint32_t>(manifold.b));
@@ -37,14 +40,13 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
     }
     ++ranges_[island_of_[i]].body_end;
   }
-  const auto island_of_manifold = [&](const Manifold& manifold) {
-    const std::uint32_t of_a = free(manifold.a) ? island_of_[at(manifold.a)] : kNone;
-    const std::uint32_t of_b = free(manifold.b) ? island_of_[at(manifold.b)] : kNone;
-    if (of_a == kNone) return of_b;
-    return of_b == kNone || of_a == of_b ? of_a : kNone;
-  };
-  for (const Manifold& manifold : manifolds) {
-    const std::uint32_t island = island_of_manifold(manifold);
+  const auto island_of_end = [&](std::int32_t body) { return body < 0 ? kNone : island_of_[at(body)]; };
+  island_of_manifold_.clear();
+  for (const auto& [a, b] : ends_) {
+    const std::uint32_t of_a = island_of_end(a);
+    const std::uint32_t of_b = island_of_end(b);
+    const std::uint32_t island = of_a == kNone ? of_b : of_b == kNone || of_a == of_b ? of_a : kNone;
+    island_of_manifold_.push_back(island);
     if (island != kNone) ++ranges_[island].manifold_end;
   }
   std::size_t bodies_before = 0, manifolds_before = 0;
@@ -59,7 +61,7 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
   for (std::uint32_t i = 0; i < count; ++i)
     if (island_of_[i] != kNone) members_[ranges_[island_of_[i]].body_end++] = i;
   for (std::uint32_t m = 0; m < manifolds.size(); ++m) {
-    const std::uint32_t island = island_of_manifold(manifolds[m]);
+    const std::uint32_t island = island_of_manifold_[m];
     if (island != kNone) inside_[ranges_[island].manifold_end++] = m;
   }
 }

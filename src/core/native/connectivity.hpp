@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/native/scene.hpp"
@@ -38,6 +39,8 @@ class Connectivity {
   std::vector<std::uint32_t> members_, inside_;
   std::vector<std::uint32_t> root_;       ///< a body: another body of its island; itself: the root of the island
   std::vector<std::uint32_t> island_of_;  ///< of a body
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;  ///< a and b of a manifold
+  std::vector<std::uint32_t> island_of_manifold_;
 };
 
 }  // namespace holdfast::internal::native

@@ -14,31 +14,6 @@ bool any_asleep(const Bodies& bodies) {
   return std::any_of(bodies.asleep.begin(), bodies.asleep.end(), [](std::uint8_t asleep) { return asleep != 0; });
 }
 
-/// Sum of a manifold's contact forces on its body b, N.
-Vec3 contact_force(const Manifold& manifold) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < at(manifold.contact.count); ++i) sum += manifold.cached[i].force;
-  return sum;
-}
-
-/// Sums of the contact forces on the bodies that sleep, N; 0 for the others.
-/// @param counts `bool(const Manifold&)`: whether the manifold's forces count
-template <class Counts>
-void contact_forces_on_sleeping(const Scene& scene, std::vector<Vec3>& force, Counts counts) {
-  const Bodies& bodies = scene.bodies;
-  force.assign(bodies.count(), Vec3::Zero());
-  for (const Manifold& manifold : scene.manifolds) {
-    const bool on_a = is_asleep(bodies, manifold.a);
-    const bool on_b = is_asleep(bodies, manifold.b);
-    if (!manifold.active || !(on_a || on_b) || !counts(manifold)) continue;
-    const Vec3 sum = contact_force(manifold);
-    if (on_b) force[at(manifold.b)] += sum;
-    if (on_a) force[at(manifold.a)] -= sum;
-  }
-}
-
-bool all_count(const Manifold& /*manifold*/) { return true; }
-
 }  // namespace
 
 void SleepingBodies::reset(Scene& scene) {
@@ -65,9 +40,10 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   }
   if (!any_asleep(bodies)) return false;
   wake_hit(scene, terms);
+  find_contacts(scene);
   wake_unsupported(scene, terms);
   if (!any_asleep(bodies)) return false;
-  contact_forces_on_sleeping(scene, load_now_, all_count);
+  sum_forces(bodies, [](const Contact&) { return true; });
   stopped_.assign(bodies.count(), Vec3::Zero());
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (bodies.asleep[i] == 0) continue;
@@ -80,11 +56,37 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   return true;
 }
 
+/// Finds the contacts of the bodies that sleep now. All manifolds are looked at once, and these few often.
+void SleepingBodies::find_contacts(const Scene& scene) {
+  contacts_.clear();
+  for (const Manifold& manifold : scene.manifolds) {
+    if (!manifold.active || !(is_asleep(scene.bodies, manifold.a) || is_asleep(scene.bodies, manifold.b))) continue;
+    Vec3 force = Vec3::Zero();
+    for (std::size_t i = 0; i < at(manifold.contact.count); ++i) force += manifold.cached[i].force;
+    contacts_.push_back({manifold.a, manifold.b, force});
+  }
+}
+
+/// Sums the contact forces on each body that sleeps into `load_now_`, N; 0 for the others.
+/// @param counts `bool(const Contact&)`: whether the contact's force counts
+template <class Counts>
+void SleepingBodies::sum_forces(const Bodies& bodies, Counts counts) {
+  load_now_.assign(bodies.count(), Vec3::Zero());
+  for (const Contact& contact : contacts_) {
+    const bool on_a = is_asleep(bodies, contact.a);
+    const bool on_b = is_asleep(bodies, contact.b);
+    if (!(on_a || on_b) || !counts(contact)) continue;
+    if (on_b) load_now_[at(contact.b)] += contact.force;
+    if (on_a) load_now_[at(contact.a)] -= contact.force;
+  }
+}
+
 /// Those that are hit in the step do not sleep, nor do their neighbours, on which the impact acts at once: against what
 /// stays, a body that moves would lose all of its momentum.
 void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
   Bodies& bodies = scene.bodies;
   hit_.assign(bodies.count(), 0);
+  bool any_hit = false;
   for (const Manifold& manifold : scene.manifolds) {
     if (manifold.with_side() || is_asleep(bodies, manifold.a) == is_asleep(bodies, manifold.b)) continue;
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
@@ -92,8 +94,10 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
       const double speed = normal_velocity(bodies, manifold, point);
       if (speed >= -kJumpShare * terms.velocity_unit || point.gap + terms.step * speed >= 0.0) continue;
       hit_[at(is_asleep(bodies, manifold.a) ? manifold.a : manifold.b)] = 1;
+      any_hit = true;
     }
   }
+  if (!any_hit) return;
   for (int layer = 0; layer < kHitLayers; ++layer) {
     const std::vector<std::uint8_t> before = hit_;
     for (const Manifold& manifold : scene.manifolds) {
@@ -113,13 +117,13 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
 /// body.
 void SleepingBodies::wake_unsupported(Scene& scene, const StepTerms& terms) {
   Bodies& bodies = scene.bodies;
-  const auto of_what_stays = [&](const Manifold& manifold) {
-    return stays(bodies, manifold.a) && stays(bodies, manifold.b);
+  const auto of_what_stays = [&](const Contact& contact) {
+    return stays(bodies, contact.a) && stays(bodies, contact.b);
   };
   const double least = kSleepingSupport * terms.effective_gravity.squaredNorm();
   for (bool any_woke = true; any_woke;) {
     any_woke = false;
-    contact_forces_on_sleeping(scene, load_now_, of_what_stays);
+    sum_forces(bodies, of_what_stays);
     for (std::size_t i = 0; i < bodies.count(); ++i) {
       if (bodies.asleep[i] == 0 || -load_now_[i].dot(terms.effective_gravity) >= bodies.mass[i] * least) continue;
       bodies.asleep[i] = 0;
@@ -146,7 +150,8 @@ void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std:
 /// weight, and forces in a jam are not determined: what counts is the change over the box and its sleeping neighbours.
 void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms) {
   const Bodies& bodies = scene.bodies;
-  contact_forces_on_sleeping(scene, load_now_, all_count);
+  find_contacts(scene);
+  sum_forces(bodies, [](const Contact&) { return true; });
   change_.assign(bodies.count(), Vec3::Zero());
   mass_.assign(bodies.count(), 0.0);
   const auto add = [&](std::size_t to, std::size_t of) {
@@ -155,10 +160,10 @@ void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms)
   };
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.asleep[i] != 0) add(i, i);
-  for (const Manifold& manifold : scene.manifolds) {
-    if (!manifold.active || !is_asleep(bodies, manifold.a) || !is_asleep(bodies, manifold.b)) continue;
-    add(at(manifold.a), at(manifold.b));
-    add(at(manifold.b), at(manifold.a));
+  for (const Contact& contact : contacts_) {
+    if (!is_asleep(bodies, contact.a) || !is_asleep(bodies, contact.b)) continue;
+    add(at(contact.a), at(contact.b));
+    add(at(contact.b), at(contact.a));
   }
   const double most = kSleepingLoadChange * terms.effective_gravity.norm();
   for (std::size_t i = 0; i < bodies.count(); ++i)

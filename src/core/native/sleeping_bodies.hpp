@@ -39,9 +39,18 @@ class SleepingBodies {
   void note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving);
 
  private:
+  void find_contacts(const Scene& scene);
+  template <class Counts>
+  void sum_forces(const Bodies& bodies, Counts counts);
   void wake_hit(Scene& scene, const StepTerms& terms);
   void wake_unsupported(Scene& scene, const StepTerms& terms);
   void wake_overloaded(const Scene& scene, const StepTerms& terms);
+
+  /// What a sleeping body touches: an active manifold with the sum of its forces.
+  struct Contact {
+    std::int32_t a = 0, b = 0;
+    Vec3 force;  ///< on b, N
+  };
 
   std::vector<std::uint32_t> slow_steps_;  ///< a body: steps in which it was slow, since it was fast or overloaded
   std::vector<double> speed_;              ///< a body: of any of its points, at most, when it was last awake, m/s
@@ -49,6 +58,7 @@ class SleepingBodies {
   std::uint32_t steps_ = 0;                ///< since the effective gravity changed
   std::vector<std::uint8_t> slept_;        ///< a body: asleep in the step before
   std::vector<Vec3> stopped_;
+  std::vector<Contact> contacts_;  ///< of the bodies that sleep, in the order of the manifolds
   // Work buffers, an entry per body.
   std::vector<std::uint8_t> hit_;
   std::vector<Vec3> load_now_, change_;
