@@ -40,11 +40,10 @@ class BitRows {
   std::uint32_t add_row(std::size_t row, std::size_t other) {
     std::uint32_t added = 0;
     for (std::size_t w = 0; w < words_; ++w) {
-      // Most words hold nothing new, and without its instruction a count is dear.
-      const std::uint64_t bits = word(other, w) & ~word(row, w);
-      if (bits == 0) continue;
+      // Few are new, and without its instruction a count is a call.
+      std::uint64_t bits = word(other, w) & ~word(row, w);
       word(row, w) |= bits;
-      added += static_cast<std::uint32_t>(std::popcount(bits));
+      for (; bits != 0; bits &= bits - 1) ++added;
     }
     return added;
   }

@@ -10,7 +10,6 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
   count_ = count;
   pairs_.assign(pairs.begin(), pairs.end());
   eliminate();
-  list_updates();
 
   // Rows of a column are sorted by elimination index, so the block of a pair is found by bisection.
   pair_block_.clear();
@@ -23,6 +22,11 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
   diagonal_.resize(count_);
   factor_.resize(count_);
   below_.resize(shape_.block_row.size());
+  block_at_row_.resize(count_);
+  std::size_t longest = 0;
+  for (std::size_t j = 0; j < count_; ++j)
+    longest = std::max<std::size_t>(longest, shape_.column_begin[j + 1] - shape_.column_begin[j]);
+  scratch_.resize(longest);
   return true;
 }
 
@@ -67,28 +71,6 @@ void BlockLdlt::eliminate() {
     std::sort(shape_.block_row.begin() + shape_.column_begin[j], shape_.block_row.begin() + shape_.column_begin[j + 1]);
 }
 
-void BlockLdlt::list_updates() {
-  const auto below_count = static_cast<std::uint32_t>(shape_.block_row.size());
-  shape_.updates.clear();
-  shape_.update_begin.assign(1, 0);
-  block_at_row_.assign(count_, 0);
-  std::size_t longest = 0;
-  for (std::size_t j = 0; j < count_; ++j) {
-    const std::uint32_t begin = shape_.column_begin[j];
-    const std::uint32_t end = shape_.column_begin[j + 1];
-    longest = std::max<std::size_t>(longest, end - begin);
-    for (std::uint32_t k = begin; k < end; ++k) {
-      const std::uint32_t column = shape_.block_row[k];
-      shape_.updates.push_back({below_count + column, k, k});
-      for (std::uint32_t i = shape_.column_begin[column]; i < shape_.column_begin[column + 1]; ++i)
-        block_at_row_[shape_.block_row[i]] = i;
-      for (std::uint32_t i = k + 1; i < end; ++i) shape_.updates.push_back({block_at_row_[shape_.block_row[i]], i, k});
-    }
-    shape_.update_begin.push_back(static_cast<std::uint32_t>(shape_.updates.size()));
-  }
-  scratch_.resize(longest);
-}
-
 void BlockLdlt::clear() {
   // Half of the time of a fill with blocks.
   std::memset(static_cast<void*>(diagonal_.data()), 0, diagonal_.size() * sizeof(BodyBlock));
@@ -105,7 +87,7 @@ void BlockLdlt::add(std::span<const ProblemBody> bodies) {
   }
 }
 
-void BlockLdlt::factorise() { native::factorise(shape_, below_, diagonal_, factor_, scratch_); }
+void BlockLdlt::factorise() { native::factorise(shape_, below_, diagonal_, factor_, scratch_, block_at_row_); }
 
 void BlockLdlt::solve(std::span<BodyVector> x) const { native::solve(shape_, below_, factor_, x); }
 

@@ -55,7 +55,6 @@ class BlockLdlt {
 
  private:
   void eliminate();
-  void list_updates();
 
   std::size_t count_ = 0;
   std::vector<BodyPair> pairs_;
@@ -64,11 +63,11 @@ class BlockLdlt {
   LdltStructure shape_;
   std::vector<BodyBlock> diagonal_, below_, scratch_;
   std::vector<DiagonalFactor> factor_;
-  BitRows graph_;                          ///< a body: its neighbours that are not eliminated
-  BitRows of_degree_;                      ///< a degree: the bodies that have it and are not eliminated
-  std::vector<std::uint32_t> degree_;      ///< a body
-  std::vector<std::uint32_t> neighbours_;  ///< of one body
-  std::vector<std::uint32_t> block_at_row_;
+  BitRows graph_;                            ///< a body: its neighbours that are not eliminated
+  BitRows of_degree_;                        ///< a degree: the bodies that have it and are not eliminated
+  std::vector<std::uint32_t> degree_;        ///< a body
+  std::vector<std::uint32_t> neighbours_;    ///< of one body
+  std::vector<std::uint32_t> block_at_row_;  ///< of one column, while the matrix is factorised
 };
 
 }  // namespace holdfast::internal::native

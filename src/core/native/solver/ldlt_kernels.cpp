@@ -236,17 +236,21 @@ HWY_INLINE void factorise(const BodyBlock& block, DiagonalFactor& factor) {
 }
 
 HWY_ATTR void factorise_kernel(const LdltStructure& shape, BodyBlock* below, BodyBlock* diagonal,
-                               DiagonalFactor* factor, BodyBlock* scratch) {
+                               DiagonalFactor* factor, BodyBlock* scratch, std::uint32_t* block_at_row) {
   const std::size_t columns = shape.column_begin.size() - 1;
-  const std::size_t below_count = shape.block_row.size();
   for (std::size_t j = 0; j < columns; ++j) {
     factorise(diagonal[j], factor[j]);
     const std::size_t begin = shape.column_begin[j];
-    for (std::size_t i = begin; i < shape.column_begin[j + 1]; ++i) divide(factor[j], below[i], scratch[i - begin]);
-    for (std::size_t k = shape.update_begin[j]; k < shape.update_begin[j + 1]; ++k) {
-      const BlockUpdate& update = shape.updates[k];
-      BodyBlock& target = update.c < below_count ? below[update.c] : diagonal[update.c - below_count];
-      subtract_product(below[update.l], scratch[update.b - begin], target);
+    const std::size_t end = shape.column_begin[j + 1];
+    for (std::size_t i = begin; i < end; ++i) divide(factor[j], below[i], scratch[i - begin]);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t column = shape.block_row[k];
+      subtract_product(below[k], scratch[k - begin], diagonal[column]);
+      if (k + 1 == end) break;
+      for (std::uint32_t i = shape.column_begin[column]; i < shape.column_begin[column + 1]; ++i)
+        block_at_row[shape.block_row[i]] = i;
+      for (std::size_t i = k + 1; i < end; ++i)
+        subtract_product(below[i], scratch[k - begin], below[block_at_row[shape.block_row[i]]]);
     }
   }
 }
@@ -329,8 +333,9 @@ void add_resistance(std::span<const ContactConstraint> constraints, std::span<co
 }
 
 void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
-               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch) {
-  HWY_DYNAMIC_DISPATCH(factorise_kernel)(shape, below.data(), diagonal.data(), factor.data(), scratch.data());
+               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch, std::span<std::uint32_t> block_at_row) {
+  HWY_DYNAMIC_DISPATCH(factorise_kernel)
+  (shape, below.data(), diagonal.data(), factor.data(), scratch.data(), block_at_row.data());
 }
 
 void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const DiagonalFactor> factor,

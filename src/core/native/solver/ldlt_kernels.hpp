@@ -11,11 +11,6 @@
 
 namespace holdfast::internal::native {
 
-/// c −= l bᵀ, the step of the factorisation.
-struct BlockUpdate {
-  std::uint32_t c, l, b;
-};
-
 /// The blocks of the matrix A that contacts add to: the lower triangle of those on the diagonal, and all below.
 struct ContactBlocks {
   std::span<const std::uint32_t> constraint_pair;  ///< a constraint: index into `pair_block`, or `kNoPair`
@@ -36,9 +31,8 @@ void add_resistance(std::span<const ContactConstraint> constraints, std::span<co
 /// Structure of a block factor, columns in order of elimination; made by `BlockLdlt`.
 struct LdltStructure {
   std::vector<std::uint32_t> column_begin;  ///< first block of column j below the diagonal; one more than columns
-  std::vector<std::uint32_t> block_row;     ///< row, in order of elimination, of a block below the diagonal
-  std::vector<BlockUpdate> updates;         ///< of all columns; c counts blocks below the diagonal, then diagonals
-  std::vector<std::uint32_t> update_begin;  ///< first update of column j; one more than columns
+  std::vector<std::uint32_t> block_row;     ///< row, in order of elimination, of a block below the diagonal; a column's
+                                            ///< are in increasing order
 };
 
 /// Factor l d lᵀ of a diagonal block, d diagonal: l⁻¹, its transpose, and d⁻¹.
@@ -49,9 +43,12 @@ struct DiagonalFactor {
 
 /// A = L D Lᵀ. On entry `below` and `diagonal` hold A's blocks. On exit, `factor` holds the factors l d lᵀ of the
 /// diagonal blocks of D, `below` the blocks of L times l, and `diagonal` nothing of use.
-/// @param scratch as many blocks as the longest column
+/// Where two blocks l and b are in a column, the block in the row of l and the column of b's row is there too: it takes
+/// −l bᵀ.
+/// @param scratch      as many blocks as the longest column
+/// @param block_at_row as many numbers as columns
 void factorise(const LdltStructure& shape, std::span<BodyBlock> below, std::span<BodyBlock> diagonal,
-               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch);
+               std::span<DiagonalFactor> factor, std::span<BodyBlock> scratch, std::span<std::uint32_t> block_at_row);
 
 /// Solves L D Lᵀ x = x in place; rows in order of elimination.
 void solve(const LdltStructure& shape, std::span<const BodyBlock> below, std::span<const DiagonalFactor> factor,

@@ -135,6 +135,7 @@ struct Chain {
   LdltStructure shape;
   std::vector<BodyBlock> below, diagonal, scratch;
   std::vector<DiagonalFactor> factor;
+  std::vector<std::uint32_t> block_at_row;
   std::vector<BodyVector> right;
   Eigen::MatrixXd matrix;
 };
@@ -144,26 +145,15 @@ Chain random_chain(std::uint32_t seed) {
   Random random(seed);
   Chain chain;
   chain.shape.column_begin = {0};
-  chain.shape.update_begin = {0};
   for (std::uint32_t j = 0; j < kColumns; ++j) {
     for (std::uint32_t row = j + 1; row < std::min(j + 3, kColumns); ++row) chain.shape.block_row.push_back(row);
     chain.shape.column_begin.push_back(static_cast<std::uint32_t>(chain.shape.block_row.size()));
   }
-  const auto below_count = static_cast<std::uint32_t>(chain.shape.block_row.size());
-  for (std::uint32_t j = 0; j < kColumns; ++j) {
-    for (std::uint32_t k = chain.shape.column_begin[j]; k < chain.shape.column_begin[j + 1]; ++k) {
-      const std::uint32_t column = chain.shape.block_row[k];
-      chain.shape.updates.push_back({below_count + column, k, k});
-      // The two rows of a column are neighbours: their own block is the first of the earlier one's column.
-      if (k + 1 < chain.shape.column_begin[j + 1])
-        chain.shape.updates.push_back({chain.shape.column_begin[column], k + 1, k});
-    }
-    chain.shape.update_begin.push_back(static_cast<std::uint32_t>(chain.shape.updates.size()));
-  }
-  chain.below.resize(below_count);
+  chain.below.resize(chain.shape.block_row.size());
   chain.diagonal.resize(kColumns);
   chain.factor.resize(kColumns);
   chain.scratch.resize(2);
+  chain.block_at_row.resize(kColumns);
   chain.right.resize(kColumns);
 
   const Eigen::Index rows = kColumns * kBodyRows;
@@ -199,7 +189,7 @@ TEST_CASE("ldlt_kernels: what is factorised is solved", "[core][ldlt_kernels]") 
       for (std::size_t k = 0; k < kBodyRows; ++k)
         right[static_cast<Eigen::Index>(j * kBodyRows + k)] = chain.right[j].row[padded_row(k)];
     const Eigen::VectorXd exact = chain.matrix.ldlt().solve(right);
-    factorise(chain.shape, chain.below, chain.diagonal, chain.factor, chain.scratch);
+    factorise(chain.shape, chain.below, chain.diagonal, chain.factor, chain.scratch, chain.block_at_row);
     solve(chain.shape, chain.below, chain.factor, chain.right);
     double worst = 0.0;
     for (std::size_t j = 0; j < chain.right.size(); ++j)
@@ -265,7 +255,8 @@ TEST_CASE("ldlt_kernels: every instruction set computes the same bits", "[core][
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
     Output& out = outputs.emplace_back(Output{penalty_of(contacts, true), resistance_of(contacts, resistance), chain});
-    factorise(out.chain.shape, out.chain.below, out.chain.diagonal, out.chain.factor, out.chain.scratch);
+    factorise(out.chain.shape, out.chain.below, out.chain.diagonal, out.chain.factor, out.chain.scratch,
+              out.chain.block_at_row);
     solve(out.chain.shape, out.chain.below, out.chain.factor, out.chain.right);
   });
   REQUIRE_FALSE(outputs.empty());
