@@ -87,8 +87,9 @@ class DumpingEngine final : public Engine {
 
   const EngineTraits& traits() const override { return traits_; }
   std::unique_ptr<Simulation> build(const WorldBatch& batch) const override {
-    return std::make_unique<OneWorld>(NativeWorld(batch, batch.worlds.front(), settings_, native_options(settings_),
-                                                  std::make_unique<DumpingSolver>(folder_, every_)));
+    const NativeOptions options = native_options(settings_);
+    auto memory = std::make_unique<WorldMemory>(options, std::make_unique<DumpingSolver>(folder_, every_));
+    return std::make_unique<OneWorld>(NativeWorld(batch, batch.worlds.front(), settings_, options, std::move(memory)));
   }
 
  private:

@@ -8,9 +8,16 @@ namespace {
 
 class NativeSimulation final : public SteppedSimulation {
  public:
-  NativeSimulation(const WorldBatch& batch, const Settings& settings, const native::NativeOptions& options) {
+  NativeSimulation(const WorldBatch& batch, const Settings& settings, const native::NativeOptions& options,
+                   std::shared_ptr<native::WorldMemoryPool> pool)
+      : pool_(std::move(pool)) {
     for (const World& world : batch.worlds)
-      worlds_.push_back(std::make_unique<native::NativeWorld>(batch, world, settings, options));
+      worlds_.push_back(std::make_unique<native::NativeWorld>(batch, world, settings, options, pool_->take()));
+  }
+  NativeSimulation(const NativeSimulation&) = delete;
+  NativeSimulation& operator=(const NativeSimulation&) = delete;
+  ~NativeSimulation() override {
+    for (const auto& world : worlds_) pool_->give_back(world->release_memory());
   }
 
   void mark(std::size_t world) override { worlds_[world]->mark(); }
@@ -29,12 +36,16 @@ class NativeSimulation final : public SteppedSimulation {
  private:
   double step(std::size_t world, const Phase& phase) override { return worlds_[world]->advance(phase); }
 
+  std::shared_ptr<native::WorldMemoryPool> pool_;
   std::vector<std::unique_ptr<native::NativeWorld>> worlds_;
 };
 
 }  // namespace
 
-NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), options_(native::native_options(settings)) {
+NativeEngine::NativeEngine(const Settings& settings)
+    : settings_(settings),
+      options_(native::native_options(settings)),
+      pool_(std::make_shared<native::WorldMemoryPool>(options_)) {
   traits_.name = "native";
   traits_.rewinds = true;
   traits_.measures_walls = true;
@@ -43,7 +54,7 @@ NativeEngine::NativeEngine(const Settings& settings) : settings_(settings), opti
 }
 
 std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {
-  return std::make_unique<NativeSimulation>(batch, settings_, options_);
+  return std::make_unique<NativeSimulation>(batch, settings_, options_, pool_);
 }
 
 std::vector<Error> unsupported_by_native(const Settings& settings) {

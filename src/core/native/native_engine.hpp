@@ -10,6 +10,10 @@
 
 namespace holdfast::internal {
 
+namespace native {
+class WorldMemoryPool;
+}
+
 /// The project's own engine: hard contacts solved to a tolerance, and no work where nothing changes;
 /// docs/physics.md derives it.
 class NativeEngine final : public Engine {
@@ -23,6 +27,7 @@ class NativeEngine final : public Engine {
  private:
   Settings settings_;
   native::NativeOptions options_;
+  std::shared_ptr<native::WorldMemoryPool> pool_;  ///< simulations may outlive the engine
   EngineTraits traits_;
 };
 

@@ -38,16 +38,18 @@ std::vector<Side> sides_of(const ContainerSettings& container, double friction, 
 }  // namespace
 
 NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings,
-                         const NativeOptions& options, std::unique_ptr<ContactSolver> solver)
+                         const NativeOptions& options, std::unique_ptr<WorldMemory> memory)
     : world_(world),
       options_(options),
       gravity_(0.0, 0.0, -settings.gravity),
       contact_(world.contact),
-      stepper_(options, std::move(solver)) {
+      memory_(std::move(memory)) {
   scene_.bodies = bodies_of(batch, world);
   scene_.sides = sides_of(settings.container, world.container_friction, scene_.bodies.shape);
   scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
+  scene_.manifolds = std::move(memory_->manifolds);
+  scene_.undo = std::move(memory_->undone);
   scene_.manifolds.reserve(kLikelyManifolds * count);
   sleeping_ = SleepingBodies(count);
   resting_.assign(count, 0);
@@ -75,6 +77,14 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
                                   [](const ContactPoint& p) { return p.gap <= kContactTolerance; });
   }
   connectivity_.find(scene_.bodies, scene_.manifolds);
+}
+
+std::unique_ptr<WorldMemory> NativeWorld::release_memory() {
+  scene_.manifolds.clear();
+  scene_.undo.clear();
+  memory_->manifolds = std::move(scene_.manifolds);
+  memory_->undone = std::move(scene_.undo);
+  return std::move(memory_);
 }
 
 /// What a body moves in a step under gravity and an acceleration in the worst direction, m.

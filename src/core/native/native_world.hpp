@@ -11,9 +11,9 @@
 #include "core/native/collision/broad_phase.hpp"
 #include "core/native/collision/pair_table.hpp"
 #include "core/native/connectivity.hpp"
-#include "core/native/island_stepper.hpp"
 #include "core/native/sleeping_bodies.hpp"
 #include "core/native/world_invariants.hpp"
+#include "core/native/world_memory.hpp"
 
 namespace holdfast::internal::native {
 
@@ -21,7 +21,10 @@ namespace holdfast::internal::native {
 class NativeWorld {
  public:
   NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings, const NativeOptions& options,
-              std::unique_ptr<ContactSolver> solver = make_contact_solver());
+              std::unique_ptr<WorldMemory> memory);
+
+  /// Ends the world, and returns the memory that it was given.
+  std::unique_ptr<WorldMemory> release_memory();
 
   /// Takes the next step inside the phase, or all of them when nothing moves. Returns the time reached, s.
   double advance(const Phase& phase);
@@ -110,7 +113,7 @@ class NativeWorld {
   ContactSettings contact_;
   Scene scene_;
   StepTerms terms_;
-  IslandStepper stepper_;
+  std::unique_ptr<WorldMemory> memory_;
 
   PairTable pairs_;  ///< the manifold of body or side a and body b; of two bodies a < b
   SleepingBodies sleeping_;

@@ -53,7 +53,7 @@ bool NativeWorld::is_due(const IslandView& island) {
 
 bool NativeWorld::prove_rest(const IslandView& island, bool leans) {
   IslandReport report;
-  const bool rests = stepper_.rests(scene_, island, terms_, leans, report);
+  const bool rests = memory_->stepper.rests(scene_, island, terms_, leans, report);
   counters_.solve_iterations += report.iterations;
   for (const std::uint32_t body : island.bodies) refuted_[body] = rests ? 0 : 1;
   return rests;
@@ -90,7 +90,7 @@ void NativeWorld::find_resting_pushes(const IslandView& island) {
   std::erase_if(scene_.resting_pushes, [&](const SidePush& push) {
     return std::find(island.bodies.begin(), island.bodies.end(), push.body) != island.bodies.end();
   });
-  stepper_.find_resting_pushes(scene_, island, terms_);
+  memory_->stepper.find_resting_pushes(scene_, island, terms_);
 }
 
 /// Adds what sleeping bodies do to the sides by themselves: what they did when they fell asleep. What moving bodies do

@@ -116,7 +116,7 @@ void NativeWorld::step_islands() {
   }
   const auto advance = [&](const IslandView& island) {
     IslandReport report;
-    stepper_.advance(scene_, island, terms_, report);
+    memory_->stepper.advance(scene_, island, terms_, report);
     counters_.solve_iterations += report.iterations;
     // An island that steps again overwrites its first report.
     for (const std::uint32_t body : island.bodies) reports_[body] = report;
@@ -137,7 +137,7 @@ void NativeWorld::step_islands() {
 void NativeWorld::correct_positions() {
   for (std::size_t i = 0; i < connectivity_.size(); ++i) {
     const IslandView island = connectivity_[i];
-    if (moving_[island.bodies.front()] != 0) stepper_.correct_positions(scene_, island, terms_);
+    if (moving_[island.bodies.front()] != 0) memory_->stepper.correct_positions(scene_, island, terms_);
   }
 }
 

@@ -42,7 +42,8 @@ struct OneWorld {
       : settings(given),
         layout(std::move(boxes)),
         acceleration(std::move(motion)),
-        world(batch, batch.worlds.front(), settings, native::native_options(settings), std::move(solver)) {}
+        world(batch, batch.worlds.front(), settings, native::native_options(settings),
+              std::make_unique<native::WorldMemory>(native::native_options(settings), std::move(solver))) {}
   OneWorld(const OneWorld&) = delete;
   OneWorld& operator=(const OneWorld&) = delete;
 

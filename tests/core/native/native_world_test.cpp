@@ -143,7 +143,8 @@ TEST_CASE("native_world: a world of a batch writes its own bodies alone", "[core
   const Acceleration acceleration = constant(3.0, 0.5);
   const Acceleration* pointer = &acceleration;
   WorldBatch batch = batch_of(layouts, {&pointer, 1}, settings);
-  NativeWorld second(batch, batch.worlds[1], settings, native_options(settings));
+  NativeWorld second(batch, batch.worlds[1], settings, native_options(settings),
+                     std::make_unique<WorldMemory>(native_options(settings)));
   const Phase phase = first_phase(acceleration);
   while (second.advance(phase) < phase.end) {
   }

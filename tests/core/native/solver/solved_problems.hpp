@@ -47,8 +47,9 @@ inline std::vector<SolvedProblem> problems_of_a_stack() {
   const Acceleration* const accelerations[] = {&acceleration};
   const WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
   std::vector<SolvedProblem> problems;
-  NativeWorld world(batch, batch.worlds.front(), settings, native_options(settings),
-                    std::make_unique<KeepingSolver>(problems));
+  const NativeOptions options = native_options(settings);
+  NativeWorld world(batch, batch.worlds.front(), settings, options,
+                    std::make_unique<WorldMemory>(options, std::make_unique<KeepingSolver>(problems)));
   for (const Phase& phase : phases_of(acceleration, 0.2))
     while (world.advance(phase) < phase.end) continue;
   return problems;
