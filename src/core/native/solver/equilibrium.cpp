@@ -16,8 +16,9 @@ double EquilibriumCheck::residual(const ContactProblem& problem, double velocity
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
     const ProblemBody& body = problem.bodies[i];
     const double* f = force_[i].row;
+    const double* t = f + kAngularRow;
     const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    const double torque = std::sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
+    const double torque = std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
     if (std::isnan(force) || std::isnan(torque)) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, std::max(force, torque / body.radius) / (body.mass * velocity_unit));
   }
