@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/native/solver/body_kernels.hpp"
 #include "core/native/solver/contact_kernels.hpp"
 #include "core/native/solver/penalty_kernels.hpp"
 
@@ -45,24 +46,6 @@ void AdmmSolver::factorise(const ContactProblem& problem) {
   ldlt_.factorise();
 }
 
-/// Adds the change to the velocities. Returns the largest change of the speed of any point, m/s.
-double AdmmSolver::update_velocities(ContactProblem& problem) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    double linear = 0.0, angular = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      problem.velocity[i].row[k] += change_[i].row[k];
-      problem.velocity[i].row[kAngularRow + k] += change_[i].row[kAngularRow + k];
-      linear += change_[i].row[k] * change_[i].row[k];
-      angular += change_[i].row[kAngularRow + k] * change_[i].row[kAngularRow + k];
-    }
-    const double change = std::sqrt(linear) + problem.bodies[i].radius * std::sqrt(angular);
-    // Not std::max, which would lose what is not a number.
-    if (!(change <= largest)) largest = change;
-  }
-  return largest;
-}
-
 SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits) {
   // A problem that `order` was not asked for, such as one that was read from a file, is in its own order.
   if (problem.bodies.size() != ordered_count_ || problem.pairs != ordered_pairs_)
@@ -98,9 +81,10 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
       primal_residual = relax_and_project(limits.projection, problem.constraints, problem.mid_arms, problem.velocity,
                                           limits.relaxation, problem.normal_bounds, wrench_);
     }
-    momentum_residual(problem, wrench_, false, change_);
+    change_.resize(problem.bodies.size());
+    momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench_, change_);
     ldlt_.solve(change_);
-    const double largest_change = update_velocities(problem);
+    const double largest_change = add_velocity_changes(problem.bodies, change_, problem.velocity);
     ++result.iterations;
     result.residual = primal_residual.largest > largest_change ? primal_residual.largest : largest_change;
     result.converged = result.iterations >= kLeastIterations && result.residual <= tolerance;

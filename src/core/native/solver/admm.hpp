@@ -27,7 +27,6 @@ class AdmmSolver final : public ContactSolver {
  private:
   bool refit_penalty(ContactProblem& problem, const SolveLimits& limits, std::size_t points);
   void factorise(const ContactProblem& problem);
-  double update_velocities(ContactProblem& problem);
 
   BlockLdlt ldlt_;
   std::vector<BodyPair> ordered_pairs_;  ///< of the last `order`, as the renumbered problem has them

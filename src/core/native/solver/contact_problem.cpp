@@ -44,23 +44,4 @@ double largest_speed(const ContactProblem& problem) {
   return largest;
 }
 
-void momentum_residual(const ContactProblem& problem, std::span<const LaneWrench> wrench, bool at_rest,
-                       std::vector<BodyVector>& out) {
-  out.resize(problem.bodies.size());
-  const BodyVector rest;
-  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const BodyVector& v = at_rest ? rest : problem.velocity[i];
-    const BodyVector& free = problem.free_velocity[i];
-    const auto total = [&](std::size_t row) {
-      const double* lane = wrench[i].row[row];
-      return (lane[0] + lane[1]) + (lane[2] + lane[3]);
-    };
-    const Vec3 turning = problem.bodies[i].inertia * (angular(free) - angular(v));
-    for (std::size_t k = 0; k < 3; ++k) {
-      out[i].row[k] = problem.bodies[i].mass * (free.row[k] - v.row[k]) + total(k);
-      out[i].row[kAngularRow + k] = turning[static_cast<Eigen::Index>(k)] + total(3 + k);
-    }
-  }
-}
-
 }  // namespace holdfast::internal::native

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +25,7 @@ struct ProblemBody {
   Mat3 inertia = Mat3::Zero();  ///< container frame, at the end of the step, kg m²
   double radius = 0.0;          ///< of the sphere around the box, m
 };
+static_assert(offsetof(ProblemBody, radius) == offsetof(ProblemBody, inertia) + sizeof(Mat3));
 
 /// Bodies that contacts join, as plain data: what a contact solver reads, and the start values that it replaces by the
 /// solution. Bodies are in the order in which the solver wants to eliminate them, see `ContactSolver::order`; the index
@@ -59,10 +61,5 @@ double largest_speed(const ContactProblem& problem, std::size_t body);
 
 /// No point of any body moves faster than this, m/s.
 double largest_speed(const ContactProblem& problem);
-
-/// What is left of the momentum equation, M (v* − v) + the wrench of the impulses, into `out`.
-/// @param at_rest with v = 0 instead of the problem's velocities
-void momentum_residual(const ContactProblem& problem, std::span<const LaneWrench> wrench, bool at_rest,
-                       std::vector<BodyVector>& out);
 
 }  // namespace holdfast::internal::native

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/native/solver/body_kernels.hpp"
 #include "core/native/solver/contact_kernels.hpp"
 
 namespace holdfast::internal::native {
@@ -11,7 +12,8 @@ namespace holdfast::internal::native {
 double EquilibriumCheck::residual(const ContactProblem& problem, double velocity_unit) {
   wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
   add_impulses(problem.constraints, problem.mid_arms, wrench_);
-  momentum_residual(problem, wrench_, true, force_);
+  force_.resize(problem.bodies.size());
+  momentum_residual(problem.bodies, problem.free_velocity, nullptr, wrench_, force_);
   double worst = 0.0;
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
     const ProblemBody& body = problem.bodies[i];

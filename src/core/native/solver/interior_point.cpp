@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/native/constants.hpp"
+#include "core/native/solver/body_kernels.hpp"
 #include "core/native/solver/contact_kernels.hpp"
 
 namespace holdfast::internal::native {
@@ -95,7 +96,8 @@ double InteriorPoint::find_direction(ContactProblem& problem, const InteriorTarg
   find_drive(target, points_, resistance_, u_, problem.constraints);
   wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
   add_impulses(problem.constraints, {}, wrench_);
-  momentum_residual(problem, wrench_, false, dv_);
+  dv_.resize(problem.bodies.size());
+  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench_, dv_);
   ldlt_.solve(dv_);
   dv_.emplace_back();
   find_contact_velocities(problem.constraints, dv_, change_);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/native/solver/body_kernels.hpp"
+#include "core/native/solver/contact_kernels.hpp"
 #include "core/native/solver/equilibrium.hpp"
 #include "core/native/solver/solved_problems.hpp"
 #include "same_bits.hpp"
@@ -60,8 +62,8 @@ double sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lane
 double violation(const ContactProblem& problem) {
   std::vector<LaneWrench> wrench(problem.bodies.size() + 1);
   add_impulses(problem.constraints, problem.mid_arms, wrench);
-  std::vector<BodyVector> left;
-  momentum_residual(problem, wrench, false, left);
+  std::vector<BodyVector> left(problem.bodies.size());
+  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, left);
   double worst = 0.0;
   for (std::size_t i = 0; i < left.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(left[i].row[k]) / problem.bodies[i].mass);
