@@ -1,6 +1,7 @@
 #include "core/native/connectivity.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -40,14 +41,19 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
     }
     ++ranges_[island_of_[i]].body_end;
   }
-  const auto island_of_end = [&](std::int32_t body) { return body < 0 ? kNone : island_of_[at(body)]; };
-  island_of_manifold_.clear();
-  for (const auto& [a, b] : ends_) {
-    const std::uint32_t of_a = island_of_end(a);
-    const std::uint32_t of_b = island_of_end(b);
-    const std::uint32_t island = of_a == kNone ? of_b : of_b == kNone || of_a == of_b ? of_a : kNone;
-    island_of_manifold_.push_back(island);
-    if (island != kNone) ++ranges_[island].manifold_end;
+  // What belongs to no island is counted and sorted like the rest, into a range of its own at the end: which manifolds
+  // these are, no processor could predict.
+  const auto none = static_cast<std::uint32_t>(ranges_.size());
+  ranges_.emplace_back();
+  island_of_manifold_.resize(ends_.size());
+  for (std::size_t m = 0; m < ends_.size(); ++m) {
+    const std::uint32_t of_a = ends_[m].first < 0 ? kNone : island_of_[at(ends_[m].first)];
+    const std::uint32_t of_b = island_of_[at(ends_[m].second)];
+    static_assert(kNone == std::numeric_limits<std::uint32_t>::max());
+    const std::uint32_t least = std::min(of_a, of_b);
+    const bool inside = of_a == of_b || std::max(of_a, of_b) == kNone;
+    island_of_manifold_[m] = std::min(inside ? least : kNone, none);
+    ++ranges_[island_of_manifold_[m]].manifold_end;
   }
   std::size_t bodies_before = 0, manifolds_before = 0;
   for (Range& island : ranges_) {
@@ -60,10 +66,8 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
   inside_.resize(manifolds_before);
   for (std::uint32_t i = 0; i < count; ++i)
     if (island_of_[i] != kNone) members_[ranges_[island_of_[i]].body_end++] = i;
-  for (std::uint32_t m = 0; m < manifolds.size(); ++m) {
-    const std::uint32_t island = island_of_manifold_[m];
-    if (island != kNone) inside_[ranges_[island].manifold_end++] = m;
-  }
+  for (std::uint32_t m = 0; m < ends_.size(); ++m) inside_[ranges_[island_of_manifold_[m]].manifold_end++] = m;
+  ranges_.pop_back();
 }
 
 bool Connectivity::is_in_large_island(std::int32_t body) const {

@@ -4,8 +4,8 @@
 
 namespace holdfast::internal::native {
 
-bool is_missed_contact(const ContactSet& contact, const ContactSet& before, double deep) {
-  return contact.count > 0 && contact.nearest_gap() < std::min(0.0, before.nearest_gap()) - deep;
+bool is_missed_contact(const ContactSet& contact, double gap_before, double deep) {
+  return contact.nearest_gap() < std::min(0.0, gap_before) - deep;
 }
 
 bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {

@@ -11,11 +11,41 @@ namespace holdfast::internal::native {
 
 inline std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
+/// How a rigid body moves: the velocity of its centre of mass, m/s, and its angular velocity, rad/s.
+struct Twist {
+  Vec3 centre = Vec3::Zero();  ///< of mass, m
+  Vec3 linear = Vec3::Zero();
+  Vec3 angular = Vec3::Zero();
+
+  /// Velocity of the body's point that is there, m/s.
+  Vec3 at_point(const Vec3& point) const { return linear + angular.cross(point - centre); }
+};
+
+/// The twist of a body; a negative index is a side of the container.
+inline Twist twist_of(const Bodies& bodies, std::int32_t body) {
+  if (body < 0) return {};
+  const StateColumns& state = bodies.state;
+  return {state.position[at(body)], state.velocity[at(body)], state.angular_velocity[at(body)]};
+}
+
+/// How the two bodies of a contact move, for the velocities at all of its points.
+class RelativeTwist {
+ public:
+  RelativeTwist(const Twist& a, const Twist& b, const Vec3& normal) : a_(a), b_(b), normal_(normal) {}
+
+  /// Of the surfaces: positive where they separate, m/s.
+  double normal_velocity(const ContactPoint& point) const {
+    return normal_.dot(b_.at_point(point.on_b) - a_.at_point(point.on_a));
+  }
+
+ private:
+  Twist a_, b_;
+  Vec3 normal_;
+};
+
 /// Velocity of a body at a point, m/s; a negative index is a side of the container.
 inline Vec3 velocity_at(const Bodies& bodies, std::int32_t body, const Vec3& point) {
-  if (body < 0) return Vec3::Zero();
-  const StateColumns& state = bodies.state;
-  return state.velocity[at(body)] + state.angular_velocity[at(body)].cross(point - state.position[at(body)]);
+  return body < 0 ? Vec3(Vec3::Zero()) : twist_of(bodies, body).at_point(point);
 }
 
 /// Velocity of b's surface relative to a's, m/s.
@@ -64,7 +94,8 @@ inline double leaning_gap(const Bodies& bodies, const Manifold& manifold) {
 
 /// Whether a contact overlaps by `deep`, m, more than the one before it, so that it should have been found earlier.
 /// Corners that approach along two directions at once have no contact until they overlap.
-bool is_missed_contact(const ContactSet& contact, const ContactSet& before, double deep);
+/// @param gap_before nearest gap of the contact before it, m; infinite: there was none
+bool is_missed_contact(const ContactSet& contact, double gap_before, double deep);
 
 /// Overlap at the end of a step from which a contact has to be solved, m: little beside what a body falls in the step.
 /// @param least no less than this, m

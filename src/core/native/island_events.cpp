@@ -47,15 +47,11 @@ double IslandStepper::end_normal_velocity(const Bodies& bodies, const Manifold& 
   return manifold.contact.normal.dot(end_velocity(bodies, manifold, point));
 }
 
-/// How far the surfaces of a contact separate in the step at a point, m.
-double IslandStepper::separation_in_step(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point,
-                                         double step) const {
-  const auto velocity = [&](std::int32_t body, const Vec3& at_point) -> Vec3 {
-    if (stays(bodies, body)) return Vec3::Zero();
-    const BodyVector& v = mean_velocity_[at(body)];
-    return linear(v) + angular(v).cross(at_point - bodies.state.position[at(body)]);
-  };
-  return step * manifold.contact.normal.dot(velocity(manifold.b, point.on_b) - velocity(manifold.a, point.on_a));
+/// How a body of the island moves through the step, on average.
+Twist IslandStepper::mean_twist(const Bodies& bodies, std::int32_t body) const {
+  if (stays(bodies, body)) return {};
+  const BodyVector& v = mean_velocity_[at(body)];
+  return {bodies.state.position[at(body)], linear(v), angular(v)};
 }
 
 void IslandStepper::resolve_impacts(Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -144,10 +140,12 @@ void IslandStepper::activate_nearby(Scene& scene, const IslandView& island, cons
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     if (manifold.active || stays(bodies, manifold.a) || stays(bodies, manifold.b)) continue;
+    const RelativeTwist now(twist_of(bodies, manifold.a), twist_of(bodies, manifold.b), manifold.contact.normal);
+    const RelativeTwist mean(mean_twist(bodies, manifold.a), mean_twist(bodies, manifold.b), manifold.contact.normal);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      const double u0 = normal_velocity(bodies, manifold, point);
-      const double gap_end = point.gap + separation_in_step(bodies, manifold, point, step);
+      const double u0 = now.normal_velocity(point);
+      const double gap_end = point.gap + step * mean.normal_velocity(point);
       if (!filter.takes(point.gap, u0, step) || gap_end >= near) continue;
       manifold.activate();
     }
@@ -164,14 +162,19 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
   const double overlap = penetration_slop(terms, effort_.penetration_slop);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
+    const auto in_solve = [&](const ContactPoint& point) { return manifold.active && filter.is_closed(point.gap); };
+    const auto points = manifold.contact.points.begin();
+    if (std::all_of(points, points + manifold.contact.count, in_solve)) continue;
+    const RelativeTwist now(twist_of(bodies, manifold.a), twist_of(bodies, manifold.b), manifold.contact.normal);
+    const RelativeTwist mean(mean_twist(bodies, manifold.a), mean_twist(bodies, manifold.b), manifold.contact.normal);
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      if (manifold.active && filter.is_closed(point.gap)) continue;
-      const double u0 = normal_velocity(bodies, manifold, point);
+      if (in_solve(point)) continue;
+      const double u0 = now.normal_velocity(point);
       const auto bit = static_cast<std::uint8_t>(1U << i);
       const bool solved = (predicted_[index] & bit) != 0 || filter.takes(point.gap, u0, step);
       if (manifold.active && solved) continue;
-      const double gap_end = point.gap + separation_in_step(bodies, manifold, point, step);
+      const double gap_end = point.gap + step * mean.normal_velocity(point);
       if (gap_end >= -overlap) continue;
       const double u1 = end_normal_velocity(bodies, manifold, point);
       // gap + u0 t + (u1 − u0) t² / (2 step) = 0, the root in the step, in the form without cancellation.

@@ -217,7 +217,7 @@ bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const Ste
   const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
   const ContactSet contact =
       contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
-  const bool missed = is_missed_contact(contact, manifold.contact, options_.missed_contact_overlap);
+  const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.missed_contact_overlap);
   update_contact(manifold, contact, scene.bodies);
   return missed;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/native/contact_kinematics.hpp"
 #include "core/native/island_problem.hpp"
 #include "core/native/native_options.hpp"
 #include "core/native/position_correction.hpp"
@@ -84,8 +85,7 @@ class IslandStepper {
   double located_speed(const StepTerms& terms) const;
   Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
   Vec3 end_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
-  double separation_in_step(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point,
-                            double step) const;
+  Twist mean_twist(const Bodies& bodies, std::int32_t body) const;
   double end_normal_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
   bool propagate_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);

@@ -31,15 +31,15 @@ bool have_passed(const Vec3& before, const Vec3& after, const Vec3& room, double
 void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const Bodies& bodies = scene_.bodies;
   const std::int32_t known = pairs_.find(a, b);
-  static const ContactSet kNone;
-  const ContactSet& before = known < 0 ? kNone : scene_.manifolds[at(known)].contact;
+  static const Manifold kNone;
+  const Manifold& before = known < 0 ? kNone : scene_.manifolds[at(known)];
   const ContactSet contact =
-      contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before.axis);
+      contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before.contact.axis);
   // What was solved with this contact would be solved with it again: the overlap is what the solve left.
-  const bool solved = known >= 0 && scene_.manifolds[at(known)].active && contact.axis == before.axis &&
+  const bool solved = before.active && contact.axis == before.contact.axis &&
                       (connectivity_.is_in_large_island(a) || connectivity_.is_in_large_island(b));
   const double overlap = (solved ? kSolvedOverlap : 1.0) * options_.missed_contact_overlap;
-  if (is_missed_contact(contact, before, overlap)) {
+  if (is_missed_contact(contact, before.nearest_gap, overlap)) {
     mark_failed(a, b);
     if (!solved) late_contacts_.push_back({a, b, contact, poses_of(bodies, a, b)});
   }

@@ -29,19 +29,19 @@ void NativeWorld::restore(std::size_t body) {
 bool NativeWorld::activate_predicted() {
   const Bodies& bodies = scene_.bodies;
   const double overlap = penetration_slop(terms_, 0.0);
-  const auto speed = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (body < 0 || moving_[at(body)] == 0) return Vec3::Zero();
+  const auto mean_twist = [&](std::int32_t body) -> Twist {
+    if (body < 0 || moving_[at(body)] == 0) return {};
     const std::size_t i = at(body);
-    const Vec3 v = bodies.state.velocity[i] + 0.5 * terms_.step * bodies.acceleration[i];
-    const Vec3 w = bodies.state.angular_velocity[i] + 0.5 * terms_.step * bodies.angular_acceleration[i];
-    return v + w.cross(point - bodies.state.position[i]);
+    return {bodies.state.position[i], bodies.state.velocity[i] + 0.5 * terms_.step * bodies.acceleration[i],
+            bodies.state.angular_velocity[i] + 0.5 * terms_.step * bodies.angular_acceleration[i]};
   };
   bool any = false;
   for (Manifold& manifold : scene_.manifolds) {
     if (manifold.active || !has_end_in(manifold, moving_) || has_end_in(manifold, ahead_)) continue;
+    const RelativeTwist mean(mean_twist(manifold.a), mean_twist(manifold.b), manifold.contact.normal);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      const double u = manifold.contact.normal.dot(speed(manifold.b, point.on_b) - speed(manifold.a, point.on_a));
+      const double u = mean.normal_velocity(point);
       if (point.gap + terms_.step * u >= -overlap) continue;
       manifold.activate();
       any = true;

@@ -89,9 +89,10 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
   bool any_hit = false;
   for (const Manifold& manifold : scene.manifolds) {
     if (manifold.with_side() || is_asleep(bodies, manifold.a) == is_asleep(bodies, manifold.b)) continue;
+    const RelativeTwist now(twist_of(bodies, manifold.a), twist_of(bodies, manifold.b), manifold.contact.normal);
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
       const ContactPoint& point = manifold.contact.points[i];
-      const double speed = normal_velocity(bodies, manifold, point);
+      const double speed = now.normal_velocity(point);
       if (speed >= -kJumpShare * terms.velocity_unit || point.gap + terms.step * speed >= 0.0) continue;
       hit_[at(is_asleep(bodies, manifold.a) ? manifold.a : manifold.b)] = 1;
       any_hit = true;

@@ -11,6 +11,9 @@ namespace holdfast::internal::native {
 
 namespace {
 
+/// More than what rounding may do to a square.
+constexpr double kSurely = 1.0 + 1e-9;
+
 /// Square of a projected axis' length below which the axis points at the plane, and gives the outline no edge.
 constexpr double kEndOn = 1e-6;
 
@@ -142,6 +145,9 @@ bool is_between(const Corner& corner, const Corner& before, const Corner& after)
   const double to_u = corner.u - before.u;
   const double to_v = corner.v - before.v;
   const double square = along_u * along_u + along_v * along_v;
+  // Most corners are far from the line, which needs no division.
+  const double product = along_u * to_v - along_v * to_u;
+  if (product * product > kSurely * kTouch * kTouch * square) return false;
   const double part = square > 0.0 ? std::clamp((to_u * along_u + to_v * along_v) / square, 0.0, 1.0) : 0.0;
   const double off_u = to_u - part * along_u;
   const double off_v = to_v - part * along_v;

@@ -30,11 +30,11 @@ class Motion {
 };
 
 /// Carries each point's cached impulse over from the old point that, as part of one of the bodies, has come nearest.
-/// @param now poses of the bodies, where the new contact was found
-void match_points(Manifold& manifold, const ContactSet& contact, const std::array<OrientedBox, 2>& now) {
+/// @param now_a,now_b poses of the bodies, where the new contact was found
+void match_points(Manifold& manifold, const ContactSet& contact, const OrientedBox& now_a, const OrientedBox& now_b) {
   const ContactSet& old = manifold.contact;
-  const Motion of_a(manifold.found_at[0], now[0]);
-  const Motion of_b(manifold.found_at[1], now[1]);
+  const Motion of_a(manifold.found_at[0], now_a);
+  const Motion of_b(manifold.found_at[1], now_b);
   // A point may slide over one of the two bodies.
   const auto square_on_a = [&](std::size_t i, std::size_t j) {
     return (contact.points[i].on_a - of_a(old.points[j].on_a)).squaredNorm();
@@ -89,11 +89,13 @@ ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox
 }
 
 void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
-  const std::array<OrientedBox, 2> now = poses_of(bodies, manifold.a, manifold.b);
-  if (manifold.active) match_points(manifold, contact, now);
+  static const OrientedBox kSide;
+  const OrientedBox& now_a = manifold.with_side() ? kSide : bodies.shape[static_cast<std::size_t>(manifold.a)];
+  const OrientedBox& now_b = bodies.shape[static_cast<std::size_t>(manifold.b)];
+  if (manifold.active) match_points(manifold, contact, now_a, now_b);
   manifold.contact = contact;
   manifold.nearest_gap = contact.nearest_gap();
-  manifold.found_at = now;
+  manifold.found_at = {now_a, now_b};
 }
 
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
