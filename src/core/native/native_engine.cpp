@@ -1,5 +1,7 @@
 #include "core/native/native_engine.hpp"
 
+#include <exception>
+
 #include "core/native/native_world.hpp"
 
 namespace holdfast::internal {
@@ -17,6 +19,8 @@ class NativeSimulation final : public SteppedSimulation {
   NativeSimulation(const NativeSimulation&) = delete;
   NativeSimulation& operator=(const NativeSimulation&) = delete;
   ~NativeSimulation() override {
+    // What an exception has left half done is not kept.
+    if (std::uncaught_exceptions() > exceptions_) return;
     for (const auto& world : worlds_) pool_->give_back(world->release_memory());
   }
 
@@ -37,6 +41,7 @@ class NativeSimulation final : public SteppedSimulation {
   double step(std::size_t world, const Phase& phase) override { return worlds_[world]->advance(phase); }
 
   std::shared_ptr<native::WorldMemoryPool> pool_;
+  int exceptions_ = std::uncaught_exceptions();
   std::vector<std::unique_ptr<native::NativeWorld>> worlds_;
 };
 

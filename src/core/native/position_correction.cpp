@@ -103,6 +103,7 @@ void PositionCorrection::visit_later(std::uint32_t contact) {
 void PositionCorrection::find(const Scene& scene, const IslandView& island, double tolerance) {
   const Bodies& bodies = scene.bodies;
   const std::size_t count = island.manifolds.size();
+  fixed_ = {};
   displacements_.assign(bodies.count(), {});
   impulses_.assign(count, {});
   waits_.assign(count, 0);

@@ -22,13 +22,14 @@ struct WorldMemory {
 };
 
 /// Keeps the memory of worlds that have ended for those that come: the first access to a new page of memory is a call
-/// of the system, and a short world has many (docs/performance.md). May be used by several threads.
+/// of the system, and a short world has many (docs/performance.md). May be used by several threads, none of which ever
+/// waits: in the child of a fork the lock may be held by a thread that is not there. Memory is new, or freed, instead.
 class WorldMemoryPool {
  public:
   explicit WorldMemoryPool(const NativeOptions& options) : options_(options) {}
 
   std::unique_ptr<WorldMemory> take();
-  void give_back(std::unique_ptr<WorldMemory> memory);
+  void give_back(std::unique_ptr<WorldMemory> memory) noexcept;
 
  private:
   NativeOptions options_;

@@ -7,9 +7,10 @@ namespace holdfast::internal::native {
 
 bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
   if (count == count_ && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
-  count_ = count;
+  // Unknown again, should memory run out on the way.
+  count_ = kUnknown;
   pairs_.assign(pairs.begin(), pairs.end());
-  eliminate();
+  eliminate(count);
 
   // Rows of a column are sorted by elimination index, so the block of a pair is found by bisection.
   pair_block_.clear();
@@ -19,33 +20,34 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
     const auto end = shape_.block_row.begin() + shape_.column_begin[column + 1];
     pair_block_.push_back(static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - shape_.block_row.begin()));
   }
-  diagonal_.resize(count_);
-  factor_.resize(count_);
+  diagonal_.resize(count);
+  factor_.resize(count);
   below_.resize(shape_.block_row.size());
-  block_at_row_.resize(count_);
+  block_at_row_.resize(count);
   std::size_t longest = 0;
-  for (std::size_t j = 0; j < count_; ++j)
+  for (std::size_t j = 0; j < count; ++j)
     longest = std::max<std::size_t>(longest, shape_.column_begin[j + 1] - shape_.column_begin[j]);
   scratch_.resize(longest);
+  count_ = count;
   return true;
 }
 
-void BlockLdlt::eliminate() {
-  graph_.assign(count_, count_);
-  of_degree_.assign(count_, count_);
-  degree_.assign(count_, 0);
+void BlockLdlt::eliminate(std::size_t count) {
+  graph_.assign(count, count);
+  of_degree_.assign(count, count);
+  degree_.assign(count, 0);
   for (const auto& [a, b] : pairs_) {
     graph_.set(a, b);
     graph_.set(b, a);
     ++degree_[a];
     ++degree_[b];
   }
-  for (std::size_t body = 0; body < count_; ++body) of_degree_.set(degree_[body], body);
-  elimination_index_.assign(count_, 0);
+  for (std::size_t body = 0; body < count; ++body) of_degree_.set(degree_[body], body);
+  elimination_index_.assign(count, 0);
   shape_.column_begin.assign(1, 0);
   shape_.block_row.clear();
   std::size_t least = 0;
-  for (std::size_t step = 0; step < count_; ++step) {
+  for (std::size_t step = 0; step < count; ++step) {
     while (of_degree_.first_in(least) == BitRows::kNone) ++least;
     const std::size_t body = of_degree_.first_in(least);
     of_degree_.clear(least, body);
@@ -67,14 +69,14 @@ void BlockLdlt::eliminate() {
     shape_.column_begin.push_back(static_cast<std::uint32_t>(shape_.block_row.size()));
   }
   for (std::uint32_t& body : shape_.block_row) body = elimination_index_[body];
-  for (std::size_t j = 0; j < count_; ++j)
+  for (std::size_t j = 0; j < count; ++j)
     std::sort(shape_.block_row.begin() + shape_.column_begin[j], shape_.block_row.begin() + shape_.column_begin[j + 1]);
 }
 
 void BlockLdlt::clear() {
   // Half of the time of a fill with blocks.
-  std::memset(static_cast<void*>(diagonal_.data()), 0, diagonal_.size() * sizeof(BodyBlock));
-  std::memset(static_cast<void*>(below_.data()), 0, below_.size() * sizeof(BodyBlock));
+  for (std::vector<BodyBlock>* const blocks : {&diagonal_, &below_})
+    if (!blocks->empty()) std::memset(static_cast<void*>(blocks->data()), 0, blocks->size() * sizeof(BodyBlock));
 }
 
 void BlockLdlt::add(std::span<const ProblemBody> bodies) {

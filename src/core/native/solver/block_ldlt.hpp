@@ -54,9 +54,11 @@ class BlockLdlt {
   void solve(std::span<BodyVector> x) const;
 
  private:
-  void eliminate();
+  static constexpr std::size_t kUnknown = ~std::size_t{0};
 
-  std::size_t count_ = 0;
+  void eliminate(std::size_t count);
+
+  std::size_t count_ = kUnknown;  ///< bodies of the structure
   std::vector<BodyPair> pairs_;
   std::vector<std::uint32_t> elimination_index_;
   std::vector<std::uint32_t> pair_block_;

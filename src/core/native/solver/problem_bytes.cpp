@@ -8,7 +8,7 @@ namespace holdfast::internal::native {
 
 namespace {
 
-constexpr std::string_view kMagic = "HFCP0001";
+constexpr std::string_view kMagic = "HFCP0002";
 
 /// Appends what it is called with.
 struct Writer {

@@ -18,7 +18,7 @@ struct StoredProblem {
 /// A contact problem as bytes, to be solved alone: every bit of it comes back.
 ///
 /// The format is for tools on one machine: numbers are those of memory, in its byte order. It begins with the eight
-/// bytes `HFCP0001`. Then follow, as `walk` in the source lists them, the limits and the problem; a column is its
+/// bytes `HFCP0002`. Then follow, as `walk` in the source lists them, the limits and the problem; a column is its
 /// length (64 bits) and its entries, a constraint its members without padding.
 std::string bytes_of(const StoredProblem& stored);
 

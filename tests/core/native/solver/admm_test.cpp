@@ -65,8 +65,11 @@ double violation(const ContactProblem& problem) {
   std::vector<BodyVector> left(problem.bodies.size());
   momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, left);
   double worst = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(left[i].row[k]) / problem.bodies[i].mass);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const ProblemBody& body = problem.bodies[i];
+    worst = std::max({worst, linear(left[i]).cwiseAbs().maxCoeff() / body.mass,
+                      angular(left[i]).cwiseAbs().maxCoeff() / (body.mass * body.radius)});
+  }
   std::vector<ConstraintVector> u(problem.constraints.size()), g = u, r = u;
   relax(problem.constraints, problem.velocity, 1.0, u, g, r);
   for (std::size_t p = 0; p < problem.constraints.size(); ++p) {

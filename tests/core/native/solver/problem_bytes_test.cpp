@@ -40,7 +40,7 @@ TEST_CASE("problem_bytes: what is no problem is refused", "[core][problem_bytes]
   const std::string bytes = bytes_of(stored);
   REQUIRE(problem_from(bytes));
   CHECK_FALSE(problem_from(""));
-  CHECK_FALSE(problem_from("HFCP0002" + bytes.substr(8)));
+  CHECK_FALSE(problem_from("HFCP0001" + bytes.substr(8)));
   CHECK_FALSE(problem_from(bytes + "x"));
   for (std::size_t length = 8; length < bytes.size(); length += bytes.size() / 97 + 1)
     CHECK_FALSE(problem_from(std::string_view(bytes).substr(0, length)));
