@@ -53,10 +53,9 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
   const double unit = limits.velocity_unit;
   const double tolerance = limits.tolerance * unit;
   SolveResult result;
-  const std::size_t count = problem.constraints.size();
-  u_.resize(count);
-  g_.resize(count);
-  r_.resize(count);
+  if (limits.accelerate)
+    for (std::vector<ConstraintVector>* const of_constraints : {&u_, &g_, &r_})
+      of_constraints->resize(problem.constraints.size());
   std::size_t points = 0;
   for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
   PrimalResidual primal_residual;

@@ -5,6 +5,19 @@
 
 namespace holdfast::internal::native {
 
+namespace {
+
+/// Makes room for so many entries, whatever they hold. Large islands and small ones take turns: a vector that shrank
+/// would set its entries to zero each time that it grows again.
+template <class T>
+void grow_to(std::vector<T>& entries, std::size_t count) {
+  if (entries.size() >= count) return;
+  entries.clear();  // nothing is worth a copy
+  entries.resize(count);
+}
+
+}  // namespace
+
 bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
   if (count == count_ && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
   // Unknown again, should memory run out on the way.
@@ -20,14 +33,14 @@ bool BlockLdlt::analyse(std::size_t count, std::span<const BodyPair> pairs) {
     const auto end = shape_.block_row.begin() + shape_.column_begin[column + 1];
     pair_block_.push_back(static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - shape_.block_row.begin()));
   }
-  diagonal_.resize(count);
-  factor_.resize(count);
-  below_.resize(shape_.block_row.size());
+  grow_to(diagonal_, count);
+  grow_to(factor_, count);
+  grow_to(below_, shape_.block_row.size());
   block_at_row_.resize(count);
   std::size_t longest = 0;
   for (std::size_t j = 0; j < count; ++j)
     longest = std::max<std::size_t>(longest, shape_.column_begin[j + 1] - shape_.column_begin[j]);
-  scratch_.resize(longest);
+  grow_to(scratch_, longest);
   count_ = count;
   return true;
 }
@@ -75,8 +88,8 @@ void BlockLdlt::eliminate(std::size_t count) {
 
 void BlockLdlt::clear() {
   // Half of the time of a fill with blocks.
-  for (std::vector<BodyBlock>* const blocks : {&diagonal_, &below_})
-    if (!blocks->empty()) std::memset(static_cast<void*>(blocks->data()), 0, blocks->size() * sizeof(BodyBlock));
+  for (const std::span<BodyBlock> blocks : {diagonal_blocks(), blocks_below()})
+    if (!blocks.empty()) std::memset(static_cast<void*>(blocks.data()), 0, blocks.size_bytes());
 }
 
 void BlockLdlt::add(std::span<const ProblemBody> bodies) {

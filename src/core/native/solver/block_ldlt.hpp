@@ -39,13 +39,13 @@ class BlockLdlt {
   /// @param constraint_pair a constraint: index into the pairs of the last `analyse`, or `kNoPair`
   void add(std::span<const ContactConstraint> constraints, std::span<const Arms> mid_arms,
            std::span<const std::uint32_t> constraint_pair) {
-    add_penalty(constraints, mid_arms, {constraint_pair, pair_block_, diagonal_, below_});
+    add_penalty(constraints, mid_arms, {constraint_pair, pair_block_, diagonal_blocks(), blocks_below()});
   }
 
   /// Adds a matrix of each contact point, see `add_resistance`.
   void add(std::span<const ContactConstraint> constraints, std::span<const ConstraintMatrix> resistance,
            std::span<const std::uint32_t> constraint_pair) {
-    add_resistance(constraints, resistance, {constraint_pair, pair_block_, diagonal_, below_});
+    add_resistance(constraints, resistance, {constraint_pair, pair_block_, diagonal_blocks(), blocks_below()});
   }
 
   /// Replaces the matrix by its factor.
@@ -57,13 +57,15 @@ class BlockLdlt {
   static constexpr std::size_t kUnknown = ~std::size_t{0};
 
   void eliminate(std::size_t count);
+  std::span<BodyBlock> diagonal_blocks() { return std::span(diagonal_).first(count_); }
+  std::span<BodyBlock> blocks_below() { return std::span(below_).first(shape_.block_row.size()); }
 
   std::size_t count_ = kUnknown;  ///< bodies of the structure
   std::vector<BodyPair> pairs_;
   std::vector<std::uint32_t> elimination_index_;
   std::vector<std::uint32_t> pair_block_;
   LdltStructure shape_;
-  std::vector<BodyBlock> diagonal_, below_, scratch_;
+  std::vector<BodyBlock> diagonal_, below_, scratch_;  ///< as many as the structure has, and more; so is the factor
   std::vector<DiagonalFactor> factor_;
   BitRows graph_;                            ///< a body: its neighbours that are not eliminated
   BitRows of_degree_;                        ///< a degree: the bodies that have it and are not eliminated
