@@ -133,6 +133,8 @@ std::optional<bool> IslandStepper::judge_by_motion(const StepTerms& terms, Islan
   const double speed = largest_speed(prepared_.problem);
   if (speed >= kClearMotion * terms.velocity_unit && result.residual <= kClearResidual * speed) return false;
   prepared_.problem = before;
+  // The solver has gone on to other penalties since.
+  prepared_.problem.continues = false;
   return std::nullopt;
 }
 
