@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -23,18 +25,25 @@ struct WorldMemory {
 
 /// Keeps the memory of worlds that have ended for those that come: the first access to a new page of memory is a call
 /// of the system, and a short world has many (docs/performance.md). May be used by several threads, none of which ever
-/// waits: in the child of a fork the lock may be held by a thread that is not there. Memory is new, or freed, instead.
+/// waits, nor would it in the child of a fork.
 class WorldMemoryPool {
  public:
   explicit WorldMemoryPool(const NativeOptions& options) : options_(options) {}
+  WorldMemoryPool(const WorldMemoryPool&) = delete;
+  WorldMemoryPool& operator=(const WorldMemoryPool&) = delete;
+  ~WorldMemoryPool();
 
+  /// Memory that has been given back, or new memory.
   std::unique_ptr<WorldMemory> take();
+  /// What finds no room is freed.
   void give_back(std::unique_ptr<WorldMemory> memory) noexcept;
 
  private:
+  /// More than worlds are simulated at a time on most machines.
+  static constexpr std::size_t kSlots = 64;
+
   NativeOptions options_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<WorldMemory>> idle_;
+  std::array<std::atomic<WorldMemory*>, kSlots> slots_ = {};
 };
 
 }  // namespace holdfast::internal::native

@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <memory>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
@@ -24,6 +26,16 @@ TEST_CASE("world_memory: the pool hands out what has been given back, and new me
   const WorldMemory* const used = first.get();
   pool.give_back(std::move(first));
   CHECK(pool.take().get() == used);
+}
+
+TEST_CASE("world_memory: any number may be given back", "[core][world_memory]") {
+  WorldMemoryPool pool(native_options(Settings{}));
+  std::vector<std::unique_ptr<WorldMemory>> taken;
+  std::set<const WorldMemory*> different;
+  for (int i = 0; i < 200; ++i) different.insert(taken.emplace_back(pool.take()).get());
+  CHECK(different.size() == 200);
+  for (std::unique_ptr<WorldMemory>& memory : taken) pool.give_back(std::move(memory));
+  CHECK(different.count(pool.take().get()) == 1);
 }
 
 TEST_CASE("world_memory: a world moves the same in memory that others have used", "[core][world_memory]") {
