@@ -43,13 +43,13 @@ void Connectivity::find(const Bodies& bodies, const std::vector<Manifold>& manif
   }
   // What belongs to no island is counted and sorted like the rest, into a range of its own at the end: which manifolds
   // these are, no processor could predict.
+  static_assert(kNone == std::numeric_limits<std::uint32_t>::max());
   const auto none = static_cast<std::uint32_t>(ranges_.size());
   ranges_.emplace_back();
   island_of_manifold_.resize(ends_.size());
   for (std::size_t m = 0; m < ends_.size(); ++m) {
     const std::uint32_t of_a = ends_[m].first < 0 ? kNone : island_of_[at(ends_[m].first)];
     const std::uint32_t of_b = island_of_[at(ends_[m].second)];
-    static_assert(kNone == std::numeric_limits<std::uint32_t>::max());
     const std::uint32_t least = std::min(of_a, of_b);
     const bool inside = of_a == of_b || std::max(of_a, of_b) == kNone;
     island_of_manifold_[m] = std::min(inside ? least : kNone, none);

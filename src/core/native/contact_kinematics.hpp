@@ -45,7 +45,7 @@ class RelativeTwist {
 
 /// Velocity of a body at a point, m/s; a negative index is a side of the container.
 inline Vec3 velocity_at(const Bodies& bodies, std::int32_t body, const Vec3& point) {
-  return body < 0 ? Vec3(Vec3::Zero()) : twist_of(bodies, body).at_point(point);
+  return twist_of(bodies, body).at_point(point);
 }
 
 /// Velocity of b's surface relative to a's, m/s.

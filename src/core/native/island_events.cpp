@@ -29,16 +29,16 @@ double IslandStepper::located_speed(const StepTerms& terms) const {
   return std::max(kLocatedShare * terms.velocity_unit, effort_.impact_length / terms.step);
 }
 
-/// Velocity of a body of the island at a point after the solve, m/s.
-Vec3 IslandStepper::end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const {
-  if (stays(bodies, body)) return Vec3::Zero();
+/// How a body of the island moves after the solve.
+Twist IslandStepper::end_twist(const Bodies& bodies, std::int32_t body) const {
+  if (stays(bodies, body)) return {};
   const BodyVector& v = prepared_.solution(static_cast<std::uint32_t>(body));
-  return linear(v) + angular(v).cross(point - bodies.state.position[at(body)]);
+  return {bodies.state.position[at(body)], linear(v), angular(v)};
 }
 
 /// Velocity of b's surface relative to a's after the solve, m/s.
 Vec3 IslandStepper::end_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const {
-  return end_velocity(bodies, manifold.b, point.on_b) - end_velocity(bodies, manifold.a, point.on_a);
+  return end_twist(bodies, manifold.b).at_point(point.on_b) - end_twist(bodies, manifold.a).at_point(point.on_a);
 }
 
 /// Normal velocity at a point after the solve, m/s.

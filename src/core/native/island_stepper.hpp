@@ -83,7 +83,7 @@ class IslandStepper {
   // Events within a step.
   PointFilter point_filter(const StepTerms& terms, double step) const;
   double located_speed(const StepTerms& terms) const;
-  Vec3 end_velocity(const Bodies& bodies, std::int32_t body, const Vec3& point) const;
+  Twist end_twist(const Bodies& bodies, std::int32_t body) const;
   Vec3 end_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
   Twist mean_twist(const Bodies& bodies, std::int32_t body) const;
   double end_normal_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;

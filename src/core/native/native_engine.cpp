@@ -41,7 +41,7 @@ class NativeSimulation final : public SteppedSimulation {
   double step(std::size_t world, const Phase& phase) override { return worlds_[world]->advance(phase); }
 
   std::shared_ptr<native::WorldMemoryPool> pool_;
-  int exceptions_ = std::uncaught_exceptions();
+  int exceptions_ = std::uncaught_exceptions();  ///< that were under way when the simulation was built
   std::vector<std::unique_ptr<native::NativeWorld>> worlds_;
 };
 

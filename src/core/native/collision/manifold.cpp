@@ -60,6 +60,12 @@ void match_points(Manifold& manifold, const ContactSet& contact, const OrientedB
   manifold.cached = cached;
 }
 
+/// Where a body is; a side stays where it is.
+const OrientedBox& pose_of(const Bodies& bodies, std::int32_t body) {
+  static const OrientedBox kSide;
+  return body < 0 ? kSide : bodies.shape[static_cast<std::size_t>(body)];
+}
+
 }  // namespace
 
 std::array<Vec3, 3> directions_of(const Vec3& normal) {
@@ -71,7 +77,7 @@ std::array<Vec3, 3> directions_of(const Vec3& normal) {
 }
 
 std::array<OrientedBox, 2> poses_of(const Bodies& bodies, std::int32_t a, std::int32_t b) {
-  return {a < 0 ? OrientedBox{} : bodies.shape[static_cast<std::size_t>(a)], bodies.shape[static_cast<std::size_t>(b)]};
+  return {pose_of(bodies, a), pose_of(bodies, b)};
 }
 
 ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox, 2>& then,
@@ -89,9 +95,8 @@ ContactSet carried_along(const ContactSet& contact, const std::array<OrientedBox
 }
 
 void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies& bodies) {
-  static const OrientedBox kSide;
-  const OrientedBox& now_a = manifold.with_side() ? kSide : bodies.shape[static_cast<std::size_t>(manifold.a)];
-  const OrientedBox& now_b = bodies.shape[static_cast<std::size_t>(manifold.b)];
+  const OrientedBox& now_a = pose_of(bodies, manifold.a);
+  const OrientedBox& now_b = pose_of(bodies, manifold.b);
   if (manifold.active) match_points(manifold, contact, now_a, now_b);
   manifold.contact = contact;
   manifold.nearest_gap = contact.nearest_gap();

@@ -11,9 +11,7 @@ namespace {
 /// would set its entries to zero each time that it grows again.
 template <class T>
 void grow_to(std::vector<T>& entries, std::size_t count) {
-  if (entries.size() >= count) return;
-  entries.clear();  // nothing is worth a copy
-  entries.resize(count);
+  if (entries.size() < count) entries.resize(count);
 }
 
 }  // namespace
