@@ -340,6 +340,18 @@ inline constexpr int kBalanceCheckEvery = 10;
 /// quarters and twice: 1 and 5 to 8 %.
 inline constexpr int kSettlingIterations = 40;
 
+/// Balances that are kept of an island at rest. Those of accelerations along a line or in a plane need two or three,
+/// more make room between them.
+inline constexpr int kKnownBalances = 6;
+
+/// Change of g − a, over |g − a|, up to which accelerations count as samples of a curve: a proof of rest then tries one
+/// beyond the acceleration that it is asked for first.
+inline constexpr double kLittleChange = 0.05;
+
+/// How far such a try goes at least, over the distance from the centre of what is known: after tries that fail it goes
+/// half as far each time, and then there are none.
+inline constexpr double kLeastReach = 0.1;
+
 /// Penalty R of the splitting in a proof of rest, over the mass that a contact carries.
 /// Half: 4 % more time; twice: 5 % more time.
 inline constexpr double kRestPenalty = 100.0;

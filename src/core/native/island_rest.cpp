@@ -1,6 +1,7 @@
 // Whether the bodies of an island stay where they are: the proof of rest.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -17,6 +18,11 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
   prepared_.prepare_rest(scene, island, terms, *solver_);
   if (balances(terms)) return true;
+  const KnownBalances::Island known = known_as(scene, island);
+  if (!leans && (balances_between(scene, known, terms) || balances_beyond(scene, known, terms, report))) {
+    prepared_.store_rest_impulses(scene, island, terms.step);
+    return true;
+  }
   std::optional<bool> found = leans ? std::optional(false) : settle(terms, report);
   // Boxes that come to rest have nearly the right forces already; where they have not, later is soon enough.
   if (!found && !terms.reset_warm_start) found = false;
@@ -42,7 +48,10 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
     }
   }
   prepared_.store_rest_impulses(scene, island, terms.step);
-  if (rests) return true;
+  if (rests) {
+    scene.balances.keep(known, terms.effective_gravity, terms.step, prepared_.problem);
+    return true;
+  }
   for (const std::uint32_t body : island.bodies) {
     bodies.acceleration[body] = linear(prepared_.solution(body)) / terms.step;
     bodies.angular_acceleration[body] = angular(prepared_.solution(body)) / terms.step;
@@ -88,6 +97,48 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
 /// Whether the impulses of the prepared problem balance each of its bodies.
 bool IslandStepper::balances(const StepTerms& terms) {
   return equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance;
+}
+
+/// What the prepared island is known by.
+KnownBalances::Island IslandStepper::known_as(const Scene& scene, const IslandView& island) {
+  contacts_.clear();
+  for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
+    contacts_.push_back({manifold.a, manifold.b, prepared_.problem.constraints[p].count});
+  }
+  return {island.bodies.front(), contacts_};
+}
+
+/// Whether impulses that balance the prepared island follow from those that have balanced it before.
+bool IslandStepper::balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms) {
+  ContactProblem& problem = prepared_.problem;
+  if (!scene.balances.combine(island, terms.effective_gravity, terms.step, problem)) return false;
+  if (impulses_are_in_cones(problem) && impulses_are_in_bounds(problem) && balances(terms)) return true;
+  scene.balances.forget(island);
+  return false;
+}
+
+/// The same after a look for a balance under an acceleration beyond the present one.
+bool IslandStepper::balances_beyond(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms,
+                                    IslandReport& report) {
+  if (!terms.reset_warm_start) return false;
+  const std::optional<Vec3> gravity = scene.balances.beyond(island, terms.effective_gravity);
+  if (!gravity) return false;
+  ContactProblem& problem = prepared_.problem;
+  // A stronger acceleration would have to push walls by more than what they were pushed by.
+  const auto presses = [](const NormalBounds& bounds) {
+    return std::ranges::any_of(bounds.lane, [](double most) { return most > 0.0 && std::isfinite(most); });
+  };
+  const bool stronger = gravity->head<2>().norm() >= terms.effective_gravity.head<2>().norm();
+  if (stronger && std::ranges::any_of(problem.normal_bounds, presses)) return false;
+  const ContactProblem before = problem;
+  const Vec3 change = terms.step * (*gravity - terms.effective_gravity);
+  for (BodyVector& free : problem.free_velocity) free = body_vector(linear(free) + change, angular(free));
+  const bool found = settle(terms, report).value_or(false);
+  if (found) scene.balances.keep(island, *gravity, terms.step, problem);
+  scene.balances.note_beyond(island, found);
+  problem = before;
+  return found && balances_between(scene, island, terms);
 }
 
 /// Whether the prepared island rests, where its impulses balance it or its velocities are a motion that proves that no

@@ -97,6 +97,9 @@ class IslandStepper {
 
   // Proof of rest.
   bool balances(const StepTerms& terms);
+  KnownBalances::Island known_as(const Scene& scene, const IslandView& island);
+  bool balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms);
+  bool balances_beyond(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms, IslandReport& report);
   std::optional<bool> balance_of_prepared(const StepTerms& terms);
   std::optional<bool> settle(const StepTerms& terms, IslandReport& report);
   std::optional<bool> judge_by_motion(const StepTerms& terms, IslandReport& report);
@@ -111,13 +114,14 @@ class IslandStepper {
   EquilibriumCheck equilibrium_;
   InteriorPoint interior_point_;
   PositionCorrection correction_;
-  std::vector<std::uint8_t> jumps_;        ///< a body of the scene: see `jumps`, of the last solve
-  std::vector<BodyVector> mean_velocity_;  ///< a body of the scene: over the part of the step that is solved
-  std::vector<BodyVector> found_;          ///< a body of the scene: velocity by the solve that is repeated
-  PointBits impacting_;                    ///< points that take part in an impact
-  PointBits could_impact_;                 ///< those that touch, and take part where the impact reaches them
-  PointBits predicted_;                    ///< points that are solved because they were found to close within the step
-  bool locates_impacts_ = true;            ///< impacts that lie ahead may cut the step; else they are solved at its end
+  std::vector<KnownBalances::Contact> contacts_;  ///< a constraint of the proof of rest
+  std::vector<std::uint8_t> jumps_;               ///< a body of the scene: see `jumps`, of the last solve
+  std::vector<BodyVector> mean_velocity_;         ///< a body of the scene: over the part of the step that is solved
+  std::vector<BodyVector> found_;                 ///< a body of the scene: velocity by the solve that is repeated
+  PointBits impacting_;                           ///< points that take part in an impact
+  PointBits could_impact_;                        ///< those that touch, and take part where the impact reaches them
+  PointBits predicted_;          ///< points that are solved because they were found to close within the step
+  bool locates_impacts_ = true;  ///< impacts that lie ahead may cut the step; else they are solved at its end
   int impact_cuts_ = 0, slip_end_cuts_ = 0;  ///< of the step so far
 };
 

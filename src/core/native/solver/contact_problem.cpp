@@ -5,6 +5,12 @@
 
 namespace holdfast::internal::native {
 
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
 void ContactProblem::reset_warm_start() {
   std::copy(free_velocity.begin(), free_velocity.end(), velocity.begin());
   mid_arms.clear();
@@ -17,7 +23,6 @@ void ContactProblem::reset_warm_start() {
 }
 
 bool impulses_are_in_cones(const ContactProblem& problem) {
-  constexpr double kRounding = 1e-9;
   // Squares of smaller numbers are 0, and are not cut.
   constexpr double kUnderflow = 1e-150;
   for (const ContactConstraint& constraint : problem.constraints) {
@@ -28,6 +33,14 @@ bool impulses_are_in_cones(const ContactProblem& problem) {
         return false;
     }
   }
+  return true;
+}
+
+bool impulses_are_in_bounds(const ContactProblem& problem) {
+  for (std::size_t p = 0; p < problem.normal_bounds.size(); ++p)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (problem.constraints[p].impulse.row[0][lane] > problem.normal_bounds[p].lane[lane] * (1.0 + kRounding))
+        return false;
   return true;
 }
 

@@ -56,6 +56,9 @@ struct ContactProblem {
 /// it.
 bool impulses_are_in_cones(const ContactProblem& problem);
 
+/// Whether no normal impulse is above its bound, up to rounding.
+bool impulses_are_in_bounds(const ContactProblem& problem);
+
 /// No point of the body moves faster than this, m/s.
 double largest_speed(const ContactProblem& problem, std::size_t body);
 

@@ -1,0 +1,134 @@
+#include "core/native/known_balances.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+
+#include "core/native/constants.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// A difference between effective gravities, over their length, that is rounding.
+constexpr double kSameGravity = 1e-12;
+
+/// The weights of a combination, and what they belong to.
+struct Combination {
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kKnownBalances, 1> weights;
+  std::array<std::size_t, kKnownBalances> of{};  ///< indices
+
+  std::size_t size() const { return static_cast<std::size_t>(weights.size()); }
+};
+
+/// The smallest weights with Σ λ_k g_k = g and Σ λ_k = 1. False where there are none.
+bool find_weights(const Vec3& gravity, std::span<const Vec3> known, Combination& combination) {
+  const double unit = gravity.norm();
+  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, kKnownBalances> matrix(4, combination.weights.size());
+  for (std::size_t k = 0; k < combination.size(); ++k)
+    matrix.col(static_cast<Eigen::Index>(k)) << known[combination.of[k]], unit;
+  const Eigen::Vector4d wanted(gravity.x(), gravity.y(), gravity.z(), unit);
+  combination.weights = matrix.completeOrthogonalDecomposition().solve(wanted);
+  return (matrix * combination.weights - wanted).norm() <= kSameGravity * unit;
+}
+
+/// Weights of which none is negative; none where some would have to be. Leaves out the most negative one until none is.
+std::optional<Combination> combination_of(const Vec3& gravity, std::span<const Vec3> known) {
+  Combination combination;
+  for (std::size_t k = 0; k < known.size(); ++k) combination.of[k] = k;
+  for (std::size_t count = known.size(); count > 0; --count) {
+    combination.weights.resize(static_cast<Eigen::Index>(count));
+    if (!find_weights(gravity, known, combination)) return std::nullopt;
+    Eigen::Index least = 0;
+    if (combination.weights.minCoeff(&least) >= 0.0) return combination;
+    std::copy(combination.of.begin() + least + 1, combination.of.begin() + static_cast<std::ptrdiff_t>(count),
+              combination.of.begin() + least);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// What is known of an island; null: nothing.
+const KnownBalances::Record* KnownBalances::record_of(const Island& island) const {
+  if (island.first_body >= records_.size()) return nullptr;
+  const Record& record = records_[island.first_body];
+  return !record.balances.empty() && std::ranges::equal(record.contacts, island.contacts) ? &record : nullptr;
+}
+
+bool KnownBalances::combine(const Island& island, const Vec3& gravity, double step, ContactProblem& problem) const {
+  const Record* const record = record_of(island);
+  if (record == nullptr) return false;
+  std::array<Vec3, kKnownBalances> known;
+  std::ranges::transform(record->balances, known.begin(), &Balance::gravity);
+  const std::optional<Combination> found = combination_of(gravity, std::span(known).first(record->balances.size()));
+  if (!found) return false;
+  for (std::size_t p = 0; p < problem.constraints.size(); ++p) {
+    ConstraintVector& impulse = problem.constraints[p].impulse;
+    impulse = {};
+    for (std::size_t k = 0; k < found->size(); ++k) {
+      const double share = step * found->weights[static_cast<Eigen::Index>(k)];
+      const ConstraintVector& force = record->balances[found->of[k]].force[p];
+      for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t lane = 0; lane < kLanes; ++lane) impulse.row[d][lane] += share * force.row[d][lane];
+    }
+  }
+  return true;
+}
+
+void KnownBalances::keep(const Island& island, const Vec3& gravity, double step, const ContactProblem& problem) {
+  records_.resize(std::max<std::size_t>(records_.size(), island.first_body + 1));
+  Record& record = records_[island.first_body];
+  if (!std::ranges::equal(record.contacts, island.contacts))
+    record = {.contacts = {island.contacts.begin(), island.contacts.end()}};
+  std::vector<Balance>& balances = record.balances;
+  if (balances.size() < kKnownBalances) {
+    balances.emplace_back();
+  } else {
+    // One that follows from the others makes room, or else the one that is most like the new one.
+    auto least = std::ranges::find_if(balances, [&](const Balance& balance) {
+      std::array<Vec3, kKnownBalances> others;
+      std::ranges::transform(balances, others.begin(), &Balance::gravity);
+      others[static_cast<std::size_t>(&balance - balances.data())] = gravity;
+      return combination_of(balance.gravity, others).has_value();
+    });
+    const auto distance = [&](const Balance& balance) { return (balance.gravity - gravity).squaredNorm(); };
+    if (least == balances.end()) least = std::ranges::min_element(balances, {}, distance);
+    std::rotate(least, least + 1, balances.end());
+  }
+  Balance& kept = record.balances.back();
+  kept.gravity = gravity;
+  kept.force.resize(problem.constraints.size());
+  for (std::size_t p = 0; p < problem.constraints.size(); ++p)
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        kept.force[p].row[d][lane] = problem.constraints[p].impulse.row[d][lane] / step;
+}
+
+std::optional<Vec3> KnownBalances::beyond(const Island& island, const Vec3& gravity) const {
+  const Record* const record = record_of(island);
+  if (record == nullptr || record->reach < kLeastReach) return std::nullopt;
+  Vec3 centre = Vec3::Zero();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Balance& balance : record->balances) {
+    centre += balance.gravity / static_cast<double>(record->balances.size());
+    nearest = std::min(nearest, (balance.gravity - gravity).norm());
+  }
+  if (nearest > kLittleChange * gravity.norm()) return std::nullopt;
+  const Vec3 outwards = gravity - centre;
+  // A caller may set others than are expected.
+  const bool is_expected = std::ranges::find(expected_, gravity) != expected_.end();
+  if (!is_expected) return gravity + std::min(record->reach, 1.0) * outwards;
+  const Vec3& last = *std::ranges::max_element(expected_, {}, [&](const Vec3& g) { return outwards.dot(g); });
+  const double most = outwards.dot(last - gravity) / outwards.squaredNorm();
+  if (!(most > kSameGravity)) return std::nullopt;
+  return record->reach < most ? Vec3(gravity + record->reach * outwards) : last;
+}
+
+void KnownBalances::note_beyond(const Island& island, bool balances) {
+  Record& record = records_[island.first_body];
+  // Where all went well so far, it went to the last acceleration that comes.
+  record.reach = balances ? 2.0 * record.reach : 0.5 * std::min(record.reach, 2.0);
+}
+
+}  // namespace holdfast::internal::native
