@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Speed against error of native, Box3D and Jolt: road, gentle, harsh and large loads. README.md says what
+"""Speed against error of native, Box3D and Jolt: road, gentle, sampled, harsh and large loads. README.md says what
 the numbers mean.
 
 Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers
@@ -18,15 +18,17 @@ import pandas as pd
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import peer_statistics as statistics
-from peer_runs import ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads
+from peer_runs import (ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads,
+                       sampled_accelerations)
 from tables import replace_tables, table_of
 
 BASE = "native-screening"
-KINDS = ["road", "loose", "gentle", "harsh", "large"]
+KINDS = ["road", "loose", "gentle", "sampled", "harsh", "large"]
 SETTINGS = {
     "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks",
              "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
     "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x16ks", "jolt-60s", "jolt-60ps"],
+    "sampled": [BASE, "native-standard", "box3d-60x4s", "box3d-60x16ks", "jolt-60s"],
     "harsh": [BASE, f"{BASE}:Iterations=64", f"{BASE}:StepsPerSecond=240:Iterations=32", "native-standard",
               "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-60x32ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s",
               "jolt-240s", "jolt-480x20x4s", "jolt-480x20x4ps"],
@@ -94,6 +96,19 @@ class Comparison:
         return table_of(f"Gentle: {len(layouts)} layouts under a lane change of 0.2 g.",
                         ["setting", "CPU, relative", "CPU s per simulated s", "worlds that moved",
                          "largest displacement, mm: median"], rows)
+
+    def sampled(self):
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        columns = {}
+        for what, path in zip(("lane change", "brake"), sampled_accelerations(self.arguments.output / "sampled")):
+            worlds, _ = self.runner.run("sampled", layouts, [path], self.settings("sampled"))
+            cpu, relative = self.relative(worlds)
+            moved = statistics.largest(worlds) > statistics.MOVED
+            columns |= {f"{what}: CPU, relative": relative.map(number), "CPU s per simulated s, " + what: cpu.map(number),
+                        "worlds that moved, " + what: moved.sum().astype(str)}
+        rows = [[name, *[column[name] for column in columns.values()]] for name in cpu.index]
+        return table_of(f"Sampled: {len(layouts)} layouts under a lane change of 0.2 g and a braking of 0.8 g, curves of 50 samples "
+                        "per second.", ["setting", *columns], rows)
 
     def harsh(self):
         layouts = loose_loads(self.arguments.output / "harsh", HARSH_LOADS)

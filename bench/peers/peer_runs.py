@@ -39,6 +39,12 @@ def generated_loads(folder, boxes, count):
     return files_of([target])
 
 
+def sampled_accelerations(folder):
+    """A lane change and a braking as curves of samples, made anew."""
+    subprocess.run([sys.executable, BENCH / "sampled_accelerations.py", folder], check=True)
+    return [Path(folder) / "lane_change_0g2.txt", Path(folder) / "braking_0g8.txt"]
+
+
 def signature(layouts, accelerations, words):
     """Changes with the bytes of the inputs and with the words."""
     digest = hashlib.sha256(repr(words).encode())

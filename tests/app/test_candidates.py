@@ -1,4 +1,5 @@
-"""bench/candidates.py: layouts that are distinct, valid, the same every time, and as the knobs say; bench/with_play.py."""
+"""bench/candidates.py: layouts that are distinct, valid, the same every time, and as the knobs say; bench/with_play.py;
+bench/sampled_accelerations.py."""
 import subprocess
 import sys
 import unittest
@@ -86,6 +87,19 @@ class Candidates(CliTest):
         self.assertEqual(len(loose), len(boxes))
         for (x, y, z, X, Y, Z, _), now in zip(boxes, loose):
             self.assertEqual([round(edge, 6) for edge in now[:6]], [x + 0.1, y + 0.1, z, X - 0.1, Y - 0.1, Z])
+
+    def test_sampled_accelerations(self):
+        folder = self.folder / "sampled"
+        subprocess.run([sys.executable, SOURCE / "bench/sampled_accelerations.py", folder], check=True)
+        done = self.run_here("check", folder)
+        self.assert_exit(done, 0)
+        largest = {}
+        for path in folder.iterdir():
+            rows = [list(map(float, line.split())) for line in path.read_text().splitlines()[1:]]
+            largest[path.stem] = [max(abs(row[k]) for row in rows) / 9.81 for k in (2, 3, 4)]
+            self.assertTrue(all(abs(b[0] - a[0] - 0.02) < 1e-9 for a, b in zip(rows, rows[1:])))
+        self.assertEqual([round(a, 2) for a in largest["lane_change_0g2"]], [0, 0.2, 0])
+        self.assertEqual([round(a, 2) for a in largest["braking_0g8"]], [0.82, 0.01, 0])
 
 
 if __name__ == "__main__":

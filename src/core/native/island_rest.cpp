@@ -112,9 +112,12 @@ KnownBalances::Island IslandStepper::known_as(const Scene& scene, const IslandVi
 /// Whether impulses that balance the prepared island follow from those that have balanced it before.
 bool IslandStepper::balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms) {
   ContactProblem& problem = prepared_.problem;
+  start_impulses_.clear();
+  for (const ContactConstraint& constraint : problem.constraints) start_impulses_.push_back(constraint.impulse);
   if (!scene.balances.combine(island, terms.effective_gravity, terms.step, problem)) return false;
   if (impulses_are_in_cones(problem) && impulses_are_in_bounds(problem) && balances(terms)) return true;
   scene.balances.forget(island);
+  for (std::size_t p = 0; p < start_impulses_.size(); ++p) problem.constraints[p].impulse = start_impulses_[p];
   return false;
 }
 
@@ -132,13 +135,17 @@ bool IslandStepper::balances_beyond(Scene& scene, const KnownBalances::Island& i
   const bool stronger = gravity->head<2>().norm() >= terms.effective_gravity.head<2>().norm();
   if (stronger && std::ranges::any_of(problem.normal_bounds, presses)) return false;
   const ContactProblem before = problem;
+  StepTerms there = terms;
+  there.effective_gravity = *gravity;
+  there.velocity_unit = gravity->norm() * terms.step;
   const Vec3 change = terms.step * (*gravity - terms.effective_gravity);
   for (BodyVector& free : problem.free_velocity) free = body_vector(linear(free) + change, angular(free));
-  const bool found = settle(terms, report).value_or(false);
+  const bool found = settle(there, report).value_or(false);
   if (found) scene.balances.keep(island, *gravity, terms.step, problem);
-  scene.balances.note_beyond(island, found);
   problem = before;
-  return found && balances_between(scene, island, terms);
+  const bool balanced = found && balances_between(scene, island, terms);
+  scene.balances.note_beyond(island, balanced);
+  return balanced;
 }
 
 /// Whether the prepared island rests, where its impulses balance it or its velocities are a motion that proves that no

@@ -114,6 +114,7 @@ class IslandStepper {
   EquilibriumCheck equilibrium_;
   InteriorPoint interior_point_;
   PositionCorrection correction_;
+  std::vector<ConstraintVector> start_impulses_;  ///< a constraint of the proof of rest, before a sum is tried
   std::vector<KnownBalances::Contact> contacts_;  ///< a constraint of the proof of rest
   std::vector<std::uint8_t> jumps_;               ///< a body of the scene: see `jumps`, of the last solve
   std::vector<BodyVector> mean_velocity_;         ///< a body of the scene: over the part of the step that is solved

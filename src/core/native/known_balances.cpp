@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <utility>
 
 #include "core/native/constants.hpp"
 
@@ -13,9 +15,11 @@ namespace {
 /// A difference between effective gravities, over their length, that is rounding.
 constexpr double kSameGravity = 1e-12;
 
+constexpr int kMost = static_cast<int>(kKnownBalances);
+
 /// The weights of a combination, and what they belong to.
 struct Combination {
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kKnownBalances, 1> weights;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> weights;
   std::array<std::size_t, kKnownBalances> of{};  ///< indices
 
   std::size_t size() const { return static_cast<std::size_t>(weights.size()); }
@@ -23,8 +27,8 @@ struct Combination {
 
 /// The smallest weights with Σ λ_k g_k = g and Σ λ_k = 1. False where there are none.
 bool find_weights(const Vec3& gravity, std::span<const Vec3> known, Combination& combination) {
-  const double unit = gravity.norm();
-  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, kKnownBalances> matrix(4, combination.weights.size());
+  const double unit = gravity == Vec3::Zero() ? 1.0 : gravity.norm();
+  Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, kMost> matrix(4, combination.weights.size());
   for (std::size_t k = 0; k < combination.size(); ++k)
     matrix.col(static_cast<Eigen::Index>(k)) << known[combination.of[k]], unit;
   const Eigen::Vector4d wanted(gravity.x(), gravity.y(), gravity.z(), unit);
@@ -32,7 +36,8 @@ bool find_weights(const Vec3& gravity, std::span<const Vec3> known, Combination&
   return (matrix * combination.weights - wanted).norm() <= kSameGravity * unit;
 }
 
-/// Weights of which none is negative; none where some would have to be. Leaves out the most negative one until none is.
+/// Weights of which none is negative: leaves out the most negative one until none is. None where that ends without,
+/// as it does where there are no such weights, and rarely where there are some.
 std::optional<Combination> combination_of(const Vec3& gravity, std::span<const Vec3> known) {
   Combination combination;
   for (std::size_t k = 0; k < known.size(); ++k) combination.of[k] = k;
@@ -81,28 +86,26 @@ void KnownBalances::keep(const Island& island, const Vec3& gravity, double step,
   Record& record = records_[island.first_body];
   if (!std::ranges::equal(record.contacts, island.contacts))
     record = {.contacts = {island.contacts.begin(), island.contacts.end()}};
-  std::vector<Balance>& balances = record.balances;
-  if (balances.size() < kKnownBalances) {
-    balances.emplace_back();
-  } else {
-    // One that follows from the others makes room, or else the one that is most like the new one.
-    auto least = std::ranges::find_if(balances, [&](const Balance& balance) {
-      std::array<Vec3, kKnownBalances> others;
-      std::ranges::transform(balances, others.begin(), &Balance::gravity);
-      others[static_cast<std::size_t>(&balance - balances.data())] = gravity;
-      return combination_of(balance.gravity, others).has_value();
-    });
-    const auto distance = [&](const Balance& balance) { return (balance.gravity - gravity).squaredNorm(); };
-    if (least == balances.end()) least = std::ranges::min_element(balances, {}, distance);
-    std::rotate(least, least + 1, balances.end());
-  }
-  Balance& kept = record.balances.back();
-  kept.gravity = gravity;
-  kept.force.resize(problem.constraints.size());
+  Balance kept{gravity, std::vector<ConstraintVector>(problem.constraints.size())};
   for (std::size_t p = 0; p < problem.constraints.size(); ++p)
     for (std::size_t d = 0; d < 3; ++d)
       for (std::size_t lane = 0; lane < kLanes; ++lane)
         kept.force[p].row[d][lane] = problem.constraints[p].impulse.row[d][lane] / step;
+  std::vector<Balance>& balances = record.balances;
+  if (balances.size() < kKnownBalances) {
+    balances.push_back(std::move(kept));
+    return;
+  }
+  // One that follows from the others makes room, or else the one that is most like the new one.
+  auto least = std::ranges::find_if(balances, [&](const Balance& balance) {
+    std::array<Vec3, kKnownBalances> others;
+    std::ranges::transform(balances, others.begin(), &Balance::gravity);
+    others[static_cast<std::size_t>(&balance - balances.data())] = gravity;
+    return combination_of(balance.gravity, others).has_value();
+  });
+  const auto distance = [&](const Balance& balance) { return (balance.gravity - gravity).squaredNorm(); };
+  if (least == balances.end()) least = std::ranges::min_element(balances, {}, distance);
+  *least = std::move(kept);
 }
 
 std::optional<Vec3> KnownBalances::beyond(const Island& island, const Vec3& gravity) const {
@@ -115,20 +118,12 @@ std::optional<Vec3> KnownBalances::beyond(const Island& island, const Vec3& grav
     nearest = std::min(nearest, (balance.gravity - gravity).norm());
   }
   if (nearest > kLittleChange * gravity.norm()) return std::nullopt;
-  const Vec3 outwards = gravity - centre;
-  // A caller may set others than are expected.
-  const bool is_expected = std::ranges::find(expected_, gravity) != expected_.end();
-  if (!is_expected) return gravity + std::min(record->reach, 1.0) * outwards;
-  const Vec3& last = *std::ranges::max_element(expected_, {}, [&](const Vec3& g) { return outwards.dot(g); });
-  const double most = outwards.dot(last - gravity) / outwards.squaredNorm();
-  if (!(most > kSameGravity)) return std::nullopt;
-  return record->reach < most ? Vec3(gravity + record->reach * outwards) : last;
+  return gravity + record->reach * (gravity - centre);
 }
 
 void KnownBalances::note_beyond(const Island& island, bool balances) {
   Record& record = records_[island.first_body];
-  // Where all went well so far, it went to the last acceleration that comes.
-  record.reach = balances ? 2.0 * record.reach : 0.5 * std::min(record.reach, 2.0);
+  record.reach *= balances ? 2.0 : 0.5;
 }
 
 }  // namespace holdfast::internal::native

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/native/collision/oriented_box.hpp"
@@ -17,8 +15,8 @@ namespace holdfast::internal::native {
 /// Balance is linear: where impulses y_k balance an island under g_k, Σ λ_k y_k balances it under Σ λ_k g_k, if the
 /// weights λ_k add up to 1. Where none of them is negative, the sum is in the contacts' cones and below their bounds
 /// too, since these are convex. So under an acceleration between others a proof of rest is a sum in place of a solve.
-/// Whether it does balance is for the caller to check: bodies may have moved, and friction or forces from outside may
-/// have changed.
+/// Whether it does balance is for the caller to check: bodies may have moved, and friction, bounds or forces from
+/// outside may have changed.
 class KnownBalances {
  public:
   /// The contact of two bodies that a constraint of a problem belongs to, as in `Manifold`.
@@ -35,10 +33,6 @@ class KnownBalances {
     std::span<const Contact> contacts;  ///< a constraint of its problem
   };
 
-  /// Effective gravities that the world is going to have, m/s², unless a caller sets others: from one of them `beyond`
-  /// looks no further.
-  void expect(std::vector<Vec3> gravities) { expected_ = std::move(gravities); }
-
   /// Replaces the problem's impulses by a sum of known ones that balances it under `gravity`. False, and nothing
   /// changes, where none is known.
   /// @param gravity effective, m/s²
@@ -46,7 +40,7 @@ class KnownBalances {
   bool combine(const Island& island, const Vec3& gravity, double step, ContactProblem& problem) const;
 
   /// Forgets the island, where a sum did not balance it.
-  void forget(const Island& island) { records_[island.first_body].balances.clear(); }
+  void forget(const Island& island) { records_[island.first_body] = {}; }
 
   /// Keeps the problem's impulses, which balance it under `gravity`.
   void keep(const Island& island, const Vec3& gravity, double step, const ContactProblem& problem);
@@ -67,13 +61,11 @@ class KnownBalances {
   struct Record {
     std::vector<Contact> contacts;
     std::vector<Balance> balances;
-    /// How far `beyond` goes, over the distance from the centre of what is known.
-    double reach = std::numeric_limits<double>::infinity();
+    double reach = 1.0;  ///< how far `beyond` goes, over the distance from the centre of what is known
   };
 
   const Record* record_of(const Island& island) const;
 
-  std::vector<Vec3> expected_;
   std::vector<Record> records_;  ///< by an island's first body
 };
 

@@ -65,12 +65,8 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   reports_.resize(count);
 
   double strongest = 0.0;
-  std::vector<Vec3> gravities;
-  for (const Segment& segment : world.acceleration->segments) {
+  for (const Segment& segment : world.acceleration->segments)
     strongest = std::max(strongest, segment.acceleration.norm());
-    gravities.push_back(gravity_ - segment.acceleration);
-  }
-  scene_.balances.expect(std::move(gravities));
   terms_.longest_step = 1.0 / options_.steps_per_second;
   terms_.fall_margin = fall_margin(strongest);
   find_contacts(std::vector<std::uint8_t>(count, 1));

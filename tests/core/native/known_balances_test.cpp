@@ -111,33 +111,22 @@ TEST_CASE("known_balances: what follows from others makes room first", "[core][k
     for (const double y : {-1.0, 1.0}) CHECK(implies(plane, gravity(x, y)));
 }
 
-TEST_CASE("known_balances: a try goes as far as the accelerations that come, and half as far after one that fails",
-          "[core][known_balances]") {
+TEST_CASE("known_balances: a try goes as far again, and further or less far after others", "[core][known_balances]") {
   KnownBalances known = known_under({gravity(0, 0)});
-  known.expect({gravity(0, 0), gravity(0, 0.25), gravity(0, 2), gravity(0, -2)});
   const auto tried = [&](double y) {
     const std::optional<Vec3> g = known.beyond(kIsland, gravity(0, y));
     return g ? -g->y() : 0.0;
   };
-  CHECK(tried(0.25) == 2.0);
-  known.note_beyond(kIsland, false);
-  CHECK(tried(0.25) == Approx(0.5));
-  known.note_beyond(kIsland, false);
-  CHECK(tried(0.25) == Approx(0.375));
+  CHECK(tried(0.2) == Approx(0.4));
   known.note_beyond(kIsland, true);
-  CHECK(tried(0.25) == Approx(0.5));
-  // 2 m/s² is more than a little change, and the last.
+  CHECK(tried(0.2) == Approx(0.6));
+  known.note_beyond(kIsland, false);
+  known.note_beyond(kIsland, false);
+  CHECK(tried(0.2) == Approx(0.3));
+  // More than a little change.
   CHECK(tried(2.0) == 0.0);
-  for (int i = 0; i < 5; ++i) known.note_beyond(kIsland, false);
-  CHECK(tried(0.25) == 0.0);
-}
-
-TEST_CASE("known_balances: from an acceleration that a caller sets, a try goes as far again",
-          "[core][known_balances]") {
-  KnownBalances known = known_under({gravity(0, 0)});
-  CHECK(known.beyond(kIsland, gravity(0, 0.3)).value().isApprox(gravity(0, 0.6)));
-  known.expect({gravity(0, 0), gravity(0, 2)});
-  CHECK(known.beyond(kIsland, gravity(0, 0.3)).value().isApprox(gravity(0, 0.6)));
+  for (int i = 0; i < 3; ++i) known.note_beyond(kIsland, false);
+  CHECK(tried(0.2) == 0.0);
 }
 
 TEST_CASE("known_balances: a stack under a curve of samples is solved for few of them, and slides when it must",
@@ -158,6 +147,6 @@ TEST_CASE("known_balances: a stack under a curve of samples is solved for few of
   };
   const auto [iterations, farthest] = run(0.29 * kGravity);
   CHECK(farthest == 0.0);
-  CHECK(iterations < 300);
+  CHECK(iterations < 1000);  // 3000 where each sample is solved
   CHECK(run(0.31 * kGravity).second > 1e-3);
 }
