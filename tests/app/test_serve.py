@@ -239,7 +239,7 @@ class Ends(Service):
                     if busy:
                         os.set_blocking(service.stdin.fileno(), False)
                         # Nobody reads the answers: there are no more than a pipe holds.
-                        service.stdin.raw.write(line(boxes=ONE_BOX).encode() * 100)
+                        service.stdin.raw.write(line(boxes=ONE_BOX).encode() * 40)
                     service.send_signal(number)
                     self.assertEqual(service.wait(PATIENCE), code)
                     self.assertIn(b"stopped after ", service.stderr.read())
