@@ -75,21 +75,30 @@ TEST_CASE("world changes: a force turns a box about its centre of mass", "[api][
   CHECK(velocity.angular[0] == 0.0);
 }
 
-TEST_CASE("world changes: acceleration set on the way is that of a file with two segments", "[api][world]") {
-  for (const char* engine : {"native", "native-plain"}) {
-    const std::vector<holdfast::Setting> settings = {{"Screening", "Engine", engine},
-                                                     {"Physics Engine", "SimulationStepsPerSecond", "64"}};
-    const std::array<double, 3> first = {6.0, 0.0, 0.0};
-    const std::array<double, 3> second = {0.0, -6.0, 0.0};
-    World file(heap(), {"", {{0.0, 0.5, first}, {0.5, 0.5, second}}}, settings);
-    World live(heap(), {"", {{0.0, 1.0, first}}}, settings);
-    file.advance(1.0);
-    live.advance(0.5);
-    live.set_acceleration(second);
-    live.advance(1.0);
-    CAPTURE(engine);
-    CHECK(live.end_time() == file.end_time());
-    CHECK(live.state_hash() == file.state_hash());
+TEST_CASE("world changes: acceleration set on the way is that of a file with several segments", "[api][world]") {
+  using Accelerations = std::vector<std::array<double, 3>>;
+  // The second ones change little by little, and then by much.
+  for (const Accelerations& accelerations : {Accelerations{{6.0, 0.0, 0.0}, {0.0, -6.0, 0.0}},
+                                             Accelerations{{1.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, {6.0, 0.0, 0.0}}}) {
+    for (const char* engine : {"native", "native-plain"}) {
+      const std::vector<holdfast::Setting> settings = {{"Screening", "Engine", engine},
+                                                       {"Physics Engine", "SimulationStepsPerSecond", "64"}};
+      const double end = 0.5 * static_cast<double>(accelerations.size());
+      holdfast::Acceleration segments{"", {}};
+      for (std::size_t i = 0; i < accelerations.size(); ++i)
+        segments.segments.push_back({0.5 * static_cast<double>(i), 0.5, accelerations[i]});
+      World file(heap(), segments, settings);
+      World live(heap(), {"", {{0.0, end, accelerations.front()}}}, settings);
+      file.advance(end);
+      for (std::size_t i = 1; i < accelerations.size(); ++i) {
+        live.advance(0.5 * static_cast<double>(i));
+        live.set_acceleration(accelerations[i]);
+      }
+      live.advance(end);
+      CAPTURE(engine, end);
+      CHECK(live.end_time() == file.end_time());
+      CHECK(live.state_hash() == file.state_hash());
+    }
   }
 }
 
