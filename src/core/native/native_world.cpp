@@ -53,6 +53,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   scene_.manifolds.reserve(kLikelyManifolds * count);
   sleeping_ = SleepingBodies(count);
   resting_.assign(count, 0);
+  reset_.assign(count, 0);
   moving_.assign(count, 0);
   failed_.assign(count, 0);
   ahead_.assign(count, 0);
@@ -93,7 +94,7 @@ double NativeWorld::fall_margin(double acceleration) const {
 }
 
 void NativeWorld::mark() {
-  mark_ = {scene_, pairs_, terms_, sleeping_, resting_, wait_, next_wait_};
+  mark_ = {scene_, pairs_, terms_, sleeping_, resting_, wait_, next_wait_, reset_gravity_};
   phase_set_ = false;
 }
 
@@ -103,6 +104,7 @@ void NativeWorld::rewind() {
   terms_ = mark_.terms;
   sleeping_ = mark_.sleeping;
   resting_ = mark_.resting;
+  reset_gravity_ = mark_.reset_gravity;
   wait_ = mark_.wait;
   next_wait_ = mark_.next_wait;
   phase_set_ = false;
@@ -115,14 +117,22 @@ void NativeWorld::begin_phase(const Phase& phase) {
   phase_step_ = 0;
   const Vec3 effective_gravity = gravity_ - phase.acceleration;
   terms_.reset_warm_start = disturbed_ || effective_gravity != terms_.effective_gravity;
-  terms_.effective_gravity = effective_gravity;
-  disturbed_ = false;
   if (!terms_.reset_warm_start) return;
+  terms_.effective_gravity = effective_gravity;
   find_farther_contacts(phase.acceleration);
-  sleeping_.reset(scene_);
+  const double change = (effective_gravity - reset_gravity_).norm();
+  if (disturbed_ || change > kLittleChange * effective_gravity.norm()) {
+    disturbed_ = false;
+    reset_gravity_ = effective_gravity;
+    std::fill(reset_.begin(), reset_.end(), 1);
+    sleeping_.reset(scene_);
+    std::fill(wait_.begin(), wait_.end(), 0);
+    std::fill(next_wait_.begin(), next_wait_.end(), 0);
+  } else {
+    reset_ = resting_;
+    sleeping_.forget(resting_);
+  }
   std::fill(resting_.begin(), resting_.end(), 0);
-  std::fill(wait_.begin(), wait_.end(), 0);
-  std::fill(next_wait_.begin(), next_wait_.end(), 0);
 }
 
 /// Looks for contacts as far away as the accelerations from now on ask for, where that is farther than before: nobody

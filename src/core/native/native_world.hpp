@@ -74,6 +74,8 @@ class NativeWorld {
   void set_surfaces(Manifold& manifold) const;
   void end_manifold(std::size_t index);
   void end_separated_from_sleeping();
+  StepTerms terms_for(const IslandView& island) const;
+  void reset_small_islands();
   bool find_moving();
   bool is_due(const IslandView& island);
   bool prove_rest(const IslandView& island, bool leans);
@@ -119,6 +121,7 @@ class NativeWorld {
   SleepingBodies sleeping_;
   std::vector<Vec3> left_;             ///< a body that sleeps: impulse that its contacts leave over in a step, N s
   std::vector<std::uint8_t> resting_;  ///< a body: proved to rest under this phase's acceleration
+  std::vector<std::uint8_t> reset_;    ///< a body: where g − a has just changed, its last step is no guess
   std::vector<std::uint8_t> moving_;   ///< a body: stepped in this step; 2: put back to its start, to be stepped again
   std::vector<std::uint8_t> refuted_;  ///< a body: its proof of rest has failed in this step
   std::vector<std::uint8_t> undecided_;          ///< a body: whether it rests in this step is not known yet
@@ -145,12 +148,14 @@ class NativeWorld {
     SleepingBodies sleeping;
     std::vector<std::uint8_t> resting;
     std::vector<std::uint32_t> wait, next_wait;
+    Vec3 reset_gravity;
   };
   Mark mark_;
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
-  bool disturbed_ = false;  ///< a force or a coefficient has changed since the last step
+  Vec3 reset_gravity_ = Vec3::Zero();  ///< g − a when all bodies were last reset, m/s²
+  bool disturbed_ = false;             ///< a force or a coefficient has changed since the last step
   std::uint64_t phase_step_ = 0;
   SideImpulses side_impulses_;
   Counters counters_;

@@ -7,9 +7,27 @@
 
 namespace holdfast::internal::native {
 
+StepTerms NativeWorld::terms_for(const IslandView& island) const {
+  StepTerms terms = terms_;
+  terms.reset_warm_start = terms.reset_warm_start && std::all_of(island.bodies.begin(), island.bodies.end(),
+                                                                 [&](std::uint32_t body) { return reset_[body] != 0; });
+  return terms;
+}
+
+/// Small islands are reset by any change of the acceleration: they are cheap, and as exact as under one that is
+/// constant.
+void NativeWorld::reset_small_islands() {
+  for (std::size_t i = 0; i < connectivity_.size(); ++i) {
+    const IslandView island = connectivity_[i];
+    if (island.bodies.size() > kSmallIslandBodies) continue;
+    for (const std::uint32_t body : island.bodies) reset_[body] = 1;
+  }
+}
+
 /// Decides which islands rest and which move. True when any moves.
 bool NativeWorld::find_moving() {
   connectivity_.find(scene_.bodies, scene_.manifolds);
+  if (terms_.reset_warm_start) reset_small_islands();
   std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
   for (int round = 0;; ++round) {
@@ -53,7 +71,7 @@ bool NativeWorld::is_due(const IslandView& island) {
 
 bool NativeWorld::prove_rest(const IslandView& island, bool leans) {
   IslandReport report;
-  const bool rests = memory_->stepper.rests(scene_, island, terms_, leans, report);
+  const bool rests = memory_->stepper.rests(scene_, island, terms_for(island), leans, report);
   counters_.solve_iterations += report.iterations;
   for (const std::uint32_t body : island.bodies) refuted_[body] = rests ? 0 : 1;
   return rests;
@@ -65,7 +83,7 @@ bool NativeWorld::activate_leaning() {
   const Bodies& bodies = scene_.bodies;
   const double least = kLeaningAcceleration * terms_.effective_gravity.norm();
   const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
-    if (body < 0 || refuted_[at(body)] == 0) return Vec3::Zero();
+    if (body < 0 || refuted_[at(body)] == 0 || reset_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);
     return bodies.acceleration[i] + bodies.angular_acceleration[i].cross(point - bodies.state.position[i]);
   };

@@ -116,7 +116,7 @@ void NativeWorld::step_islands() {
   }
   const auto advance = [&](const IslandView& island) {
     IslandReport report;
-    memory_->stepper.advance(scene_, island, terms_, report);
+    memory_->stepper.advance(scene_, island, terms_for(island), report);
     counters_.solve_iterations += report.iterations;
     // An island that steps again overwrites its first report.
     for (const std::uint32_t body : island.bodies) reports_[body] = report;

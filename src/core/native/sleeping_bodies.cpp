@@ -1,6 +1,7 @@
 #include "core/native/sleeping_bodies.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/native/contact_kinematics.hpp"
 
@@ -18,8 +19,17 @@ bool any_asleep(const Bodies& bodies) {
 
 void SleepingBodies::reset(Scene& scene) {
   wake(scene);
-  std::fill(slow_steps_.begin(), slow_steps_.end(), 0U);
+  forget(std::vector<std::uint8_t>(slow_steps_.size(), 1));
   steps_ = 0;
+}
+
+void SleepingBodies::forget(const std::vector<std::uint8_t>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i] == 0) continue;
+    slow_steps_[i] = 0;
+    // Every speed has risen from this one.
+    speed_[i] = -std::numeric_limits<double>::infinity();
+  }
 }
 
 void SleepingBodies::wake(Scene& scene) {
@@ -141,7 +151,7 @@ void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std:
     const double speed = bodies.largest_speed(i);
     if (speed > kSlowSpeed * terms.velocity_unit)
       slow_steps_[i] = 0;
-    else if (!terms.reset_warm_start && speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
+    else if (speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
       ++slow_steps_[i];
     speed_[i] = speed;
   }

@@ -15,14 +15,18 @@ namespace holdfast::internal::native {
 /// Five things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
 /// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
 /// since they fell asleep. Bodies that are hit, and those near them, do not sleep in that step, nor do those that
-/// moving ones carry. And all wake where the effective gravity changes.
+/// moving ones carry. And all wake where the effective gravity has changed by more than `kLittleChange`.
 class SleepingBodies {
  public:
   explicit SleepingBodies(std::size_t bodies = 0)
       : slow_steps_(bodies, 0), speed_(bodies, 0.0), load_(bodies, Vec3::Zero()) {}
 
-  /// Wakes all bodies, and forgets how long they have been slow: the effective gravity has changed.
+  /// Wakes all bodies, and forgets how long they have been slow: the effective gravity has changed by much.
   void reset(Scene& scene);
+
+  /// Forgets how long these bodies have been slow; the next step does not count.
+  /// @param bodies a body: not 0 where it is meant
+  void forget(const std::vector<std::uint8_t>& bodies);
 
   /// Wakes all bodies: the islands of the scene are the real ones.
   void wake(Scene& scene);
@@ -55,7 +59,7 @@ class SleepingBodies {
   std::vector<std::uint32_t> slow_steps_;  ///< a body: steps in which it was slow, since it was fast or overloaded
   std::vector<double> speed_;              ///< a body: of any of its points, at most, when it was last awake, m/s
   std::vector<Vec3> load_;                 ///< a body that sleeps: sum of its contact forces when it fell asleep, N
-  std::uint32_t steps_ = 0;                ///< since the effective gravity changed
+  std::uint32_t steps_ = 0;                ///< since the last `reset`
   std::vector<std::uint8_t> slept_;        ///< a body: asleep in the step before
   std::vector<Vec3> stopped_;
   std::vector<Contact> contacts_;  ///< of the bodies that sleep, in the order of the manifolds

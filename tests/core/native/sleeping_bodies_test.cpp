@@ -88,6 +88,24 @@ TEST_CASE("sleeping_bodies: all are awake in every 32nd step, and where the acce
   }
 }
 
+TEST_CASE("sleeping_bodies: boxes that an acceleration brings to slide little by little do not sleep through it",
+          "[core][sleeping_bodies]") {
+  // From 3 to 8 m/s² within a second, by less than 1 % per sample; boxes slide from 4.9 m/s² on.
+  std::vector<std::pair<double, Vec3>> samples;
+  for (int i = 0; i < 60; ++i) samples.emplace_back(1.0 / 60.0, Vec3(kBraking + 5.0 * i / 60.0, 0, 0));
+  double path[2] = {};
+  for (const bool sleep : {false, true}) {
+    Settings settings = on_the_floor(kSlippery);
+    settings.native.sleep = sleep;
+    OneWorld scene(settings, boxes_on_a_plate(10), acceleration_of(samples));
+    const StateColumns start = scene.batch.state;
+    CHECK((most_asleep(scene) > 5) == sleep);
+    path[sleep ? 1 : 0] = start.position[5].x() - scene.batch.state.position[5].x();
+  }
+  CHECK(path[0] > 0.15);
+  CHECK(path[1] == Approx(path[0]).epsilon(0.01));
+}
+
 TEST_CASE("sleeping_bodies: none sleep where what begins to slide is as slow as rest", "[core][sleeping_bodies]") {
   // Just above the limit of friction: after a second the speed is still below that which may be rest.
   const double excess = 1e-3;  // m/s²
