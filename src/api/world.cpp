@@ -77,7 +77,7 @@ struct World::State {
     simulation = engine->build(batch);
     settle();
     end = internal::latest_end(acceleration, settings);
-    phases = internal::phases_of(acceleration, end);
+    phases = internal::phases_for(*engine, acceleration, end);
   }
 
   /// Gravity alone until t = 0.

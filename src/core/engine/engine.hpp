@@ -58,6 +58,8 @@ struct EngineTraits {
   bool takes_changes = false;
   /// True when `Simulation::advance` shows the state at the end of every step. A device takes several at once.
   bool shows_every_step = true;
+  /// Longest step, s: curves of far shorter samples are resampled, see `resampled`. 0: none are.
+  double longest_step = 0.0;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
   bool has_kinetic_friction = false;
 };

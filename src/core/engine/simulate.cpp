@@ -28,9 +28,10 @@ bool is_quiet(const StateView& state, double threshold) {
 /// Worlds that advance together, from settling to the end of the last one; each has its own clock.
 class Group {
  public:
-  Group(Simulation& simulation, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
-        const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
-      : simulation_(simulation),
+  Group(const Engine& engine, Simulation& simulation, WorldBatch& batch, const Settings& settings,
+        std::span<Recorder* const> recorders, const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
+      : engine_(engine),
+        simulation_(simulation),
         batch_(batch),
         settings_(settings),
         recorders_(recorders),
@@ -44,7 +45,7 @@ class Group {
     if (!settle()) return false;
     std::erase_if(running_, [&](std::size_t world) {
       const Acceleration& acceleration = *world_of(world).acceleration;
-      clocks_[world] = {phases_of(acceleration, latest_end(acceleration, settings_)), 0, 0.0,
+      clocks_[world] = {phases_for(engine_, acceleration, latest_end(acceleration, settings_)), 0, 0.0,
                         last_change(acceleration)};
       if (!clocks_[world].phases.empty()) return false;
       finish(world, {.stop_reason = StopReason::timeout});
@@ -172,6 +173,7 @@ class Group {
     recorders_[world]->finish(outcome, state_of(batch_.state, world));
   }
 
+  const Engine& engine_;
   Simulation& simulation_;
   WorldBatch& batch_;
   const Settings& settings_;
@@ -201,6 +203,12 @@ double latest_end(const Acceleration& acceleration, const Settings& settings) {
   return acceleration.end_time() + (sleeping ? kSleepingPatience : 0.0);
 }
 
+std::vector<Phase> phases_for(const Engine& engine, const Acceleration& acceleration, double end) {
+  const std::vector<Phase> phases = phases_of(acceleration, end);
+  const double longest_step = engine.traits().longest_step;
+  return longest_step > 0.0 ? resampled(phases, longest_step) : phases;
+}
+
 double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end) {
   if (status == Status::not_needed) return latest_end;
   return stop_reason == StopReason::decided ? latest_end - end_time : 0.0;
@@ -210,7 +218,7 @@ bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
               const std::atomic<bool>& abort) {
   const std::unique_ptr<Simulation> simulation = engine.build(batch);
   for (std::vector<std::size_t>& group : groups_of(batch, engine.traits())) {
-    if (!Group(*simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;
+    if (!Group(engine, *simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;
   }
   return true;
 }

@@ -24,10 +24,15 @@ double latest_end(const Acceleration& acceleration, const Settings& settings);
 /// @param latest_end as above
 double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end);
 
+/// The phases that an engine is asked for: those of the acceleration, resampled where they are far shorter than its
+/// steps.
+/// @param end end of the simulated time, s
+std::vector<Phase> phases_for(const Engine& engine, const Acceleration& acceleration, double end);
+
 /// Simulates every world of the batch from settling to its end, and passes the steps to its recorder.
 ///
 /// For each world: gravity alone for the settling time; the start of the recorder at t = 0; every step, none of which
-/// crosses a breakpoint of the acceleration; the end, early when the recorder has decided. A world whose state is no
+/// crosses the end of a phase (`phases_for`); the end, early when the recorder has decided. A world whose state is no
 /// longer finite ends at the last finite state, with `Status::non_finite`.
 /// @param batch     columns of the worlds, in the layout's pose; holds the final states afterwards
 /// @param recorders one per world, in the order of the batch

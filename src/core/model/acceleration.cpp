@@ -1,8 +1,71 @@
 #include "core/model/acceleration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace holdfast::internal {
+
+namespace {
+
+/// Samples shorter than this share of a step are resampled: as they are, they take more than four times as many steps.
+/// A half: curves of 200 samples per second take 0.4 of their time at 60 steps per second, and a box that begins to
+/// slide within a ramp of such samples is 0.2 mm off after 6 m, where it is now exact to rounding.
+constexpr double kShortestSample = 0.25;
+
+/// How far the container may be from where it is, within a step whose samples have been replaced by their mean, m: far
+/// below the error of a simulation with such steps.
+constexpr double kResampledShift = 2e-5;
+
+/// Calls `visit(acceleration, duration)` for what phases have in common with an interval, in the order of time.
+template <class Visit>
+void for_each_within(std::span<const Phase> phases, double begin, double end, Visit visit) {
+  auto phase = std::ranges::upper_bound(phases, begin, {}, &Phase::end);
+  for (; phase != phases.end() && phase->begin < end; ++phase)
+    visit(phase->acceleration, std::min(phase->end, end) - std::max(phase->begin, begin));
+}
+
+/// The interval with the mean acceleration of the phases, which is exact where they have only one.
+Phase mean_of(std::span<const Phase> phases, double begin, double end) {
+  const Vec3 first = std::ranges::upper_bound(phases, begin, {}, &Phase::end)->acceleration;
+  Vec3 mean = first;
+  for_each_within(phases, begin, end, [&](const Vec3& acceleration, double duration) {
+    mean += duration / (end - begin) * (acceleration - first);
+  });
+  return {begin, end, mean};
+}
+
+/// How far the container is from where it is under the phases, at most at the ends of these, where a step with the
+/// mean acceleration begins from the same state, m.
+double largest_shift(std::span<const Phase> phases, const Phase& step) {
+  Vec3 velocity = Vec3::Zero(), shift = Vec3::Zero();
+  double largest = 0.0;
+  for_each_within(phases, step.begin, step.end, [&](const Vec3& acceleration, double duration) {
+    const Vec3 difference = acceleration - step.acceleration;
+    shift += duration * (velocity + 0.5 * duration * difference);
+    velocity += duration * difference;
+    largest = std::max(largest, shift.norm());
+  });
+  return largest;
+}
+
+/// A run of short phases, in as few steps as `kResampledShift` allows.
+std::vector<Phase> resampled_run(std::span<const Phase> run, double longest_step) {
+  const double begin = run.front().begin, duration = run.back().end - begin;
+  const auto least = std::ceil((duration - kSameInstant) / longest_step);
+  for (auto count = static_cast<std::size_t>(std::max(1.0, least)); count < run.size(); count *= 2) {
+    const auto time = [&](std::size_t i) {
+      return i == count ? run.back().end : begin + duration * static_cast<double>(i) / static_cast<double>(count);
+    };
+    std::vector<Phase> steps;
+    for (std::size_t i = 0; i < count; ++i) steps.push_back(mean_of(run, time(i), time(i + 1)));
+    if (std::ranges::all_of(steps, [&](const Phase& step) { return largest_shift(run, step) <= kResampledShift; }))
+      return steps;
+  }
+  return {run.begin(), run.end()};
+}
+
+}  // namespace
 
 double Acceleration::end_time() const {
   return segments.empty() ? 0.0 : segments.back().start + segments.back().duration;
@@ -25,6 +88,19 @@ std::vector<Phase> phases_of(const Acceleration& acceleration, double end) {
   }
   add_until(end, Vec3::Zero());
   return phases;
+}
+
+std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_step) {
+  const double least = kShortestSample * longest_step - kSameInstant;
+  const auto is_kept = [&](const Phase& phase) { return phase.end - phase.begin > least; };
+  std::vector<Phase> all;
+  for (auto begin = phases.begin(); begin != phases.end();) {
+    const auto end = std::max(begin + 1, std::find_if(begin, phases.end(), is_kept));
+    const std::vector<Phase> run = resampled_run({begin, end}, longest_step);
+    all.insert(all.end(), run.begin(), run.end());
+    begin = end;
+  }
+  return all;
 }
 
 double last_change(const Acceleration& acceleration) {

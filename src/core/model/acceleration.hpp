@@ -46,6 +46,13 @@ inline constexpr double kSameInstant = 1e-9;
 /// @param end end of the simulated time, s; phases are shortened or a phase of zero acceleration is added to reach it
 std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 
+/// The phases with each run of those that are far shorter than a step resampled: divided into equal phases of at most a
+/// step, each with the mean acceleration of that time. Where the container would be away from where it is within one of
+/// them, by more than does not count, the run is divided into twice as many, and it is left as it is where that saves
+/// nothing.
+/// @param longest_step s
+std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_step);
+
 /// Time of the last change of the acceleration, s; after it a(t) is constant. 0 when it never changes.
 double last_change(const Acceleration& acceleration);
 

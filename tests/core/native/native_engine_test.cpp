@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
@@ -233,6 +234,18 @@ TEST_CASE("native_engine: a box that spins freely keeps its angular momentum and
     CHECK(momentum_error < 1e-11);
     CHECK(energy_error < bound);
   }
+}
+
+TEST_CASE("native_engine: a curve of samples far shorter than a step takes no more steps than its time",
+          "[core][native_engine]") {
+  const double frequency = 2.0 * std::numbers::pi, strength = 3.0;
+  std::vector<std::pair<double, Vec3>> samples;
+  for (int i = 0; i < 1000; ++i)
+    samples.emplace_back(1e-3, Vec3(0, strength * std::sin(frequency * 1e-3 * (i + 0.5)), 0));
+  const Settings settings = with(Accuracy::screening, open_floor(0.0));
+  const Run run = native_run(one_box(kFlat), acceleration_of(samples), settings);
+  CHECK(run.record.outcome.counters.steps == 60);
+  CHECK(run.displacement().y() == Approx(-strength / frequency).epsilon(1e-3));
 }
 
 TEST_CASE("native_engine: steps follow the settings, and never straddle a change of the acceleration",
