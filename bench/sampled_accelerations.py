@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 """Accelerations as a data logger records them: a lane change of 0.2 g and a braking of 0.8 g with vibration, as curves of
-50 samples per second. The same bytes each time.
+samples. The same bytes each time.
 
-Example: bench/sampled_accelerations.py sampled/
+Example: bench/sampled_accelerations.py sampled/ --samples 1000
 """
 import argparse
 import math
 from pathlib import Path
 
-SAMPLES = 50  # per second
 GRAVITY = 9.81  # m/s²
 
 
@@ -29,13 +28,15 @@ def braking(time):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
-    folder = parser.parse_args().folder
+    parser.add_argument("--samples", type=int, default=50, metavar="N", help="samples per second (default: 50)")
+    arguments = parser.parse_args()
+    folder, samples = arguments.folder, arguments.samples
     folder.mkdir(parents=True, exist_ok=True)
     for name, curve, duration in (("lane_change_0g2", lane_change, 6.5), ("braking_0g8", braking, 3.0)):
         lines = ["#Initial-Time\t/ Duration\t/ X\t/ Y\t/ Z"]
-        for sample in range(round(duration * SAMPLES)):
-            x, y = curve((sample + 0.5) / SAMPLES)
-            lines.append(f"{sample / SAMPLES:.2f}\t{1 / SAMPLES:.2f}\t{x:.5f}\t{y:.5f}\t0")
+        for sample in range(round(duration * samples)):
+            x, y = curve((sample + 0.5) / samples)
+            lines.append(f"{sample / samples:.12g}\t{1 / samples:.12g}\t{x:.5f}\t{y:.5f}\t0")
         (folder / f"{name}.txt").write_text("\n".join(lines) + "\n")
 
 

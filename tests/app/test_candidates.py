@@ -100,6 +100,9 @@ class Candidates(CliTest):
             self.assertTrue(all(abs(b[0] - a[0] - 0.02) < 1e-9 for a, b in zip(rows, rows[1:])))
         self.assertEqual([round(a, 2) for a in largest["lane_change_0g2"]], [0, 0.2, 0])
         self.assertEqual([round(a, 2) for a in largest["braking_0g8"]], [0.82, 0.01, 0])
+        subprocess.run([sys.executable, SOURCE / "bench/sampled_accelerations.py", folder, "--samples", "300"], check=True)
+        self.assert_exit(self.run_here("check", folder), 0)
+        self.assertEqual(len((folder / "braking_0g8.txt").read_text().splitlines()), 1 + 3 * 300)
 
 
 if __name__ == "__main__":

@@ -24,9 +24,10 @@ struct Float4 {
 /// Sampled time series of one world, as float32 columns that the file stores unchanged. Container frame. Sample columns
 /// have one entry per sample; row columns have one per sample and box: row = sample * box_count + box.
 struct Series {
-  std::vector<double> time;                    ///< s
-  std::vector<Float3> container_acceleration;  ///< m/s²; at a breakpoint the value before it
-  std::vector<float> total_kinetic_energy;     ///< J
+  std::vector<double> time;  ///< s
+  std::vector<Float3>
+      container_acceleration;  ///< m/s²; at a breakpoint the value before it, and the mean of a step where resampled
+  std::vector<float> total_kinetic_energy;  ///< J
   std::vector<std::uint32_t> fallen_count;  ///< boxes lower than in the reference pose by more than the drop threshold
   /// Outward force on each side, mean over the step that the sample lies in, N; empty where not asked for.
   std::vector<std::array<float, kSideCount>> side_force;

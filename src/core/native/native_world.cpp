@@ -116,8 +116,8 @@ void NativeWorld::begin_phase(const Phase& phase) {
   phase_begin_ = phase.begin;
   phase_step_ = 0;
   const Vec3 effective_gravity = gravity_ - phase.acceleration;
-  terms_.reset_warm_start = disturbed_ || effective_gravity != terms_.effective_gravity;
-  if (!terms_.reset_warm_start) return;
+  gravity_changed_ = disturbed_ || effective_gravity != terms_.effective_gravity;
+  if (!gravity_changed_) return;
   terms_.effective_gravity = effective_gravity;
   find_farther_contacts(phase.acceleration);
   const double change = (effective_gravity - reset_gravity_).norm();
@@ -190,7 +190,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
     counters_.steps += left;
     counters_.steps_skipped += left;
     phase_step_ = plan.step_count();
-    terms_.reset_warm_start = false;
+    gravity_changed_ = false;
     return phase.end;
   }
   if (any_moving) {
@@ -206,7 +206,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   } else {
     add_resting_pushes(plan.step());
   }
-  terms_.reset_warm_start = false;
+  gravity_changed_ = false;
   ++counters_.steps;
   if (!any_moving) ++counters_.steps_skipped;
   return plan.end_of(phase_step_++);

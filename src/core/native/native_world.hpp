@@ -154,6 +154,7 @@ class NativeWorld {
 
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
+  bool gravity_changed_ = false;       ///< g − a, or what acts from outside, has changed since the last step
   Vec3 reset_gravity_ = Vec3::Zero();  ///< g − a when all bodies were last reset, m/s²
   bool disturbed_ = false;             ///< a force or a coefficient has changed since the last step
   std::uint64_t phase_step_ = 0;

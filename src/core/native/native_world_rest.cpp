@@ -7,10 +7,11 @@
 
 namespace holdfast::internal::native {
 
+/// The terms of a step for an island, with whether it is reset.
 StepTerms NativeWorld::terms_for(const IslandView& island) const {
   StepTerms terms = terms_;
-  terms.reset_warm_start = terms.reset_warm_start && std::all_of(island.bodies.begin(), island.bodies.end(),
-                                                                 [&](std::uint32_t body) { return reset_[body] != 0; });
+  terms.reset_warm_start = gravity_changed_ && std::all_of(island.bodies.begin(), island.bodies.end(),
+                                                           [&](std::uint32_t body) { return reset_[body] != 0; });
   return terms;
 }
 
@@ -27,7 +28,7 @@ void NativeWorld::reset_small_islands() {
 /// Decides which islands rest and which move. True when any moves.
 bool NativeWorld::find_moving() {
   connectivity_.find(scene_.bodies, scene_.manifolds);
-  if (terms_.reset_warm_start) reset_small_islands();
+  if (gravity_changed_) reset_small_islands();
   std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
   for (int round = 0;; ++round) {
@@ -48,7 +49,7 @@ bool NativeWorld::find_moving() {
         undecided_[body] = 0;
       }
     }
-    if (!terms_.reset_warm_start || round == kActivationRounds || !activate_leaning()) break;
+    if (!gravity_changed_ || round == kActivationRounds || !activate_leaning()) break;
     connectivity_.find(scene_.bodies, scene_.manifolds);
   }
   for (std::size_t i = 0; i < refuted_.size(); ++i) {

@@ -156,7 +156,7 @@ constexpr std::array<DatasetSpec, kDatasetCount> kTable = {{
     // series: world by world; within a world sample by sample, and within a sample box by box
     {"/series/time", ElementType::f64, 1, Axis::samples, "s", "time of the sample"},
     {"/series/container_acceleration", ElementType::f32, 3, Axis::samples, "m/s2",
-     "acceleration of the container; at a breakpoint the value before it"},
+     "acceleration of the container; at a breakpoint the value before it, and the mean of a step where resampled"},
     {"/series/total_kinetic_energy", ElementType::f32, 1, Axis::samples, "J", "kinetic energy of all boxes together"},
     {"/series/fallen_count", ElementType::u32, 1, Axis::samples, "1",
      "boxes lower than in the reference pose by more than the drop threshold of the run"},
