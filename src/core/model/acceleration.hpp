@@ -48,8 +48,7 @@ std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 
 /// The phases with each run of those that are far shorter than a step resampled: divided into equal phases of at most a
 /// step, each with the mean acceleration of that time. Where the container would be away from where it is within one of
-/// them, by more than does not count, the run is divided into twice as many, and it is left as it is where that saves
-/// nothing.
+/// them, by more than does not count, this one is divided further.
 /// @param longest_step s
 std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_step);
 
