@@ -15,6 +15,7 @@ matplotlib.use("Agg")
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "peers"})
 import matplotlib.pyplot as plt
 import pandas as pd
+from matplotlib.transforms import Bbox
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import peer_statistics as statistics
@@ -25,8 +26,8 @@ from tables import replace_tables, table_of
 BASE = "native-screening"
 KINDS = ["road", "loose", "gentle", "sampled", "harsh", "large"]
 SETTINGS = {
-    "road": [BASE, "native-standard", "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks",
-             "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
+    "road": [BASE, f"{BASE}:StepsPerSecond=30:Iterations=10", "native-standard", "box3d-60x4s", "box3d-60x8ks",
+             "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
     "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x16ks", "jolt-60s", "jolt-60ps"],
     "sampled": [BASE, "native-standard", "box3d-60x4s", "box3d-60x16ks", "jolt-60s"],
     "harsh": [BASE, f"{BASE}:Iterations=64", f"{BASE}:StepsPerSecond=240:Iterations=32", "native-standard",
@@ -46,6 +47,23 @@ LARGE_LOADS = 8  # of each size: the time of one may be twice that of another
 def number(value):
     """Two or three significant digits, without an exponent."""
     return f"{value:.0f}" if abs(value) >= 99.5 else f"{value:.2g}"
+
+
+def label_points(axes, x, y):
+    """Writes the name of each point beside it, where it covers nothing if there is such a place."""
+    taken = [axes.get_legend().get_window_extent()]
+    taken += [Bbox.from_bounds(*axes.transData.transform((x[name], y[name])) - 4, 8, 8) for name in x.index]
+    for name in x.index:
+        places = [(dx, dy, side) for dy in (4, -9, 12, -17) for dx, side in ((5, "left"), (-5, "right"))]
+        for dx, dy, side in places:
+            label = axes.annotate(name, (x[name], y[name]), textcoords="offset points", xytext=(dx, dy), ha=side,
+                                  fontsize=7)
+            box = label.get_window_extent()
+            inside = axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1
+            if (inside and not any(box.overlaps(other) for other in taken)) or (dx, dy, side) == places[-1]:
+                break
+            label.remove()
+        taken.append(box)
 
 
 class Comparison:
@@ -162,13 +180,13 @@ class Comparison:
                     axes.plot(cost[of_family], error[of_family], marker, label=family)
             front = statistics.pareto_front(cost, error)
             axes.step(cost[front], error[front], "k:", where="post", linewidth=1)
-            for name in cost.index:
-                axes.annotate(name, (cost[name], error[name]), textcoords="offset points", xytext=(4, 3), fontsize=7)
             axes.set(xscale="log", xlabel=f"processor time relative to {BASE}", ylabel=label, title=title)
             if title == "harsh":
                 axes.set(yscale="log")
-            axes.legend()
+            axes.legend(loc="upper right")
         figure.tight_layout()
+        for axes, (_, cost, _, error) in zip(panels[0], self.fronts):
+            label_points(axes, cost, error)
         figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
 
 
