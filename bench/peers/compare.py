@@ -50,19 +50,18 @@ def number(value):
 
 
 def label_points(axes, x, y):
-    """Writes the name of each point beside it, where it covers nothing if there is such a place."""
+    """Writes the name of each point beside it, where it covers nothing, if there is such a place."""
     taken = [axes.get_legend().get_window_extent()]
     taken += [Bbox.from_bounds(*axes.transData.transform((x[name], y[name])) - 4, 8, 8) for name in x.index]
+    places = [(dx, dy, side) for dy in (4, -9, 12, -17) for dx, side in ((5, "left"), (-5, "right"))]
     for name in x.index:
-        places = [(dx, dy, side) for dy in (4, -9, 12, -17) for dx, side in ((5, "left"), (-5, "right"))]
+        label = axes.annotate(name, (x[name], y[name]), textcoords="offset points", xytext=(0, 0), fontsize=7)
         for dx, dy, side in places:
-            label = axes.annotate(name, (x[name], y[name]), textcoords="offset points", xytext=(dx, dy), ha=side,
-                                  fontsize=7)
+            label.xyann = (dx, dy)
+            label.set_horizontalalignment(side)
             box = label.get_window_extent()
-            inside = axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1
-            if (inside and not any(box.overlaps(other) for other in taken)) or (dx, dy, side) == places[-1]:
+            if axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and not any(box.overlaps(other) for other in taken):
                 break
-            label.remove()
         taken.append(box)
 
 

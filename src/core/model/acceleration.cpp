@@ -13,11 +13,11 @@ namespace {
 /// slide within a ramp of such samples is 0.2 mm off after 6 m, where it is now exact to rounding.
 constexpr double kShortestSample = 0.25;
 
-/// How far the container may be from where it is, within a step whose samples have been replaced by their mean, m: far
-/// below the error of a simulation with such steps. It trades time against error at 60 steps per second, with 1,000
-/// samples per second: half of it takes 1.07 of the time under a smooth curve, and 1.4 under white noise of 1 m/s2 on
-/// it, with a median error of 0.18 mm in place of 0.22 mm; twice takes 0.94 and 0.74, with 0.5 mm. At 240 steps per
-/// second time and error differ by less than 3 %.
+/// How far the container may be from where its samples lead it, within a step whose samples have been replaced by their
+/// mean, m: far below the error of a simulation with such steps. It trades time against error at 60 steps per second,
+/// with 1,000 samples per second: half of it takes 1.07 of the time under a smooth curve, and 1.4 under white noise of
+/// 1 m/s2 on it, with a median error of 0.18 mm in place of 0.22 mm; twice takes 0.94 and 0.74, with 0.5 mm. At 240
+/// steps per second time and error differ by less than 3 %.
 constexpr double kResampledShift = 2e-5;
 
 /// Calls `visit(acceleration, duration)` for what phases have in common with an interval, in the order of time.
@@ -52,7 +52,8 @@ double largest_shift(std::span<const Phase> phases, const Phase& step) {
   return largest;
 }
 
-/// Appends the interval as one step, or as two, cut at the end of a sample, where the container would go too far.
+/// Appends the interval as one step or, where `kResampledShift` does not allow that, as several, cut at ends of
+/// samples.
 void append_steps(std::span<const Phase> run, double begin, double end, std::vector<Phase>& steps) {
   const Phase step = mean_of(run, begin, end);
   if (largest_shift(run, step) <= kResampledShift) {
@@ -66,7 +67,7 @@ void append_steps(std::span<const Phase> run, double begin, double end, std::vec
   append_steps(run, cut, end, steps);
 }
 
-/// A run of short phases in equal steps, of which those are divided further that `kResampledShift` does not allow.
+/// A run of short phases in equal steps, divided further where they must be, or as it is where that saves nothing.
 std::vector<Phase> resampled_run(std::span<const Phase> run, double longest_step) {
   const double begin = run.front().begin, duration = run.back().end - begin;
   const double count = std::max(1.0, std::ceil((duration - kSameInstant) / longest_step));

@@ -47,8 +47,8 @@ inline constexpr double kSameInstant = 1e-9;
 std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
 
 /// The phases with each run of those that are far shorter than a step resampled: divided into equal phases of at most a
-/// step, each with the mean acceleration of that time. Where the container would be away from where it is within one of
-/// them, by more than does not count, this one is divided further.
+/// step, each with the mean acceleration of its time. A phase in which that would put the container noticeably away
+/// from where the run leads it is divided further. A run stays as it is where all this saves nothing.
 /// @param longest_step s
 std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_step);
 
