@@ -94,6 +94,7 @@ docs: program  ## Write the generated pages of docs/ again, and its picture wher
 	build/release/bin/holdfast --config-page > docs/config.md
 	build/release/bin/holdfast --norms-page > docs/norms.md
 	build/release/bin/holdfast --results-page > docs/results_file.md
+	python3 tools/parameters_page.py build/release/bin/holdfast > docs/parameters.md
 	! command -v dot > /dev/null || dot -Tsvg docs/world_flow.dot -o docs/world_flow.svg
 
 dependencies:  ## Install the packages that building, tests, examples and benchmarks need

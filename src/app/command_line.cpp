@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "api/version.hpp"
+#include "app/accuracies_json.hpp"
 #include "app/command_line_pages.hpp"
 #include "app/command_line_parts.hpp"
 #include "app/commands.hpp"
@@ -383,6 +384,8 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
   // For `make docs` alone, and not listed.
   add_page(program, "--config-page", "Print docs/config.md and exit", settings_page)->group("");
+  add_page(program, "--accuracies", "Print what each accuracy stands for, as JSON, and exit", accuracies_json)
+      ->group("");
   add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");
   add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
   add_page(program, "--man-page", "Print the manual page and exit", [&] { return man_page(program); })->group("");

@@ -6,275 +6,292 @@
 // The tuned constants of the native engine. Numbers that merely keep rounding out (a divisor that could be zero, a
 // counter that could overflow) stand where they are used; what depends on the accuracy stands in `native_options`.
 //
-// With each stands what half and twice its value change, as measured on the 90 worlds of `configs/` at `screening`
-// (time and verdicts) and on the 778 measurements of `holdfast validate --quick --engine native` without loads, 655 of
-// which pass. "Insensitive" is a value where no case fails that passed, and verdicts change no more than wherever any
-// bit does: 3 worlds of 90 at most, which tumble. "Noticed by" names the unit tests under `tests/core` that fail at
-// half or at twice; a change of any bit of its scenes is noticed by `native_golden`, and a case that fails by the test
-// of the recorded bounds.
+// Before a constant stands what it means and trades, after `@measured` what other values change, and behind it its
+// unit, or what it is a share or a multiple of. `tools/parameters_page.py` makes docs/parameters.md of this.
+//
+// Measured are the 90 worlds of `configs/` at `screening` (time and verdicts), and the 778 measurements of `holdfast
+// validate --quick --engine native` without loads, 655 of which pass. "Insensitive" is a value where no case fails that
+// passed, and verdicts change no more than wherever any bit does: 3 worlds of 90 at most, which tumble. "Noticed by"
+// names the unit tests under `tests/core` that fail at half or at twice; a change of any bit of its scenes is noticed
+// by `native_golden`, and a case that fails by the test of the recorded bounds.
 
 namespace holdfast::internal::native {
 
-// --- Lengths, m ---
+// --- Lengths ---
 
 /// Surfaces this near are in touch, and points this near are one: far above rounding, far below what shows.
-/// Half and twice: insensitive.
-inline constexpr double kTouch = 1e-7;
+/// @measured Half and twice: insensitive.
+inline constexpr double kTouch = 1e-7;  // m
 
 /// Geometry below this length does not count: boxes whose outlines overlap by less touch along an edge or a corner, and
 /// boxes of a packing do so everywhere, without holding each other; edges that pass by less do cross; faces that
 /// separate boxes alike to this are equally good, less than `kAxisHysteresis`, which must decide first. Contacts are
 /// looked for this far away at least, and supports with gaps up to this carry weight when a world starts.
-/// Half and twice: insensitive. Noticed by `box_box`, `clipping`.
-inline constexpr double kContactTolerance = 1e-5;
+/// @measured Half and twice: insensitive. Noticed by `box_box`, `clipping`.
+inline constexpr double kContactTolerance = 1e-5;  // m
 
 /// Gap up to which points of a contact that carried a force in the last step count as touching in a proof of rest:
-/// boxes that come to rest rock by a few micrometres for some steps. With 0.1 µm worlds under the road accelerations
-/// take 15 % more time at `screening`, with 50 µm 2 % less. Half: case `row_of_3_at_wall` fails; twice: insensitive.
-inline constexpr double kPressedTouch = 1.01e-5;
+/// boxes that come to rest rock by a few micrometres for some steps.
+/// @measured With 0.1 µm worlds under the road accelerations take 15 % more time at `screening`, with 50 µm 2 % less.
+/// Half: case `row_of_3_at_wall` fails; twice: insensitive.
+inline constexpr double kPressedTouch = 1.01e-5;  // m
 
 /// The separating axis of the step before is kept until another is better by this much: more than the jitter of boxes
 /// at rest, far less than the thinnest plate.
-/// Half and twice: insensitive. Noticed by `box_box`.
-inline constexpr double kAxisHysteresis = 20e-6;
+/// @measured Half and twice: insensitive. Noticed by `box_box`.
+inline constexpr double kAxisHysteresis = 20e-6;  // m
 
 /// Edges have to separate boxes this much better than faces: faces give up to 8 points, and edges one.
-/// Half and twice: insensitive. Noticed by `separating_axis`, `box_box_random`.
-inline constexpr double kEdgeHandicap = 50e-6;
+/// @measured Half and twice: insensitive. Noticed by `separating_axis`, `box_box_random`.
+inline constexpr double kEdgeHandicap = 50e-6;  // m
 
 /// The point of two edges and a corner of a face's contact that are nearer than this are one; points of the face's
 /// contact whose gap is larger by more than this are not beside it.
-/// Half and twice: insensitive.
-inline constexpr double kSameEdge = 1e-3;
+/// @measured Half and twice: insensitive.
+inline constexpr double kSameEdge = 1e-3;  // m
 
 /// Cosine of 11°: faces whose normal is this near to that of a contact of edges are nearly parallel, and add their
-/// points to it. Without these points 600 boxes that brake take a fifth more time, much of it for steps that are taken
+/// points to it.
+/// @measured Without these points 600 boxes that brake take a fifth more time, much of it for steps that are taken
 /// again because a corner overlaps. 0.9: insensitive; 0.995: 600 boxes that brake take 7 % more time.
-inline constexpr double kParallelFaces = 0.98;
+inline constexpr double kParallelFaces = 0.98;  // cosine
 
 /// A contact point keeps its cached impulse from step to step while it moves less than this over one of its bodies.
-/// Half and twice: insensitive.
-inline constexpr double kMatchDistance = 0.02;
+/// @measured Half and twice: insensitive.
+inline constexpr double kMatchDistance = 0.02;  // m
 
 /// The same for points of one index, without a look at the others: points come in the order of the contact's corners.
-/// Half and twice: insensitive.
-inline constexpr double kMatchDistanceInOrder = 1e-3;
+/// @measured Half and twice: insensitive.
+inline constexpr double kMatchDistanceInOrder = 1e-3;  // m
 
 /// Penetration slop: overlap that a step may end with before a contact is solved, at most this and at most
 /// `kPenetrationSlopShare` |g − a| h². The accuracy may allow more.
-/// Half and twice: insensitive.
-inline constexpr double kPenetrationSlop = 5e-6;
-/// Half and twice: insensitive. Noticed by `native_impacts`.
-inline constexpr double kPenetrationSlopShare = 0.01;
+/// @measured Half and twice: insensitive.
+inline constexpr double kPenetrationSlop = 5e-6;  // m
+
+/// The same share of how far bodies fall freely in a step.
+/// @measured Half and twice: insensitive. Noticed by `native_impacts`.
+inline constexpr double kPenetrationSlopShare = 0.01;  // |g − a| h²
 
 // --- Contacts ---
 
 /// A contact supports when its normal is this much along the vertical: it carries weight rather than merely touching.
-/// 0.25 and 0.9: no bit changes.
-inline constexpr double kSupporting = 0.5;
+/// @measured 0.25 and 0.9: no bit changes.
+inline constexpr double kSupporting = 0.5;  // cosine
 
 /// Cosine of 0.57°: edges of boxes aligned to this are either nearly parallel, with no cross product to speak of, or
 /// span a plane that is nearly that of a face, whose contact covers them.
-/// 0.999975 and 0.9999: insensitive.
-inline constexpr double kNearlyAligned = 0.99995;
+/// @measured 0.999975 and 0.9999: insensitive.
+inline constexpr double kNearlyAligned = 0.99995;  // cosine
 
 /// The speculative margin holds the distance that bodies approach by in the longest step, times this: velocities change
 /// within the step.
-/// Half: case `closing_up_0.9371_s` fails; twice: insensitive. Noticed by `native_impacts`.
-inline constexpr double kSpeculation = 1.2;
+/// @measured Half: case `closing_up_0.9371_s` fails; twice: insensitive. Noticed by `native_impacts`.
+inline constexpr double kSpeculation = 1.2;  // of the distance
 
-/// Least and largest margin of a box's surroundings in the broad phase, m, and the steps that they are to last.
-/// They change no bit. Half and twice: insensitive.
-inline constexpr double kLeastSurroundings = 0.01;
-inline constexpr double kMostSurroundings = 0.2;
-inline constexpr int kSurroundingsLast = 8;
+/// Least margin of a box's surroundings in the broad phase.
+/// @measured It changes no bit. Half and twice: insensitive.
+inline constexpr double kLeastSurroundings = 0.01;  // m
+
+/// Largest margin of a box's surroundings in the broad phase.
+/// @measured It changes no bit. Half and twice: insensitive.
+inline constexpr double kMostSurroundings = 0.2;  // m
+
+/// Steps that a box's surroundings are to last, at its speed.
+/// @measured It changes no bit. Half and twice: insensitive.
+inline constexpr int kSurroundingsLast = 8;  // steps
 
 /// Solved steps without force after which a manifold is no longer active.
-/// Half and twice: insensitive.
-inline constexpr int kIdleSteps = 8;
+/// @measured Half and twice: insensitive.
+inline constexpr int kIdleSteps = 8;  // steps
 
 // --- Steps and the events that cut them ---
 
 /// Islands of more bodies are large islands.
-/// Half: insensitive; twice: 12 % more time.
-inline constexpr std::size_t kSmallIslandBodies = 8;
+/// @measured Half: insensitive; twice: 12 % more time.
+inline constexpr std::size_t kSmallIslandBodies = 8;  // bodies
 
 /// Largest rotation that is predicted for a step, rad.
-/// Half and twice: no bit changes.
-inline constexpr double kLargestTurn = 0.25;
+/// @measured Half and twice: no bit changes.
+inline constexpr double kLargestTurn = 0.25;  // rad
 
 /// Impacts slower than this share of |g − a| h are not located in time: they close at the end of their step.
-/// Half: insensitive; twice: cases `rebound_wall_e_…_v_1` fail at `screening`.
-inline constexpr double kLocatedShare = 0.25;
+/// @measured Half: insensitive; twice: cases `rebound_wall_e_…_v_1` fail at `screening`.
+inline constexpr double kLocatedShare = 0.25;  // |g − a| h
 
 /// Impacts slower than this many |g − a| h do not rebound: rest would otherwise never come.
-/// Half: no bit changes; twice: case `rebound_wall_e_0.5_v_0.1` fails. Noticed by `native_impacts`.
-inline constexpr double kReboundShare = 2.0;
+/// @measured Half: no bit changes; twice: case `rebound_wall_e_0.5_v_0.1` fails. Noticed by `native_impacts`.
+inline constexpr double kReboundShare = 2.0;  // |g − a| h
 
 /// An approach, or a change of velocity beyond that of the step before, above this share of |g − a| h is an impact.
-/// Half: case `rocking_0.25_by_1_from_0.5` fails; twice: insensitive.
-inline constexpr double kJumpShare = 0.1;
+/// @measured Half: case `rocking_0.25_by_1_from_0.5` fails; twice: insensitive.
+inline constexpr double kJumpShare = 0.1;  // |g − a| h
 
 /// Slip below this share of |g − a| h counts as none.
-/// Half and twice: insensitive.
-inline constexpr double kSlipShare = 1e-3;
+/// @measured Half and twice: insensitive.
+inline constexpr double kSlipShare = 1e-3;  // |g − a| h
 
 /// Slip above this share of |g − a| h makes friction kinetic, and more where a solve may leave more of it: what sticks
 /// shows some slip until its solve has converged.
-/// Half: 1 verdict of 90 bundled worlds changes (`KineticFriction = 0.75`, `screening`); twice: none. The known answers
-/// pass with all three.
-inline constexpr double kKineticSlip = 0.02;
+/// @measured Half: 1 verdict of 90 bundled worlds changes (`KineticFriction = 0.75`, `screening`); twice: none. The
+/// known answers pass with all three.
+inline constexpr double kKineticSlip = 0.02;  // |g − a| h
 
 /// Slip above this many |g − a| h does not end within the step: friction opposes its mean over the step.
-/// Half: insensitive; twice: case `braking_in_a_corner_mu_0.45` fails.
-inline constexpr double kLastingSlip = 3.0;
+/// @measured Half: insensitive; twice: case `braking_in_a_corner_mu_0.45` fails.
+inline constexpr double kLastingSlip = 3.0;  // |g − a| h
 
-/// Where a hit makes boxes overlap, pairs of the island that end the step within this share of |g − a| h² are solved as
-/// well.
-/// Half and twice: insensitive.
-inline constexpr double kNearbyShare = 0.2;
+/// Where a hit makes boxes overlap, pairs of the island that end the step within this distance are solved as well.
+/// @measured Half and twice: insensitive.
+inline constexpr double kNearbyShare = 0.2;  // |g − a| h²
 
 /// An event cuts a step no sooner than at this share of it.
-/// Half: no bit changes; twice: insensitive.
-inline constexpr double kLeastCut = 1e-4;
+/// @measured Half: no bit changes; twice: insensitive.
+inline constexpr double kLeastCut = 1e-4;  // of the step
 
 /// A step that is cut leaves no less than this share of it: divided by rounding alone, velocities would be anything.
-/// Half and twice: no bit changes.
-inline constexpr double kLeastRemainder = 1e-9;
+/// @measured Half and twice: no bit changes.
+inline constexpr double kLeastRemainder = 1e-9;  // of the step
 
 /// Rounds of activating contacts that a step may take; likewise of contacts that bodies lean on.
-/// Half: the bits of 2 worlds change; twice: no bit changes.
-inline constexpr int kActivationRounds = 12;
+/// @measured Half: the bits of 2 worlds change; twice: no bit changes.
+inline constexpr int kActivationRounds = 12;  // rounds
 
 /// Times that a step is halved to see contacts in time that none showed before, or to go on where a solve does not
 /// converge.
-/// Half: boxes overlap by up to 2.3 mm instead of 1.2 mm; twice: no bit changes. Noticed by `native_impacts`.
-inline constexpr int kHalvings = 4;
+/// @measured Half: boxes overlap by up to 2.3 mm instead of 1.2 mm; twice: no bit changes. Noticed by `native_impacts`.
+inline constexpr int kHalvings = 4;  // times
 
 /// Overlap for which a step is halved where the contact was solved, over that where it was missed: a smaller step
 /// leaves less, and so does the next position correction.
-/// Half: 300 boxes that brake take 6 % more time; twice: insensitive.
-inline constexpr double kSolvedOverlap = 2.0;
+/// @measured Half: 300 boxes that brake take 6 % more time; twice: insensitive.
+inline constexpr double kSolvedOverlap = 2.0;  // of the overlap
 
 /// Times that a step is taken again with contacts that showed too late, before it is halved.
-/// None: 300 boxes that brake take a tenth more time, 600 a quarter; two: insensitive.
-inline constexpr int kLateContactRounds = 1;
+/// @measured None: 300 boxes that brake take a tenth more time, 600 a quarter; two: insensitive.
+inline constexpr int kLateContactRounds = 1;  // times
 
 /// Overlaps are corrected to this share of the overlap that is left alone. Where less is left, more bodies are
 /// displaced, of which each may disturb its contacts: with a tenth, 600 boxes that brake take 20 % more time.
-/// Half: 600 boxes that brake take 5 % more time; twice: `tip_lands_on_its_side` gains ten times the energy at
-/// `standard`.
-inline constexpr double kCorrectionTolerance = 0.5;
+/// @measured Half: 600 boxes that brake take 5 % more time; twice: `tip_lands_on_its_side` gains ten times the energy
+/// at `standard`.
+inline constexpr double kCorrectionTolerance = 0.5;  // of the overlap
 
 /// Sweeps of a position correction over the points of a contact, each time that it visits it.
-/// Half and twice: insensitive.
-inline constexpr int kCorrectionSweeps = 4;
+/// @measured Half and twice: insensitive.
+inline constexpr int kCorrectionSweeps = 4;  // sweeps
 
 /// Times that a position correction visits a contact of an island, at most in the mean.
-/// Half and twice: insensitive.
-inline constexpr std::size_t kCorrectionVisits = 20;
+/// @measured Half and twice: insensitive.
+inline constexpr std::size_t kCorrectionVisits = 20;  // visits
 
 // --- The contact solver ---
 
 /// Penalty R of a contact over the mass that it carries, along the normal and where it sticks.
-/// Half: 7 % more time, and 4 measurements fail (`oblique_landing_u_3`, `slipping_stack_45`); twice: 3 % more time,
-/// 1 fails and 2 pass.
-inline constexpr double kStickingPenalty = 10.0;
+/// @measured Half: 7 % more time, and 4 measurements fail (`oblique_landing_u_3`, `slipping_stack_45`); twice: 3 % more
+/// time, 1 fails and 2 pass.
+inline constexpr double kStickingPenalty = 10.0;  // of the carried mass
 
-/// The same in a moving step of a large island at `screening` and `standard`, which has too few iterations for a large
-/// one.
-/// Half: 1 measurement fails (`stack_20_tips` at `screening`); twice: insensitive, also the errors of harsh loads.
-inline constexpr double kLargeIslandStickingPenalty = 5.0;
+/// The same in a moving step of a large island at `screening` and `standard`: it has few iterations.
+/// @measured Half: 1 measurement fails (`stack_20_tips` at `screening`); twice: insensitive, also the errors of harsh
+/// loads.
+inline constexpr double kLargeIslandStickingPenalty = 5.0;  // of the carried mass
 
 /// The same along the tangents where it slides, in all solves but those of the next two.
-/// A third: `reference` takes a third more time; a sixth: a column is held that must slide (test `roof`).
-inline constexpr double kSlidingPenalty = 3.0;
+/// @measured A third: `reference` takes a third more time; a sixth: a column is held that must slide (test `roof`).
+inline constexpr double kSlidingPenalty = 3.0;  // of the carried mass
 
 /// The same in a moving step at `screening` and `standard`, except where the effective gravity has just changed. A
 /// large one needs more iterations than these steps have until a slip ends; at `reference`, `tip_lands_on_its_side`
 /// gains energy with this one.
-/// Half: 1 measurement fails (`slipping_stack_30` at `screening`) and 4 pass; twice: 10 fail (`box_on_box_…`,
+/// @measured Half: 1 measurement fails (`slipping_stack_30` at `screening`) and 4 pass; twice: 10 fail (`box_on_box_…`,
 /// `pushing`, `slipping_stack_30`); six times, which is `kSlidingPenalty`: 29 fail (`lane_change`,
 /// `braking_then_cornering`).
-inline constexpr double kMovingSlidingPenalty = 0.5;
+inline constexpr double kMovingSlidingPenalty = 0.5;  // of the carried mass
 
 /// The same in a large island, where little of it leaves single points far from converged, and the solve goes on.
-/// Half: 1 measurement passes. A third: 400 boxes under braking take a fifth more time, with equal errors of harsh
-/// loads. Twice: harsh loads take a tenth less time, and their largest errors grow by a half.
-inline constexpr double kLargeIslandSlidingPenalty = 1.5;
+/// @measured Half: 1 measurement passes. A third: 400 boxes under braking take a fifth more time, with equal errors of
+/// harsh loads. Twice: harsh loads take a tenth less time, and their largest errors grow by a half.
+inline constexpr double kLargeIslandSlidingPenalty = 1.5;  // of the carried mass
 
 /// Mass that a contact without impulse counts as carrying, over its effective mass. With little, what is about to close
 /// takes a third more iterations; with much, what separates is held back.
-/// Half: 5 % more time, and 2 measurements fail (`oblique_landing_u_3`); twice: 7 % more time, and 3 fail.
-inline constexpr double kIdlePenalty = 0.1;
+/// @measured Half: 5 % more time, and 2 measurements fail (`oblique_landing_u_3`); twice: 7 % more time, and 3 fail.
+inline constexpr double kIdlePenalty = 0.1;  // of the effective mass
 
-/// The same in a large island, which settles sooner with much.
-/// Half: 2 % more time; twice: 12 % more time.
-inline constexpr double kLargeIslandIdlePenalty = 1.0;
+/// The same in a moving step of a large island, which settles sooner with much.
+/// @measured Half: 2 % more time; twice: 12 % more time.
+inline constexpr double kLargeIslandIdlePenalty = 1.0;  // of the effective mass
 
 /// A contact slides from this share of the friction disc's radius on.
-/// 0.9995 and 0.998: insensitive.
-inline constexpr double kSlidingShare = 0.999;
+/// @measured 0.9995 and 0.998: insensitive.
+inline constexpr double kSlidingShare = 0.999;  // of the disc's radius
 
-/// Iterations between two looks at R, and the share of the points above which it is fitted anew where so many call for
-/// another one.
-/// Half: 19 % more time, and 2 measurements fail; twice: case `stack_3_gap_1mm` fails at `screening`. Noticed by
-/// `native_engine`.
-inline constexpr int kRefitEvery = 12;
-/// Half: 5 % more time; twice: case `stack_3_gap_1mm` fails at `screening`.
-inline constexpr double kRefitShare = 0.2;
-/// The same share in a moving step of a large island at `screening` and `standard`.
-/// Half and twice: insensitive, also the errors and times of harsh loads.
-inline constexpr double kLargeIslandRefitShare = 0.5;
-/// Iterations between two looks in a moving step of a large island, most of which end at 12 iterations: only solves
-/// that go on for longer have a second factor. With 12 and 16 iterations a step: 4 % more time on loads under the road
-/// accelerations, with equal errors.
-inline constexpr int kLargeIslandRefitEvery = 16;
+/// Iterations between two looks at R.
+/// @measured Half: 19 % more time, and 2 measurements fail; twice: case `stack_3_gap_1mm` fails at `screening`. Noticed
+/// by `native_engine`.
+inline constexpr int kRefitEvery = 12;  // iterations
+
+/// The same in a moving step of a large island: only solves that go on for longer than most have a second factor.
+/// @measured With 12 and 16 iterations a step: 4 % more time on loads under the road accelerations, with equal errors.
+inline constexpr int kLargeIslandRefitEvery = 16;  // iterations
+
+/// R is fitted anew where more of the points than this call for another one.
+/// @measured Half: 5 % more time; twice: case `stack_3_gap_1mm` fails at `screening`.
+inline constexpr double kRefitShare = 0.2;  // of the points
+
+/// The same in a moving step of a large island at `screening` and `standard`.
+/// @measured Half and twice: insensitive, also the errors and times of harsh loads.
+inline constexpr double kLargeIslandRefitShare = 0.5;  // of the points
 
 /// Iterations before a solve may stop: the first only meets the start values.
-/// 2: 5 measurements fail (`box_on_box_…`, `stack_20_tips`); twice: 4 % more time, 3 fail (`mirrored_…` at
+/// @measured 2: 5 measurements fail (`box_on_box_…`, `stack_20_tips`); twice: 4 % more time, 3 fail (`mirrored_…` at
 /// `reference`) and 8 pass.
-inline constexpr int kLeastIterations = 3;
+inline constexpr int kLeastIterations = 3;  // iterations
 
 /// Iterations of a solve of a large island that is repeated with other contacts or less friction, over those of the
 /// first time: it starts from the impulses and velocities that it has ended with.
-/// Half: insensitive; twice: 600 boxes that brake take 9 % more time, 300 boxes 4 %.
-inline constexpr double kRepeatedShare = 0.5;
+/// @measured Half: insensitive; twice: 600 boxes that brake take 9 % more time, 300 boxes 4 %.
+inline constexpr double kRepeatedShare = 0.5;  // of the iterations
 
 /// Where bodies are slower than |g − a| h, a smaller residual may pass, in proportion: whether they move at all depends
 /// on it. No smaller than this share.
-/// Half and twice: insensitive.
-inline constexpr double kSlowShare = 0.04;
+/// @measured Half and twice: insensitive.
+inline constexpr double kSlowShare = 0.04;  // of the residual
 
 /// Iterations that a solve may take on top of its cap where the residual may not pass, over the cap; and those of a
 /// second solve where it still may not, over those of the first.
-/// Half: the bits of 9 worlds change; twice: no bit changes.
-inline constexpr int kMoreIterations = 4;
+/// @measured Half: the bits of 9 worlds change; twice: no bit changes.
+inline constexpr int kMoreIterations = 4;  // of the cap
 
-/// No component of a residual may be larger than this many |g − a| h: it moves a box by half of what it falls freely in
-/// a step.
-/// Half and twice: insensitive.
-inline constexpr double kWorstResidual = 0.5;
+/// No component of a residual may be larger: this one moves a box by half of what it falls freely in a step.
+/// @measured Half and twice: insensitive.
+inline constexpr double kWorstResidual = 0.5;  // |g − a| h
 
 /// A solve whose residual is above this many |g − a| h, or is not a number, diverges: it starts again with
 /// `kCarefulShare` of R.
-/// Half and twice: no bit changes.
-inline constexpr double kDivergedResidual = 10.0;
-/// Half and twice: no bit changes.
-inline constexpr double kCarefulShare = 0.3;
+/// @measured Half and twice: no bit changes.
+inline constexpr double kDivergedResidual = 10.0;  // |g − a| h
 
-/// Anderson acceleration: factor by which the residual (squared norm) may grow before the stored iterates are dropped.
-/// Half and twice: insensitive.
-inline constexpr double kAndersonGrowth = 4.0;
+/// Share of R with which a solve starts again that has diverged.
+/// @measured Half and twice: no bit changes.
+inline constexpr double kCarefulShare = 0.3;  // of R
+
+/// Differences of iterates that Anderson acceleration keeps: its depth.
+inline constexpr std::size_t kAndersonDepth = 5;  // iterates
+
+/// Factor by which the residual (squared norm) may grow before Anderson acceleration drops its iterates.
+/// @measured Half and twice: insensitive.
+inline constexpr double kAndersonGrowth = 4.0;  // of the square
 
 /// Iterations without acceleration after that, twice as many each time. Where boxes just come to rest, iterates from
 /// the time when they still slid lead past rest, and applied again at once, back to sliding, for ever.
-/// Half and twice: insensitive. Noticed by `anderson`.
-inline constexpr int kAndersonPause = 3;
+/// @measured Half and twice: insensitive. Noticed by `anderson`.
+inline constexpr int kAndersonPause = 3;  // iterations
 
 /// Larger weights lead far away from all iterates so far: they come from directions that nearly depend on each other.
-/// Half and twice: insensitive.
-inline constexpr double kAndersonLargestWeight = 100.0;
+/// @measured Half and twice: insensitive.
+inline constexpr double kAndersonLargestWeight = 100.0;  // 1
 
 // --- Sleep ---
 //
@@ -282,145 +299,150 @@ inline constexpr double kAndersonLargestWeight = 100.0;
 // play, on 8 loads of 300 boxes and 6 of 600 that brake or change lane, whose time scatters by 5 % with rounding alone,
 // and on the harsh loads of docs/performance.md. No measurement of `validate` passes or fails with any of these values.
 
-/// Bodies slower than this many |g − a| h in this many steps fall asleep.
-/// Half and twice: insensitive.
-inline constexpr double kSlowSpeed = 0.005;
-/// Twice: harsh loads take 9 % more time and 600 boxes that brake a sixth, with equal errors.
-inline constexpr std::uint32_t kSlowSteps = 1;
+/// Bodies slower than this many |g − a| h in `kSlowSteps` steps fall asleep.
+/// @measured Half and twice: insensitive.
+inline constexpr double kSlowSpeed = 0.005;  // |g − a| h
+
+/// Slow steps after which a body falls asleep.
+/// @measured Twice: harsh loads take 9 % more time and 600 boxes that brake a sixth, with equal errors.
+inline constexpr std::uint32_t kSlowSteps = 1;  // steps
 
 /// A step in which a body gains more speed than this many |g − a| h does not count as slow: what begins to slide or to
 /// tip, however slowly, gains speed in every step.
-/// A tenth: insensitive; ten times: 300 boxes take a tenth less time; a hundred times: a stack of 10 tips 3e-5 g too
-/// late.
-inline constexpr double kRisingSpeed = 1e-7;
+/// @measured A tenth: insensitive; ten times: 300 boxes take a tenth less time; a hundred times: a stack of 10 tips
+/// 3e-5 g too late.
+inline constexpr double kRisingSpeed = 1e-7;  // |g − a| h
 
 /// All bodies are awake in every step of this count: how long one may be held that must begin to move unnoticed. The
 /// errors of the few iterations of these steps keep many bodies awake for some steps more.
-/// Half: 600 boxes that brake take 8 % more time, 300 boxes and gentle loads 2 %, with equal errors and verdicts;
-/// twice: 300 boxes take 4 % less and gentle loads 8 %, likewise.
-inline constexpr std::uint32_t kWakeEvery = 32;
+/// @measured Half: 600 boxes that brake take 8 % more time, 300 boxes and gentle loads 2 %, with equal errors and
+/// verdicts; twice: 300 boxes take 4 % less and gentle loads 8 %, likewise.
+inline constexpr std::uint32_t kWakeEvery = 32;  // steps
 
 /// Bodies that are this many contacts away from one that is hit do not sleep in the step.
-/// None: insensitive; twice: 600 boxes that brake take 4 % more time.
-inline constexpr int kHitLayers = 1;
+/// @measured None: insensitive; twice: 600 boxes that brake take 4 % more time.
+inline constexpr int kHitLayers = 1;  // contacts
 
 /// Least contact force of what stays on a body that sleeps, against g − a and over what balances it: those that moving
 /// bodies carry are awake.
-/// 0.5: 600 boxes that brake take 3 % less time, 300 boxes 7 %, and in 3 of 256 real loads energy rises by more than a
-/// tenth of a millimetre times the weight, in none with this value; none: both take a sixth less, and boxes stay in the
-/// air for up to `kWakeEvery` steps where what carries them is drawn away. Noticed by `sleeping_bodies`.
-inline constexpr double kSleepingSupport = 0.8;
+/// @measured 0.5: 600 boxes that brake take 3 % less time, 300 boxes 7 %, and in 3 of 256 real loads energy rises by
+/// more than a tenth of a millimetre times the weight, in none with this value; none: both take a sixth less, and boxes
+/// stay in the air for up to `kWakeEvery` steps where what carries them is drawn away. Noticed by `sleeping_bodies`.
+inline constexpr double kSleepingSupport = 0.8;  // of the force
 
 /// Change of the force on a sleeping body and its sleeping neighbours that wakes it, over their mass times |g − a|.
-/// Half: 600 boxes that brake take 5 % more time; twice: 7 % less.
-inline constexpr double kSleepingLoadChange = 1.0;
+/// @measured Half: 600 boxes that brake take 5 % more time; twice: 7 % less.
+inline constexpr double kSleepingLoadChange = 1.0;  // of m |g − a|
 
 // --- Rest ---
 
 /// Bodies slower than this share of |g − a| h may be at rest: a proof is tried, and where no body of an island is
 /// faster none of them sleeps. Without the latter, 1 in 200 stacks of 9 to 40 boxes is held at 1.002 of its limit.
-/// Half and twice: insensitive.
-inline constexpr double kRestShare = 0.02;
+/// @measured Half and twice: insensitive.
+inline constexpr double kRestShare = 0.02;  // |g − a| h
 
 /// Longest wait between two tries, steps.
-/// Half and twice: insensitive.
-inline constexpr std::uint32_t kLongestWait = 16;
+/// @measured Half and twice: insensitive.
+inline constexpr std::uint32_t kLongestWait = 16;  // steps
 
 /// Residual of the velocities in a proof of rest, over the equilibrium residual that it is to reach.
-/// Half: 2 % more time; twice: 4 % more time.
-inline constexpr double kBalanceTolerance = 0.1;
+/// @measured Half: 2 % more time; twice: 4 % more time.
+inline constexpr double kBalanceTolerance = 0.1;  // of `rest_tolerance`
 
 /// Iterations between two looks at the equilibrium residual: one costs as much as an iteration.
-/// Half: 18 % more time, and `slipping_stack_30` fails; twice: insensitive.
-inline constexpr int kBalanceCheckEvery = 10;
+/// @measured Half: 18 % more time, and `slipping_stack_30` fails; twice: insensitive.
+inline constexpr int kBalanceCheckEvery = 10;  // iterations
 
 /// Iterations of the splitting in a proof of rest, after which the interior point method decides: the splitting is
 /// quick far from the limit of balance, where most proofs are.
-/// A quarter: 6 % more time on real loads under the road accelerations and 35 % on gentle ones; half: 1 and 14 %; three
-/// quarters and twice: 1 and 5 to 8 %.
-inline constexpr int kSettlingIterations = 40;
+/// @measured A quarter: 6 % more time on real loads under the road accelerations and 35 % on gentle ones; half: 1 and
+/// 14 %; three quarters and twice: 1 and 5 to 8 %.
+inline constexpr int kSettlingIterations = 40;  // iterations
 
 /// Balances that are kept of an island at rest. Two hold all accelerations along a line between them, three those of a
 /// triangle; more follow a curve in the plane.
-/// 3: proofs under a braking with vibration, 50 samples per second, take a fifth more time; 12: 7 % less. A lane
-/// change: insensitive.
-inline constexpr std::size_t kKnownBalances = 8;
+/// @measured 3: proofs under a braking with vibration, 50 samples per second, take a fifth more time; 12: 7 % less. A
+/// lane change: insensitive.
+inline constexpr std::size_t kKnownBalances = 8;  // balances
 
 /// Change of g − a, over |g − a|, up to which accelerations count as samples of a curve. A proof of rest then tries one
 /// beyond the acceleration that it is asked for first. And a step of what moves is an ordinary one, while g − a differs
 /// by no more from that of the last step that was solved to the end: sleeping bodies are held by forces that are this
 /// much out of date at most.
-/// Half: real loads under sampled accelerations take 5 to 15 % more time; twice: 1 to 6 % less. Errors: insensitive.
-inline constexpr double kLittleChange = 0.025;
+/// @measured Half: real loads under sampled accelerations take 5 to 15 % more time; twice: 1 to 6 % less. Errors:
+/// insensitive.
+inline constexpr double kLittleChange = 0.025;  // |g − a|
 
 /// How far such a try goes at least, over the distance from the centre of what is known: after tries that fail it goes
 /// half as far each time, and then there are none.
-/// A tenth: insensitive.
-inline constexpr double kLeastReach = 0.1;
+/// @measured A tenth: insensitive.
+inline constexpr double kLeastReach = 0.1;  // of the distance
 
 /// Penalty R of the splitting in a proof of rest, over the mass that a contact carries.
-/// Half: 4 % more time; twice: 5 % more time.
-inline constexpr double kRestPenalty = 100.0;
+/// @measured Half: 4 % more time; twice: 5 % more time.
+inline constexpr double kRestPenalty = 100.0;  // of the carried mass
 
 /// `kIdlePenalty` of a proof of rest: after one that fails, the step goes on from its impulses.
-/// Half: insensitive; twice: 6 % more time.
-inline constexpr double kRestIdlePenalty = 0.01;
+/// @measured Half: insensitive; twice: 6 % more time.
+inline constexpr double kRestIdlePenalty = 0.01;  // of the effective mass
 
 /// Over-relaxation α of a proof of rest: it goes on to the end, where steps stop sooner and take 1.
-/// 1.0 and 1.9: insensitive.
-inline constexpr double kRestRelaxation = 1.6;
+/// @measured 1.0 and 1.9: insensitive.
+inline constexpr double kRestRelaxation = 1.6;  // 1
 
-/// Iterations of the interior point method in a proof of rest, at most. 774 proofs that the splitting left open took 5
-/// (refuted) to 20 (balanced to 1e-6 exactly at the limit of friction), 39 at most.
-inline constexpr int kInteriorIterations = 60;
+/// Iterations of the interior point method in a proof of rest, at most.
+/// @measured 774 proofs that the splitting left open took 5 (refuted) to 20 (balanced to 1e-6 exactly at the limit of
+/// friction), 39 at most.
+inline constexpr int kInteriorIterations = 60;  // iterations
 
 /// Speed s that it starts from, over |g − a| h.
-/// A third and 30 times: 2 and 13 % more iterations, and the same answers.
-inline constexpr double kInteriorStartSpeed = 0.03;
+/// @measured A third and 30 times: 2 and 13 % more iterations, and the same answers.
+inline constexpr double kInteriorStartSpeed = 0.03;  // |g − a| h
 
-/// Least share of the complementarity that an iteration aims to keep (Mehrotra's σ). With 0.01, 11 of 774 proofs lose
-/// centrality near the limit of friction and end in rounding; half: 6 % fewer iterations, and the same answers.
-inline constexpr double kInteriorLeastCentring = 0.1;
+/// Least share of the complementarity that an iteration aims to keep (Mehrotra's σ).
+/// @measured With 0.01, 11 of 774 proofs lose centrality near the limit of friction and end in rounding; half: 6 %
+/// fewer iterations, and the same answers.
+inline constexpr double kInteriorLeastCentring = 0.1;  // 1
 
 /// Share of the way to the boundary of the cones that an iteration goes.
-/// 0.95 and 0.999: 1 % more and as many iterations, and the same answers.
-inline constexpr double kInteriorStep = 0.99;
+/// @measured 0.95 and 0.999: 1 % more and as many iterations, and the same answers.
+inline constexpr double kInteriorStep = 0.99;  // of the way
 
-/// Where wall forces are asked for: iterations to find the forces of a load at rest with all friction of the floor
-/// mobilised, at most, and speed of any point up to which they count as a balance, over |g − a| h. More iterations find
-/// them in larger islands; a larger speed takes forces that balance less well. They change no motion.
-inline constexpr int kMobilisedIterations = 1000;
-inline constexpr double kMobilisedMotion = 1e-6;
+/// Where wall forces are asked for: iterations that find those of a load at rest with all friction of the floor
+/// mobilised, at most. It changes no motion. More iterations find them in larger islands.
+inline constexpr int kMobilisedIterations = 1000;  // iterations
+
+/// Speed and residual up to which these forces count as a balance. It changes no motion.
+inline constexpr double kMobilisedMotion = 1e-6;  // |g − a| h
 
 /// Normal force that a proof of rest may use at a wall or the roof, over that with which the body pressed against it in
 /// the last step: what is pushed into it and no more, but for the tolerance of the step.
-/// 1.005 and 1.02: insensitive.
-inline constexpr double kPressingMargin = 1.01;
+/// @measured 1.005 and 1.02: insensitive.
+inline constexpr double kPressingMargin = 1.01;  // of the force
 
-/// A body leans on its neighbour from this acceleration on, with which the beginning motion closes their contact, over
-/// |g − a|.
-/// Half: 3 % more time; twice: insensitive.
-inline constexpr double kLeaningAcceleration = 1e-3;
+/// A body leans on its neighbour from this acceleration on, with which the beginning motion closes their contact.
+/// @measured Half: 3 % more time; twice: insensitive.
+inline constexpr double kLeaningAcceleration = 1e-3;  // |g − a|
 
 /// Residual of the motion with which a large island begins to move that is clearly not at rest, over |g − a| h: what it
-/// is needed for is `kLeaningAcceleration`, and a start for the step. As exact as a proof of rest, gentle loads take a
-/// fifth more time.
-/// Half and twice: insensitive.
-inline constexpr double kBeginningMotion = 1e-3;
+/// is needed for is `kLeaningAcceleration`, and a start for the step.
+/// @measured As exact as a proof of rest, gentle loads take a fifth more time. Half and twice: insensitive.
+inline constexpr double kBeginningMotion = 1e-3;  // |g − a| h
 
 /// Where the splitting leaves the balance of a large island open, the island moves if by Coulomb's law it begins to
-/// with this speed, over |g − a| h, at least, and with a residual of at most `kClearResidual` of it. Of 1221 such
-/// islands of real and generated loads, 355 move so, none of which has a balance; 563 have one, and begin to move with
-/// 0.17 at most.
-/// Half: insensitive; twice: 1 % more time.
-inline constexpr double kClearMotion = 0.25;
-/// Half and twice: insensitive.
-inline constexpr double kClearResidual = 0.3;
+/// with this speed, over |g − a| h, at least, and with a residual of at most `kClearResidual` of it.
+/// @measured Of 1221 such islands of real and generated loads, 355 move so, none of which has a balance; 563 have one,
+/// and begin to move with 0.17 at most. Half: insensitive; twice: 1 % more time.
+inline constexpr double kClearMotion = 0.25;  // |g − a| h
 
-/// Bodies that lean on others are asked for a proof of rest where none begins to move faster than this share of
-/// |g − a| h. With 0.02 the verdict of rows near their limit depends on the accuracy; with 0.3 worlds under the road
-/// accelerations take 11 % more time, and no verdict changes.
-/// Half and twice: insensitive.
-inline constexpr double kLeaningMotion = 0.1;
+/// Residual of that motion, at most, over its speed.
+/// @measured Half and twice: insensitive.
+inline constexpr double kClearResidual = 0.3;  // of the speed
+
+/// Bodies that lean on others are asked for a proof of rest where none begins to move faster than this share of |g − a|
+/// h.
+/// @measured With 0.02 the verdict of rows near their limit depends on the accuracy; with 0.3 worlds under the road
+/// accelerations take 11 % more time, and no verdict changes. Half and twice: insensitive.
+inline constexpr double kLeaningMotion = 0.1;  // |g − a| h
 
 }  // namespace holdfast::internal::native

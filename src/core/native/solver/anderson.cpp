@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/native/constants.hpp"
-
 #include "core/native/solver/contact_kernels.hpp"
 
 namespace holdfast::internal::native {
@@ -43,8 +41,8 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
     r_step_[column].resize(g.size());
     take_difference(g, last_g_, g_step_[column]);
     take_difference(r, last_r_, r_step_[column]);
-    stored_ = std::min(stored_ + 1, kDepth);
-    next_ = (next_ + 1) % kDepth;
+    stored_ = std::min(stored_ + 1, kAndersonDepth);
+    next_ = (next_ + 1) % kAndersonDepth;
     along_steps(constraints, r_step_[column], gram_[column]);
     for (std::size_t i = 0; i < stored_; ++i) gram_[i][column] = gram_[column][i];
   }
@@ -59,24 +57,24 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
     --pause_;
     return;
   }
-  double weight[kDepth];
+  double weight[kAndersonDepth];
   if (weigh(weight)) subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
 }
 
 /// The inner products of `r` with all of `r_step_`.
 void Anderson::along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,
-                           std::span<double, kDepth> out) const {
-  std::array<const ConstraintVector*, kDepth> steps{};
+                           std::span<double, kAndersonDepth> out) const {
+  std::array<const ConstraintVector*, kAndersonDepth> steps{};
   for (std::size_t i = 0; i < stored_; ++i) steps[i] = r_step_[i].data();
   dot(constraints, r, std::span(steps).first(stored_), out);
 }
 
 /// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False where the
 /// weights are too large to be used.
-bool Anderson::weigh(double (&weight)[kDepth]) const {
+bool Anderson::weigh(double (&weight)[kAndersonDepth]) const {
   if (stored_ == 0) return false;
-  double l[kDepth][kDepth] = {};
-  double d[kDepth] = {};
+  double l[kAndersonDepth][kAndersonDepth] = {};
+  double d[kAndersonDepth] = {};
   for (std::size_t j = 0; j < stored_; ++j) {
     d[j] = gram_[j][j];
     for (std::size_t k = 0; k < j; ++k) d[j] -= l[j][k] * l[j][k] * d[k];

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/native/constants.hpp"
 #include "core/native/solver/contact_constraint.hpp"
 
 namespace holdfast::internal::native {
@@ -24,11 +25,9 @@ class Anderson {
                   const std::vector<ConstraintVector>& r);
 
  private:
-  static constexpr std::size_t kDepth = 5;
-
   void along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,
-                   std::span<double, kDepth> out) const;
-  bool weigh(double (&weight)[kDepth]) const;
+                   std::span<double, kAndersonDepth> out) const;
+  bool weigh(double (&weight)[kAndersonDepth]) const;
 
   int pause_ = 0;           ///< iterations until it acts again
   int next_pause_ = 0;      ///< the same of the next pause
@@ -36,9 +35,9 @@ class Anderson {
   std::size_t next_ = 0;    ///< the column that is written next
   double last_square_ = 0.0;
   std::vector<ConstraintVector> last_g_, last_r_;
-  std::array<std::vector<ConstraintVector>, kDepth> g_step_, r_step_;  ///< differences of neighbouring iterates
-  double gram_[kDepth][kDepth] = {};                                   ///< inner products of r_step_
-  double along_[kDepth] = {};                                          ///< of r with r_step_
+  std::array<std::vector<ConstraintVector>, kAndersonDepth> g_step_, r_step_;  ///< differences of neighbouring iterates
+  double gram_[kAndersonDepth][kAndersonDepth] = {};                           ///< inner products of r_step_
+  double along_[kAndersonDepth] = {};                                          ///< of r with r_step_
   bool has_last_ = false;
 };
 
