@@ -23,6 +23,7 @@
 #include "core/model/norms_page.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/settings_page.hpp"
+#include "core/native/accuracy_defaults.hpp"
 #include "io/results/results_page.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
@@ -381,9 +382,12 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
       "141 ended by the shell's pipe, whose reader took no more.");
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
-  add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
+  add_page(program, "--help-config", "Print every key of config.ini and exit",
+           [] { return settings_help(native::accuracy_default); });
   // For `make docs` alone, and not listed.
-  add_page(program, "--config-page", "Print docs/config.md and exit", settings_page)->group("");
+  add_page(program, "--config-page", "Print docs/config.md and exit", [] {
+    return settings_page(native::accuracy_default);
+  })->group("");
   add_page(program, "--accuracies", "Print what each accuracy stands for, as JSON, and exit", accuracies_json)
       ->group("");
   add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");

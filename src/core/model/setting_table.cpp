@@ -213,27 +213,21 @@ std::vector<SettingKey> make_table() {
 
   section = "Native";
   add(OneOf<Accuracies>{}, "Accuracy", "", "standard", MEMBER(native.accuracy),
-      "A preset of step, tolerances and iteration limits, which the following keys change one by one; docs/physics.md "
-      "has "
-      "the table.");
+      "A preset of step, tolerances and iteration limits, which the following keys change one by one; "
+      "docs/parameters.md has all of its numbers, and says what small and large islands are.");
   add(Rate{}, "StepsPerSecond", "1/s", "", MEMBER(native.steps_per_second),
-      "Least number of steps per simulated second, instead of SimulationStepsPerSecond; screening 60, standard 240, "
-      "reference 1440.");
+      "Least number of steps per simulated second, instead of SimulationStepsPerSecond.");
   add(Positive{}, "Tolerance", "", "", MEMBER(native.tolerance),
       "Tolerance of the velocities at the end of a step, relative to the velocity that gravity and acceleration add in "
-      "the step; screening 0.0001, or 0.001 in islands of more than 8 boxes; standard 0.0001, reference 1e-9.");
+      "the step.");
   add(Whole<IterationRange>{}, "Iterations", "", "", MEMBER(native.iterations),
-      "Iteration limit of the contact solver in a step, used when the residual is then acceptable; for islands "
-      "of up to 8 boxes and for larger ones: screening 30 and 16, standard 60 and 16, reference 400 and 100.");
+      "Iteration limit of the contact solver in a step, used when the residual is then acceptable.");
   add(Positive{}, "RestTolerance", "", "", MEMBER(native.rest_tolerance),
-      "Largest net force on a box in static equilibrium, relative to its weight; screening 1e-6, standard 1e-8, "
-      "reference 1e-9.");
+      "Largest net force on a box in static equilibrium, relative to its weight.");
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
-      "How many times impacts may divide a step of an island of up to 8 boxes; screening and standard 8, reference 32. "
-      "Larger islands: 0, unless this key is given.");
+      "How many times impacts may divide a step of an island.");
   add(Truth{}, "Sleep", "", "", MEMBER(native.sleep),
-      "Whether slow boxes of islands of more than 8 boxes sleep while others move: they stay where they are for up "
-      "to 7 steps; screening and standard true, reference false.");
+      "Whether slow boxes of large islands sleep while others move: they stay where they are for some steps.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time jumps to the next change of the acceleration when all boxes are in static equilibrium; it does not "
       "affect the results.");

@@ -68,7 +68,8 @@ std::string section_note(std::string_view section) {
   if (section == "Renderer Engine") return "Accepted for compatibility with existing files, without effect.\n\n";
   if (section == "Screening") return std::string(kStopWhenNote);
   if (section == "Native")
-    return "Absent keys take their values from Accuracy. The option `--accuracy` overrides Accuracy.\n\n";
+    return "Absent keys take their values from Accuracy; [parameters.md](parameters.md) has all of its numbers. The "
+           "option `--accuracy` overrides Accuracy.\n\n";
   if (section == "Bullet")
     return "Absent keys take their values from the preset of the engine, `bullet` or `bullet-stock`.\n\n";
   if (section == "OpenCL") return "For the engine `bullet-opencl` only; [opencl.md](opencl.md) describes it.\n\n";
@@ -77,9 +78,15 @@ std::string section_note(std::string_view section) {
 
 std::string code(std::string_view text) { return text.empty() ? "" : '`' + std::string(text) + '`'; }
 
+/// What a key does, and what it stands for where it is absent.
+std::string meaning_of(const SettingKey& key, EngineDefault engine_default) {
+  const std::string absent = engine_default(key);
+  return std::string(key.sentence) + (absent.empty() ? "" : ' ' + absent);
+}
+
 }  // namespace
 
-std::string settings_page() {
+std::string settings_page(EngineDefault engine_default) {
   std::string page(kPageIntro);
   for (const std::string_view section : setting_sections()) {
     page += "## [" + std::string(section) + "]\n\n" + section_note(section);
@@ -87,14 +94,14 @@ std::string settings_page() {
     for (const SettingKey& key : setting_table()) {
       if (key.section != section) continue;
       page += "| " + code(key.name) + " | " + std::string(key.unit) + " | " + code(key.default_value) + " | " +
-              std::string(key.accepted) + " | " + std::string(key.sentence) + " |\n";
+              std::string(key.accepted) + " | " + meaning_of(key, engine_default) + " |\n";
     }
     page += '\n';
   }
   return page.append(kLayoutIntro);
 }
 
-std::string settings_help() {
+std::string settings_help(EngineDefault engine_default) {
   std::string help = "Keys of config.ini. All are optional; docs/config.md describes files and axes.\n";
   std::string_view section;
   for (const SettingKey& key : setting_table()) {
@@ -104,7 +111,7 @@ std::string settings_help() {
     const std::string unit = key.unit.empty() ? "" : " (" + std::string(key.unit) + ')';
     help += "  " + std::string(key.name) + value + '\n';
     append_wrapped(help, std::string(key.accepted) + unit, 6);
-    append_wrapped(help, key.sentence, 6);
+    append_wrapped(help, meaning_of(key, engine_default), 6);
   }
   return help;
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/model/setting_table.hpp"
+#include "core/native/accuracy_defaults.hpp"
 
 using namespace holdfast::internal;
 
@@ -13,11 +14,11 @@ TEST_CASE("settings_page: docs/config.md is up to date", "[core][settings_page]"
   std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/config.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   INFO("docs/config.md differs from the table of keys; run: holdfast --config-page > docs/config.md");
-  CHECK((page == settings_page()));
+  CHECK((page == settings_page(native::accuracy_default)));
 }
 
 TEST_CASE("settings_page: page and help have every key and section", "[core][settings_page]") {
-  const std::string page = settings_page(), help = settings_help();
+  const std::string page = settings_page(native::accuracy_default), help = settings_help(native::accuracy_default);
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     CHECK(page.find("## [" + std::string(key.section) + "]\n") != std::string::npos);
@@ -30,7 +31,7 @@ TEST_CASE("settings_page: page and help have every key and section", "[core][set
 }
 
 TEST_CASE("settings_page: help fits a terminal", "[core][settings_page]") {
-  std::istringstream help(settings_help());
+  std::istringstream help(settings_help(native::accuracy_default));
   for (std::string line; std::getline(help, line);) {
     INFO(line);
     CHECK(line.size() <= 100);
