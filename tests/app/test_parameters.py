@@ -55,6 +55,14 @@ class Parameters(CliTest):
                 self.assertTrue(anchor in self.anchors or re.search(rf"^#+ {anchor}$", self.page, re.MULTILINE | re.IGNORECASE),
                                 f"{path}: {anchor}")
 
+    def test_names_in_the_page_about_physics_are_links(self):
+        text = (SOURCE / "docs/physics.md").read_text()
+        defined = re.findall(r"^\[`(\w+)`\]: parameters\.md#(\w+)$", text, re.MULTILINE)
+        linked = set(re.findall(r"\[`(\w+)`\](?![(:])", text))
+        self.assertEqual(sorted(linked), sorted(name for name, _ in defined))
+        self.assertEqual([name.lower() for name, _ in defined], [anchor for _, anchor in defined])
+        self.assertEqual(re.findall(r"(?<!\[)`k[A-Z]\w*`", text), [])
+
     def test_the_table_of_the_readme(self):
         large = re.search(r"Islands of more than (\d+) bodies", self.page)[1]
         for name, options in self.accuracies.items():
