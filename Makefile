@@ -90,7 +90,8 @@ viewer-test: program viewer  ## Check the page's sources, and test it alone and 
 	node tests/viewer/results.mjs build/release/bin/holdfast build/viewer/results
 	node --test build/viewer/tests/
 
-docs: program  ## Write the generated pages of docs/ again, and its picture where Graphviz is installed
+docs: program  ## Write the generated pages of docs/ again, its picture where Graphviz is installed, and the files made of outcome_fields.h
+	tools/outcome_types.py
 	build/release/bin/holdfast --config-page > docs/config.md
 	build/release/bin/holdfast --norms-page > docs/norms.md
 	build/release/bin/holdfast --results-page > docs/results_file.md

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "api/engine_loader.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/engine/simulate.hpp"
@@ -98,7 +99,8 @@ inline std::vector<Run> run_all(const Engine& engine, std::span<const Layout> la
   std::vector<std::unique_ptr<SeriesRecorder>> recorders;
   std::vector<Recorder*> watchers;
   for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
-    recorders.push_back(std::make_unique<SeriesRecorder>(recording_plan(settings, true)));
+    recorders.push_back(
+        std::make_unique<SeriesRecorder>(recording_plan(settings, true, methods_of(analyses_of(settings)))));
     watchers.push_back(recorders.back().get());
   }
   const std::atomic<bool> abort = false;

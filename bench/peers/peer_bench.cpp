@@ -90,17 +90,16 @@ WorldRecord run(const internal::Engine& engine, const Layout& layout, const Acce
   simulate(engine, batch, settings, recorders, abort);
   const double end = internal::processor_seconds();
   WorldRecord record = recorder.take();
-  record.cpu_seconds = end - begin;
+  record.row.cpu_seconds = end - begin;
   return record;
 }
 
 std::string row_of(const WorldRecord& record, const Settings& settings) {
   const internal::WorldVerdict verdict =
-      judge_world(record.outcome.status, record.outcome.stop_reason, record.peak_total_kinetic_energy, record.end,
-                  recording_plan(settings, false).thresholds);
-  return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.outcome.end_time,
-                     record.cpu_seconds, to_string(verdict.verdict), verdict.max_displacement, verdict.moved_boxes,
-                     verdict.fallen_boxes, verdict.tilted_boxes);
+      judge_world(record.row, record.end, recording_plan(settings, false).thresholds);
+  return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.row.end_time,
+                     record.row.cpu_seconds, to_string(verdict.verdict), verdict.max_displacement, verdict.moved,
+                     verdict.fallen, verdict.tilted);
 }
 
 /// One line per sample and box, each after the columns in `key`.

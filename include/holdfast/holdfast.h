@@ -44,11 +44,12 @@
  *
  * Compatibility: as for holdfast.hpp. A minor version may add to what is declared here, and changes nothing of it. */
 
+#include <holdfast/outcome_fields.h>
 #include <stddef.h>
 #include <stdint.h>
 
 /* Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch. */
-#define HOLDFAST_VERSION 10000
+#define HOLDFAST_VERSION 20000
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
@@ -73,7 +74,7 @@ enum {
   HOLDFAST_NONE = 8          /* no layout is in flight */
 };
 
-/* Version of the library that is linked, such as "1.0.0". May be called from any thread. */
+/* Version of the library that is linked, such as "2.0.0". May be called from any thread. */
 HOLDFAST_API const char* holdfast_version(void);
 
 /* ---- Settings: keys of config.ini and their values, see docs/config.md. ---- */
@@ -148,61 +149,35 @@ typedef struct holdfast_layouts {
   const char* const* names; /* one per layout, label results and messages; NULL, also of one: "layout" and its index */
 } holdfast_layouts;
 
-/* What became of a world as a whole, by the worst that happened in it. */
-enum {
-  HOLDFAST_STAYED = 0,   /* no box fell, moved or tilted, nor was any unstable */
-  HOLDFAST_MOVED = 1,    /* a box moved or tilted at the end, and none fell */
-  HOLDFAST_FELL = 2,     /* a box had fallen at the end */
-  HOLDFAST_UNSTABLE = 3, /* a box fell or moved while settling, before any acceleration, and all stayed since */
-  HOLDFAST_FAILED = 4,   /* the status is not 0, or the world was cancelled: nothing can be said */
-  HOLDFAST_GAVE_WAY = 5, /* with [Screening] StopWhen: a box left its place, and the world ended there */
-  HOLDFAST_NOT_ASKED = 6 /* with [Screening] FirstFailure: the status is HOLDFAST_NOT_NEEDED */
-};
+/* The names and members below are made of the rows of outcome_fields.h, which say what each one means. */
+#define HOLDFAST_C_NAME(name, c_name, code, sentence) HOLDFAST_##c_name = (code),
+#define HOLDFAST_C_u32(name) uint32_t name;
+#define HOLDFAST_C_u64(name) uint64_t name;
+#define HOLDFAST_C_hash(name) uint64_t name;
+#define HOLDFAST_C_f32(name) float name;
+#define HOLDFAST_C_f64(name) double name;
+#define HOLDFAST_C_vec3(name) float name[3];
+#define HOLDFAST_C_flag(name) uint8_t name;
+#define HOLDFAST_C_status(name) uint32_t name;
+#define HOLDFAST_C_verdict(name) int32_t name;
+#define HOLDFAST_C_stop_reason(name) int32_t name;
+#define HOLDFAST_C_MEMBER(scope, type, name, dataset, label, since, unit, sentence) \
+  HOLDFAST_IF_C_##scope(HOLDFAST_C_##type(name))
 
-/* Bits of a status: what went wrong with a world. */
-enum {
-  HOLDFAST_BAD_LAYOUT = 1,       /* the layout cannot be used; not simulated */
-  HOLDFAST_BAD_ACCELERATION = 2, /* the acceleration cannot be used; not simulated */
-  HOLDFAST_NON_FINITE = 4,       /* a state became infinite or undefined */
-  HOLDFAST_NOT_CONVERGED = 8,    /* the solver's residual stayed above its bound */
-  HOLDFAST_CAPACITY = 16,        /* a device had no room for all contacts, or failed */
-  HOLDFAST_TOO_LARGE = 32,       /* its series would take too much memory; not simulated */
-  HOLDFAST_NOT_NEEDED = 64       /* with [Screening] FirstFailure: the layout failed another one; not simulated */
-};
+/* What became of a world as a whole, by the worst that happened in it: HOLDFAST_STAYED, ... of HOLDFAST_VERDICTS. */
+enum { HOLDFAST_VERDICTS(HOLDFAST_C_NAME) };
 
-/* Why a world ended. */
-enum {
-  HOLDFAST_NOT_RUN = 0,        /* it was not simulated: a bad input, or cancelled */
-  HOLDFAST_TIMEOUT = 1,        /* the simulated time was up */
-  HOLDFAST_SLEEPING = 2,       /* all boxes had come to rest */
-  HOLDFAST_ENDED_BY_ERROR = 3, /* the status says why */
-  HOLDFAST_DECIDED = 4         /* with [Screening] StopWhen: the verdict is HOLDFAST_GAVE_WAY */
-};
+/* Bits of a status, what went wrong with a world: HOLDFAST_BAD_LAYOUT, ... of HOLDFAST_STATUS_BITS. */
+enum { HOLDFAST_STATUS_BITS(HOLDFAST_C_NAME) };
 
-/* What became of a world: one layout under one acceleration. */
+/* Why a world ended: HOLDFAST_NOT_RUN, ... of HOLDFAST_STOP_REASONS. */
+enum { HOLDFAST_STOP_REASONS(HOLDFAST_C_NAME) };
+
+/* What became of a world, one layout under one acceleration: HOLDFAST_WORLD_FIELDS. `layout` is an index into the
+ * layouts of the call, or the ticket of a layout that was submitted; `acceleration` one into those of the screen. In a
+ * world that was not simulated, all numbers are 0. */
 typedef struct holdfast_outcome {
-  uint64_t layout;       /* index into the layouts of the call; the ticket of a layout that was submitted */
-  uint64_t acceleration; /* index into the accelerations of the screen */
-  int32_t verdict;       /* HOLDFAST_STAYED, ... */
-  uint32_t status;       /* bits, HOLDFAST_BAD_LAYOUT, ...; 0 when all is well */
-  int32_t stop_reason;   /* HOLDFAST_TIMEOUT, ... */
-  uint32_t boxes;        /* number of boxes; 0 in a world that was not simulated, as are all that follow */
-  uint32_t fallen;       /* number of boxes, as are the next three */
-  uint32_t moved;
-  uint32_t tilted;
-  uint32_t unstable;
-  float max_displacement;      /* largest of all boxes at the end, m */
-  float peak_displacement;     /* largest of all boxes and steps, m */
-  double total_kinetic_energy; /* at the end, J */
-  double peak_kinetic_energy;  /* of all boxes together, largest over all steps, J */
-  double end_time;             /* s */
-  uint64_t steps;              /* steps that the simulated time was cut into */
-  uint64_t steps_skipped;      /* of these, those in which nothing moves, which are not computed */
-  double max_residual;         /* change of a contact velocity in a last iteration, worst step, m/s */
-  double residual_scale;       /* velocity that the effective gravity adds in that step, m/s */
-  double max_penetration;      /* deepest overlap of any step, m; 0 where the engine does not measure it */
-  double cpu_seconds;          /* processor time of building and simulating, s */
-  uint64_t state_hash;         /* of the final poses and velocities: equal bits, equal hash */
+  HOLDFAST_WORLD_FIELDS(HOLDFAST_C_MEMBER)
 } holdfast_outcome;
 
 /* Evaluates every layout under every acceleration, and returns when all are done.
@@ -232,17 +207,11 @@ HOLDFAST_API int holdfast_screen_poll(holdfast_screen* screen, double seconds, i
  * index: into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll */
 HOLDFAST_API const char* holdfast_screen_outcome_message(const holdfast_screen* screen, size_t index);
 
-/* How one box ended. The reference pose is that of the layout, or by ReferencePose the one after settling. */
+/* How one box ended: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS. The reference pose is that of the layout, or
+ * by ReferencePose the one after settling. */
 typedef struct holdfast_box_outcome {
-  float displacement[3];     /* of the centre of mass, from the reference pose, at the end, m */
-  float tilt;                /* angle of the rotation from the reference pose, at the end, degrees */
-  float kinetic_energy;      /* at the end, J */
-  float peak_displacement;   /* largest over all steps, m */
-  float peak_kinetic_energy; /* largest over all steps, J */
-  uint8_t fallen;            /* 1: its centre of mass sank by more than DropThreshold */
-  uint8_t moved;             /* 1: displaced by more than MoveThreshold */
-  uint8_t tilted;            /* 1: rotated by more than TiltThreshold */
-  uint8_t unstable;          /* 1: fell or moved while settling */
+  HOLDFAST_BOX_FIELDS(HOLDFAST_C_MEMBER)
+  HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_C_MEMBER)
 } holdfast_box_outcome;
 
 /* How the boxes of a world ended, with the option keep_boxes.
@@ -252,13 +221,8 @@ typedef struct holdfast_box_outcome {
 HOLDFAST_API int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes,
                                        size_t capacity);
 
-/* What the replicas of a world say of it. */
-enum {
-  HOLDFAST_REPLICAS_NONE = 0,     /* there are no replicas */
-  HOLDFAST_REPLICAS_HOLD = 1,     /* the share that fails is surely below 1/8 */
-  HOLDFAST_REPLICAS_FAIL = 2,     /* it is surely above 1/2 */
-  HOLDFAST_REPLICAS_UNCERTAIN = 3 /* neither */
-};
+/* What the replicas of a world say of it: HOLDFAST_REPLICAS_NONE, ... of HOLDFAST_REPLICA_VERDICTS. */
+enum { HOLDFAST_REPLICA_VERDICTS(HOLDFAST_C_NAME) };
 
 /* What became of the replicas of a world, see docs/confidence.md. */
 typedef struct holdfast_replicas {

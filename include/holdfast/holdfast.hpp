@@ -33,7 +33,7 @@
 #include <holdfast/outcomes.hpp>
 
 /// Version of this header, for the preprocessor: 10000 * major + 100 * minor + patch.
-#define HOLDFAST_VERSION 10000
+#define HOLDFAST_VERSION 20000
 
 #if defined(__GNUC__)
 #define HOLDFAST_API __attribute__((visibility("default")))
@@ -49,7 +49,7 @@ struct ScreenCloser;
 
 namespace holdfast {
 
-/// Version of the library that is linked, such as "1.0.0". May be called from any thread.
+/// Version of the library that is linked, such as "2.0.0". May be called from any thread.
 HOLDFAST_API const char* version() noexcept;
 
 /// One thing that is wrong with an input, in the parts that a message needs. Text that does not apply is empty, a place
@@ -196,6 +196,10 @@ enum class PollOrder : std::uint8_t {
   as_finished,   ///< the one that was finished first
   as_submitted,  ///< the one that was submitted first, and none before it is finished
 };
+
+/// What analyses find of a world beside the verdict, in the order of `WorldOutcome::numbers`. May be called from any
+/// thread.
+HOLDFAST_API std::vector<AnalysisNumber> analysis_numbers();
 
 /// Evaluates layouts under a set of accelerations.
 ///

@@ -3,6 +3,8 @@
 /// What `holdfast::Screen` says of worlds, boxes and layouts; part of <holdfast/holdfast.hpp>, whose frame, units and
 /// promise of compatibility hold here too.
 
+#include <holdfast/outcome_fields.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,51 +13,41 @@
 
 namespace holdfast {
 
-/// What became of a world as a whole, by the worst that happened in it.
-enum class Verdict : std::uint8_t {
-  stayed = 0,      ///< no box fell, moved or tilted, nor was any unstable
-  moved = 1,       ///< a box moved or tilted at the end, and none fell
-  fell = 2,        ///< a box had fallen at the end
-  unstable = 3,    ///< a box fell or moved while settling, before any acceleration, and all stayed since
-  failed = 4,      ///< `WorldOutcome::status` is not 0: nothing can be said
-  gave_way = 5,    ///< with `ScreenOptions::stop_when`: a box left its place, and the world ended there
-  not_needed = 6,  ///< with `ScreenOptions::first_failure`: the layout failed another acceleration; not simulated
-};
+// The members of the types below are made of the rows of outcome_fields.h, which say what each one means.
+#define HOLDFAST_CPP_NAME(name, c_name, code, sentence) name = (code),
+#define HOLDFAST_CPP_u32(name) std::uint32_t name = 0;
+#define HOLDFAST_CPP_u64(name) std::uint64_t name = 0;
+#define HOLDFAST_CPP_hash(name) std::uint64_t name = 0;
+#define HOLDFAST_CPP_f32(name) float name = 0;
+#define HOLDFAST_CPP_f64(name) double name = 0;
+#define HOLDFAST_CPP_vec3(name) std::array<float, 3> name = {};
+#define HOLDFAST_CPP_flag(name) bool name = false;
+#define HOLDFAST_CPP_text(name) std::string name;
+#define HOLDFAST_CPP_status(name) std::uint32_t name = 0;
+#define HOLDFAST_CPP_verdict(name) Verdict name = Verdict::failed;
+#define HOLDFAST_CPP_stop_reason(name) StopReason name = StopReason::not_run;
+#define HOLDFAST_CPP_MEMBER(scope, type, name, dataset, label, since, unit, sentence) \
+  HOLDFAST_IF_PUBLIC_##scope(HOLDFAST_CPP_##type(name))
 
-/// Bits of `WorldOutcome::status`: what went wrong with a world.
+/// What became of a world as a whole, by the worst that happened in it: HOLDFAST_VERDICTS.
+enum class Verdict : std::uint8_t { HOLDFAST_VERDICTS(HOLDFAST_CPP_NAME) };
+
+/// Bits of `WorldOutcome::status`, what went wrong with a world: HOLDFAST_STATUS_BITS.
 namespace status {
-enum Bit : std::uint32_t {
-  ok = 0,
-  bad_layout = 1,        ///< the layout cannot be used; not simulated
-  bad_acceleration = 2,  ///< the acceleration cannot be used; not simulated
-  non_finite = 4,        ///< a state became infinite or undefined
-  not_converged = 8,     ///< the solver's residual stayed above its bound
-  capacity = 16,         ///< a device had no room for all contacts, or failed
-  too_large = 32,        ///< its series would take too much memory; not simulated
-  not_needed = 64,       ///< with `ScreenOptions::first_failure`: no problem, see `Verdict::not_needed`
-};
+enum Bit : std::uint32_t { ok = 0, HOLDFAST_STATUS_BITS(HOLDFAST_CPP_NAME) };
 }  // namespace status
 
-/// Why a world ended.
-enum class StopReason : std::uint8_t {
-  not_run = 0,   ///< it was not simulated: a bad input, or `Screen::cancel`
-  timeout = 1,   ///< the simulated time was up
-  sleeping = 2,  ///< all boxes had come to rest
-  failed = 3,    ///< the status says why
-  decided = 4,   ///< with `ScreenOptions::stop_when`: the verdict is `Verdict::gave_way`
-};
+/// Why a world ended: HOLDFAST_STOP_REASONS.
+enum class StopReason : std::uint8_t { HOLDFAST_STOP_REASONS(HOLDFAST_CPP_NAME) };
 
-/// How one box ended. The reference pose is that of the layout, or by `ReferencePose` the one after settling.
+/// What the replicas of a world say of it: HOLDFAST_REPLICA_VERDICTS.
+enum class ReplicaVerdict : std::uint8_t { HOLDFAST_REPLICA_VERDICTS(HOLDFAST_CPP_NAME) };
+
+/// How one box ended: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS. The reference pose is that of the layout, or
+/// by `ReferencePose` the one after settling.
 struct BoxOutcome {
-  std::array<float, 3> displacement = {};  ///< of the centre of mass, from the reference pose, at the end, m
-  float tilt = 0;                          ///< angle of the rotation from the reference pose, at the end, degrees
-  float kinetic_energy = 0;                ///< at the end, J
-  float peak_displacement = 0;             ///< largest over all steps, m
-  float peak_kinetic_energy = 0;           ///< largest over all steps, J
-  bool fallen = false;                     ///< its centre of mass sank by more than `DropThreshold`
-  bool moved = false;                      ///< displaced by more than `MoveThreshold`
-  bool tilted = false;                     ///< rotated by more than `TiltThreshold`
-  bool unstable = false;                   ///< fell or moved while settling
+  HOLDFAST_BOX_FIELDS(HOLDFAST_CPP_MEMBER)
+  HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_CPP_MEMBER)
 };
 
 /// Time series of a world, one sample every `ResultsIntervalInSeconds`, and at the end. Columns of boxes hold sample
@@ -75,14 +67,6 @@ struct WallForce {
   double lasting_force = 0;               ///< largest mean over 0.05 s, N
   double limit = 0;                       ///< test force of the norm `Walls`, N; not a number where there is none
   std::array<double, 3> impulse = {};     ///< from t = 0 to the end, N s
-};
-
-/// What the replicas of a world say of it.
-enum class ReplicaVerdict : std::uint8_t {
-  none = 0,       ///< there are no replicas
-  holds = 1,      ///< the share that fails is surely below 1/8
-  fails = 2,      ///< it is surely above 1/2
-  uncertain = 3,  ///< neither
 };
 
 /// What became of the replicas of a world, with [Screening] Replicas: docs/confidence.md.
@@ -109,37 +93,25 @@ struct DamageOutcome {
   std::vector<std::uint8_t> box_beyond;
 };
 
-/// What became of a world: one layout under one acceleration.
+/// A number that an analysis of [Screening] finds of a world, such as "boxes_beyond".
+struct AnalysisNumber {
+  std::string name;
+  std::string type;      ///< as numpy names it: "u1", "u4", "f4", "f8"
+  std::string sentence;  ///< its meaning and unit, and what it is where the analysis was not asked for
+};
+
+/// What became of a world, one layout under one acceleration: HOLDFAST_WORLD_FIELDS, and what the screen was asked for.
+/// `layout` and `acceleration` are indices into the layouts of the call and the accelerations of the screen. In a world
+/// that was not simulated, all numbers are 0.
 struct WorldOutcome {
-  std::size_t layout = 0;        ///< index into the layouts of the call
-  std::size_t acceleration = 0;  ///< index into the accelerations of the screen
-  Verdict verdict = Verdict::failed;
-  std::uint32_t status = status::ok;  ///< bits, see `status`
-  std::string message;                ///< what the status means here, and what to do; empty when it is `ok`
-  StopReason stop_reason = StopReason::not_run;
-  std::uint32_t boxes = 0;   ///< number of boxes; 0 in a world that was not simulated, as are all that follow
-  std::uint32_t fallen = 0;  ///< number of boxes, as are the next three
-  std::uint32_t moved = 0;
-  std::uint32_t tilted = 0;
-  std::uint32_t unstable = 0;
-  float max_displacement = 0;            ///< largest of all boxes at the end, m
-  float peak_displacement = 0;           ///< largest of all boxes and steps, m
-  double total_kinetic_energy = 0;       ///< at the end, J
-  double peak_kinetic_energy = 0;        ///< of all boxes together, largest over all steps, J
-  double end_time = 0;                   ///< s
-  std::uint64_t steps = 0;               ///< steps that the simulated time was cut into
-  std::uint64_t steps_skipped = 0;       ///< of these, those in which nothing moves, which are not computed
-  double max_residual = 0;               ///< change of a contact velocity in a last iteration, worst step, m/s
-  double residual_scale = 0;             ///< velocity that the effective gravity adds in that step, m/s
-  double max_penetration = 0;            ///< deepest overlap of any step, m; 0 where the engine does not measure it
-  double cpu_seconds = 0;                ///< processor time of building and simulating, s
-  std::uint64_t state_hash = 0;          ///< of the final poses and velocities: equal bits, equal hash
+  HOLDFAST_WORLD_FIELDS(HOLDFAST_CPP_MEMBER)
   std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
   /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty.
   std::vector<WallForce> walls;
   Series series;  ///< with `ScreenOptions::keep_series`, else empty
   ReplicaOutcome replicas;
   DamageOutcome damage;
+  std::vector<double> numbers;  ///< of all analyses, in the order of `analysis_numbers`
 };
 
 /// Margins of the replicas of a layout, g, in the directions of `LayoutMargins`; not numbers without replicas.

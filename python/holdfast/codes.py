@@ -1,3 +1,4 @@
+# Written by tools/outcome_types.py from include/holdfast/outcome_fields.h.
 """What the numbers in a table of verdicts mean."""
 
 import enum
@@ -9,19 +10,10 @@ class Verdict(enum.IntEnum):
     STAYED = 0  #: no box fell, moved or tilted, nor was any unstable
     MOVED = 1  #: a box moved or tilted at the end, and none fell
     FELL = 2  #: a box had fallen at the end
-    UNSTABLE = 3  #: a box fell or moved while settling, before any acceleration, and all stayed since
+    UNSTABLE = 3  #: a box fell or moved while settling, before any acceleration, and no box did later
     FAILED = 4  #: the status is not 0, or the world was cancelled: nothing can be said
-    GAVE_WAY = 5  #: with ``StopWhen``: a box left its place, and the world ended there
-    NOT_NEEDED = 6  #: with ``FirstFailure``: the layout failed another acceleration; not simulated
-
-
-class ReplicaVerdict(enum.IntEnum):
-    """What the replicas of a world say of it, with ``Replicas`` in the config."""
-
-    NONE = 0  #: there are no replicas
-    HOLDS = 1  #: the share that fails is surely below 1/8
-    FAILS = 2  #: it is surely above 1/2
-    UNCERTAIN = 3  #: neither
+    GAVE_WAY = 5  #: with StopWhen: a box was beyond a threshold, and the world ended there
+    NOT_NEEDED = 6  #: with FirstFailure: the layout failed another acceleration; not simulated
 
 
 class StopReason(enum.IntEnum):
@@ -31,17 +23,29 @@ class StopReason(enum.IntEnum):
     TIMEOUT = 1  #: the simulated time was up
     SLEEPING = 2  #: all boxes had come to rest
     FAILED = 3  #: the status says why
-    DECIDED = 4  #: with ``StopWhen``: the verdict is ``GAVE_WAY``
+    DECIDED = 4  #: with StopWhen: a box was beyond a threshold, and the verdict is gave_way
 
 
 class Status(enum.IntFlag):
-    """What went wrong with a world: bits."""
+    """Bits of a status: what went wrong with a world, and what to do."""
 
     OK = 0
-    BAD_LAYOUT = 1  #: the layout cannot be used; not simulated
-    BAD_ACCELERATION = 2  #: the acceleration cannot be used; not simulated
-    NON_FINITE = 4  #: a state became infinite or undefined
-    NOT_CONVERGED = 8  #: the solver's residual stayed above its bound
-    CAPACITY = 16  #: a device had no room for all contacts, or failed
-    TOO_LARGE = 32  #: its series would take too much memory; not simulated
-    NOT_NEEDED = 64  #: with ``FirstFailure``: no problem, see :class:`Verdict`
+    BAD_LAYOUT = 1  #: the layout could not be used; not simulated, no boxes. See ``status_text``
+    BAD_ACCELERATION = 2  #: the acceleration could not be used; not simulated. See ``status_text``
+    NON_FINITE = 4  #: a state became infinite or NaN; the samples end before that. Use a smaller step
+    NOT_CONVERGED = 8  #: the solver's residual stayed above its limit. Allow more iterations or accuracy
+    CAPACITY = 16  #: a device had too little memory for all contacts of the world, or failed. Use another engine
+    #: the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none
+    TOO_LARGE = 32
+    #: with ``FirstFailure``: the layout does not hold another acceleration, which ``status_text`` names; not simulated.
+    #: This is no problem, and ``verdict`` is 6 (not_needed)
+    NOT_NEEDED = 64
+
+
+class ReplicaVerdict(enum.IntEnum):
+    """What the replicas of a world say of it: docs/confidence.md."""
+
+    NONE = 0  #: there are no replicas
+    HOLDS = 1  #: the share that fails is surely below 1/8
+    FAILS = 2  #: it is surely above 1/2
+    UNCERTAIN = 3  #: neither

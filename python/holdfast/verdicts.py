@@ -10,31 +10,29 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from .codes import Verdict
+from .column import Column
 from .errors import Problem
+from .world_columns import WorldColumns
 
 if TYPE_CHECKING:
     import pandas
 
 #: Layouts that a notebook shows one by one.
 _MOST_SHOWN = 20
-_COLOURS = ("#dff0d8", "#fcf8e3", "#f2dede", "#fcf8e3", "#e0e0e0")
+#: Of a cell, by its verdict; grey where the verdict says nothing of the layout.
+_COLOURS = {
+    Verdict.STAYED: "#dff0d8",
+    Verdict.MOVED: "#fcf8e3",
+    Verdict.FELL: "#f2dede",
+    Verdict.UNSTABLE: "#fcf8e3",
+    Verdict.GAVE_WAY: "#fcf8e3",
+}
+_GREY = "#e0e0e0"
 
 
-class _Column:
-    """A column of the table, as a view of its memory."""
-
-    def __init__(self, sentence: str) -> None:
-        self.__doc__ = sentence
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._name = name
-
-    def __get__(self, verdicts: Optional[Verdicts], owner: type) -> Any:
-        return self if verdicts is None else verdicts.table[self._name]
-
-
-class Verdicts:
+class Verdicts(WorldColumns):
     """A table of verdicts. Its arrays have shape (layouts, accelerations), and indexing it gives a part:
     ``verdicts[3]`` is that of layout 3, of shape (accelerations,).
 
@@ -63,44 +61,9 @@ class Verdicts:
         self._messages = messages
         self._boxes = boxes
 
-    layout = _Column("Index of the layout in the call.")
-    acceleration = _Column("Index of the acceleration of the screen.")
-    verdict = _Column("What became of the world, see :class:`Verdict`.")
-    status = _Column("What went wrong, bits of :class:`Status`; 0 when all is well.")
-    stop_reason = _Column("Why the world ended, see :class:`StopReason`.")
-    boxes = _Column("Number of boxes; 0 in a world that was not simulated, as are all that follow.")
-    fallen = _Column("Number of boxes whose centre of mass sank by more than DropThreshold.")
-    moved = _Column("Number of boxes that were displaced by more than MoveThreshold.")
-    tilted = _Column("Number of boxes that were rotated by more than TiltThreshold.")
-    unstable = _Column("Number of boxes that fell or moved while settling.")
-    max_displacement = _Column("Largest displacement of all boxes at the end, m.")
-    peak_displacement = _Column("Largest displacement of all boxes and steps, m.")
-    total_kinetic_energy = _Column("At the end, J.")
-    peak_kinetic_energy = _Column("Of all boxes together, largest over all steps, J.")
-    end_time = _Column("Simulated time, s.")
-    steps = _Column("Steps that the simulated time was cut into.")
-    steps_skipped = _Column("Of these, those in which nothing moves, which are not computed.")
-    max_residual = _Column("Change of a contact velocity in a last iteration, worst step, m/s.")
-    residual_scale = _Column("Velocity that the effective gravity adds in that step, m/s.")
-    max_penetration = _Column("Deepest overlap of any step, m; 0 where the engine does not measure it.")
-    cpu_seconds = _Column("Processor time of building and simulating the world, s.")
-    state_hash = _Column("Of the final poses and velocities: equal bits, equal hash.")
-    replica_verdict = _Column("What the replicas of the world say, see :class:`ReplicaVerdict`.")
-    replicas = _Column("Number of replicas whose end is known; 0 without ``Replicas``.")
-    replicas_failed = _Column("Of these, those in which a box fell, moved or tilted, or was unstable.")
-    wilson_low = _Column("Low end of the interval in which the share of failing replicas is at 95 %; NaN without.")
-    wilson_high = _Column("High end of the interval.")
-
-    wall_floor = _Column("Largest force on the floor for 0.05 s, N; NaN without ``WallForces`` or ``Walls``, as the next six.")
-    wall_front = _Column("The same on the front wall.")
-    wall_rear = _Column("The same on the door.")
-    wall_left = _Column("The same on the left wall.")
-    wall_right = _Column("The same on the right wall.")
-    wall_roof = _Column("The same on the roof.")
-    wall_share = _Column("The largest of these over the test force of the norm ``Walls``: above 1, a wall is pressed beyond it.")
-    boxes_beyond = _Column("Number of boxes beyond the damage boundary; 0 without ``Damage``.")
-    peak_acceleration = _Column("Largest of all boxes, mean over ``DamageWindow``, m/s²; NaN without ``Damage``.")
-    velocity_change = _Column("Largest of all boxes in an impact, m/s; NaN without ``Damage``.")
+    if TYPE_CHECKING:
+        # The columns of analyses, which are added below.
+        def __getattr__(self, name: str) -> Any: ...
 
     @property
     def holds(self) -> npt.NDArray[np.bool_]:
@@ -177,9 +140,13 @@ class Verdicts:
             index = int(row["layout"][0]) if len(row) else 0
             name = self.layout_names[index] if self.layout_names else str(index)
             cells = "".join(
-                f"<td style='background: {_COLOURS[world['verdict']]}; color: black'>"
+                f"<td style='background: {_COLOURS.get(world['verdict'], _GREY)}; color: black'>"
                 f"{Verdict(world['verdict']).name.lower()}, {world['max_displacement']:.3g} m</td>" for world in row)
             lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
         if len(table) > _MOST_SHOWN:
             lines.append(f"<tr><td colspan='{len(columns) + 1}'>and {len(table) - _MOST_SHOWN} layouts more</td></tr>")
         return "\n".join(lines) + "</table>"
+
+
+for _name, _sentence in _core.analysis_numbers():
+    setattr(Verdicts, _name, Column(_sentence, _name))

@@ -46,6 +46,12 @@ PYBIND11_MODULE(_core, module) {
       all.append(py::make_tuple(engine.name, engine.sentence, engine.missing));
     return all;
   });
+  module.def("analysis_numbers", [] {
+    py::list all;
+    for (const holdfast::AnalysisNumber& number : holdfast::analysis_numbers())
+      all.append(py::make_tuple(number.name, number.sentence));
+    return all;
+  });
   module.def(
       "read_acceleration",
       [](const std::string& path) {

@@ -1,11 +1,13 @@
 #include "outcomes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
+#include <string>
+#include <type_traits>
 
 namespace py = pybind11;
 
@@ -13,103 +15,132 @@ namespace holdfast::python {
 
 namespace {
 
-/// A row of the table of verdicts.
-struct WorldRow {
-  std::uint64_t layout, acceleration;
-  std::uint8_t verdict, stop_reason;
-  std::uint32_t status, boxes, fallen, moved, tilted, unstable;
-  float max_displacement, peak_displacement;
-  double total_kinetic_energy, peak_kinetic_energy, end_time;
-  std::uint64_t steps, steps_skipped;
-  double max_residual, residual_scale, max_penetration, cpu_seconds;
-  std::uint64_t state_hash;
-  std::uint8_t replica_verdict;
-  std::uint32_t replicas, replicas_failed;
-  double wilson_low, wilson_high;
-  double wall_floor, wall_front, wall_rear, wall_left, wall_right, wall_roof, wall_share;
-  std::uint32_t boxes_beyond;
-  float peak_acceleration, velocity_change;
+/// The columns of a structured array, each of which says something of objects of type `Source`.
+template <class Source>
+class Columns {
+ public:
+  /// Adds a column. What it says of an object is what a lambda without captures gives: a number, or an array of
+  /// numbers.
+  template <class Value>
+  void add(const char* name, Value) {
+    using Number = std::decay_t<std::invoke_result_t<Value, const Source&>>;
+    place<Number>(name, 0, [](const Source& source, std::size_t /*index*/, std::byte* to) {
+      const Number number = Value()(source);
+      std::memcpy(to, &number, sizeof number);
+    });
+  }
+
+  /// Adds a number of the analyses as a column of that type.
+  template <class Number>
+  void add_number(const std::string& name, std::size_t index) {
+    place<Number>(name, index, [](const Source& source, std::size_t i, std::byte* to) {
+      const auto number = static_cast<Number>(source.numbers[i]);
+      std::memcpy(to, &number, sizeof number);
+    });
+  }
+
+  /// Makes the type of an entry. Called once, after the last column.
+  void complete() {
+    size_ = aligned(size_, alignment_);
+    entry_type_ = py::dtype(names_, types_, offsets_, static_cast<py::ssize_t>(size_));
+  }
+
+  /// An array of entries, all of whose numbers are 0.
+  py::array zeros(const std::vector<std::size_t>& shape) const {
+    py::array array(entry_type_, shape);
+    std::memset(array.mutable_data(), 0, static_cast<std::size_t>(array.nbytes()));
+    return array;
+  }
+
+  void write(const Source& source, py::array& to, std::size_t entry) const {
+    std::byte* const begin = static_cast<std::byte*>(to.mutable_data()) + entry * size_;
+    for (const Writer& writer : writers_) writer.write(source, writer.index, begin + writer.offset);
+  }
+
+ private:
+  using Write = void (*)(const Source& source, std::size_t index, std::byte* to);
+  struct Writer {
+    std::size_t offset, index;
+    Write write;
+  };
+
+  template <class Number>
+  void place(const std::string& name, std::size_t index, Write write) {
+    size_ = aligned(size_, alignof(Number));
+    names_.append(name);
+    types_.append(py::dtype::of<Number>());
+    offsets_.append(size_);
+    writers_.push_back({size_, index, write});
+    size_ += sizeof(Number);
+    alignment_ = std::max(alignment_, alignof(Number));
+  }
+
+  static std::size_t aligned(std::size_t offset, std::size_t alignment) {
+    return (offset + alignment - 1) / alignment * alignment;
+  }
+
+  std::size_t size_ = 0, alignment_ = 1;
+  py::list names_, types_, offsets_;
+  std::vector<Writer> writers_;
+  py::dtype entry_type_;
 };
 
-/// A row of the table of a layout's boxes.
-struct BoxRow {
-  std::array<float, 3> displacement;
-  float tilt, kinetic_energy, peak_displacement, peak_kinetic_energy;
-  bool fallen, moved, tilted, unstable;
-  float peak_acceleration, velocity_change;
-  bool beyond;
+/// A box of a world.
+struct WorldBox {
+  const WorldOutcome& world;
+  std::size_t box;
 };
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+// Made with the module and never destroyed: Python has ended before they would be.
+const Columns<WorldOutcome>* world_columns = nullptr;
+const Columns<WorldBox>* box_columns = nullptr;
+
 constexpr float kUnknownFloat = std::numeric_limits<float>::quiet_NaN();
 
-/// The lasting force on a side, N.
-double force_on(const WorldOutcome& world, std::size_t side) {
-  return side < world.walls.size() ? world.walls[side].lasting_force : kUnknown;
+/// What impacts did to a box.
+float damage_of(const WorldBox& of, std::vector<float> DamageOutcome::*column) {
+  return of.world.damage.known ? (of.world.damage.*column)[of.box] : kUnknownFloat;
+}
+bool is_beyond(const WorldBox& of) { return of.world.damage.known && of.world.damage.box_beyond[of.box] != 0; }
+
+// As in C, messages are no numbers but come from a function: `messages_of`.
+#define HOLDFAST_WORLD_COLUMN(scope, type, name, ...) \
+  HOLDFAST_IF_C_##scope(columns.add(#name, [](const WorldOutcome& world) { return world.name; });)
+#define HOLDFAST_BOX_COLUMN(scope, type, name, ...) \
+  HOLDFAST_IF_C_##scope(columns.add(#name, [](const WorldBox& of) { return of.world.box_outcomes[of.box].name; });)
+
+void add_world_columns(Columns<WorldOutcome>& columns) {
+  HOLDFAST_WORLD_FIELDS(HOLDFAST_WORLD_COLUMN)
+  const std::vector<AnalysisNumber> numbers = analysis_numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto& [name, type, sentence] = numbers[i];
+    if (type == "u1")
+      columns.add_number<std::uint8_t>(name, i);
+    else if (type == "u4")
+      columns.add_number<std::uint32_t>(name, i);
+    else if (type == "f4")
+      columns.add_number<float>(name, i);
+    else
+      columns.add_number<double>(name, i);
+  }
 }
 
-/// The largest share of a limit that a side has to bear.
-double wall_share(const WorldOutcome& world) {
-  double largest = kUnknown;
-  for (const WallForce& wall : world.walls) largest = std::fmax(largest, wall.lasting_force / wall.limit);
-  return largest;
+void add_box_columns(Columns<WorldBox>& columns) {
+  HOLDFAST_BOX_FIELDS(HOLDFAST_BOX_COLUMN)
+  HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_BOX_COLUMN)
+  columns.add("peak_acceleration",
+              [](const WorldBox& of) { return damage_of(of, &DamageOutcome::box_peak_acceleration); });
+  columns.add("velocity_change", [](const WorldBox& of) { return damage_of(of, &DamageOutcome::box_velocity_change); });
+  columns.add("beyond", [](const WorldBox& of) { return is_beyond(of); });
 }
 
-WorldRow row_of(const WorldOutcome& world) {
-  return {.layout = world.layout,
-          .acceleration = world.acceleration,
-          .verdict = static_cast<std::uint8_t>(world.verdict),
-          .stop_reason = static_cast<std::uint8_t>(world.stop_reason),
-          .status = world.status,
-          .boxes = world.boxes,
-          .fallen = world.fallen,
-          .moved = world.moved,
-          .tilted = world.tilted,
-          .unstable = world.unstable,
-          .max_displacement = world.max_displacement,
-          .peak_displacement = world.peak_displacement,
-          .total_kinetic_energy = world.total_kinetic_energy,
-          .peak_kinetic_energy = world.peak_kinetic_energy,
-          .end_time = world.end_time,
-          .steps = world.steps,
-          .steps_skipped = world.steps_skipped,
-          .max_residual = world.max_residual,
-          .residual_scale = world.residual_scale,
-          .max_penetration = world.max_penetration,
-          .cpu_seconds = world.cpu_seconds,
-          .state_hash = world.state_hash,
-          .replica_verdict = static_cast<std::uint8_t>(world.replicas.verdict),
-          .replicas = world.replicas.count,
-          .replicas_failed = world.replicas.failed,
-          .wilson_low = world.replicas.wilson_low,
-          .wilson_high = world.replicas.wilson_high,
-          .wall_floor = force_on(world, 0),
-          .wall_front = force_on(world, 1),
-          .wall_rear = force_on(world, 2),
-          .wall_left = force_on(world, 3),
-          .wall_right = force_on(world, 4),
-          .wall_roof = force_on(world, 5),
-          .wall_share = wall_share(world),
-          .boxes_beyond = world.damage.boxes_beyond,
-          .peak_acceleration = world.damage.known ? world.damage.peak_acceleration : kUnknownFloat,
-          .velocity_change = world.damage.known ? world.damage.velocity_change : kUnknownFloat};
-}
-
-BoxRow row_of(const WorldOutcome& world, std::size_t i) {
-  const BoxOutcome& box = world.box_outcomes[i];
-  const DamageOutcome& damage = world.damage;
-  return {.displacement = box.displacement,
-          .tilt = box.tilt,
-          .kinetic_energy = box.kinetic_energy,
-          .peak_displacement = box.peak_displacement,
-          .peak_kinetic_energy = box.peak_kinetic_energy,
-          .fallen = box.fallen,
-          .moved = box.moved,
-          .tilted = box.tilted,
-          .unstable = box.unstable,
-          .peak_acceleration = damage.known ? damage.box_peak_acceleration[i] : kUnknownFloat,
-          .velocity_change = damage.known ? damage.box_velocity_change[i] : kUnknownFloat,
-          .beyond = damage.known && damage.box_beyond[i] != 0};
+/// Columns that live as long as the process.
+template <class Source>
+const Columns<Source>* made(void (*add_columns)(Columns<Source>&)) {
+  auto columns = std::make_unique<Columns<Source>>();
+  add_columns(*columns);
+  columns->complete();
+  return columns.release();
 }
 
 /// An array in the memory of a vector, which lives as long as the array.
@@ -125,20 +156,13 @@ py::array_t<Number> array_in(std::vector<Entry>&& entries, std::vector<std::size
 }  // namespace
 
 void declare_row_types() {
-  PYBIND11_NUMPY_DTYPE(WorldRow, layout, acceleration, verdict, stop_reason, status, boxes, fallen, moved, tilted,
-                       unstable, max_displacement, peak_displacement, total_kinetic_energy, peak_kinetic_energy,
-                       end_time, steps, steps_skipped, max_residual, residual_scale, max_penetration, cpu_seconds,
-                       state_hash, replica_verdict, replicas, replicas_failed, wilson_low, wilson_high, wall_floor,
-                       wall_front, wall_rear, wall_left, wall_right, wall_roof, wall_share, boxes_beyond,
-                       peak_acceleration, velocity_change);
-  PYBIND11_NUMPY_DTYPE(BoxRow, displacement, tilt, kinetic_energy, peak_displacement, peak_kinetic_energy, fallen,
-                       moved, tilted, unstable, peak_acceleration, velocity_change, beyond);
+  world_columns = made(add_world_columns);
+  box_columns = made(add_box_columns);
 }
 
 py::array table_of(std::span<const WorldOutcome> worlds, const std::vector<std::size_t>& shape) {
-  py::array_t<WorldRow> table(shape);
-  std::transform(worlds.begin(), worlds.end(), table.mutable_data(),
-                 [](const WorldOutcome& world) { return row_of(world); });
+  py::array table = world_columns->zeros(shape);
+  for (std::size_t i = 0; i < worlds.size(); ++i) world_columns->write(worlds[i], table, i);
   return table;
 }
 
@@ -155,10 +179,10 @@ py::list boxes_of(std::span<const WorldOutcome> worlds, std::size_t acceleration
     const std::span<const WorldOutcome> of_layout = worlds.first(accelerations);
     std::size_t boxes = 0;  // the same in all that were simulated
     for (const WorldOutcome& world : of_layout) boxes = std::max(boxes, world.box_outcomes.size());
-    py::array_t<BoxRow> table({accelerations, boxes});
-    BoxRow* next = table.mutable_data();
-    for (const WorldOutcome& world : of_layout) {
-      for (std::size_t i = 0; i < boxes; ++i) *next++ = i < world.box_outcomes.size() ? row_of(world, i) : BoxRow{};
+    py::array table = box_columns->zeros({accelerations, boxes});
+    for (std::size_t world = 0; world < accelerations; ++world) {
+      for (std::size_t i = 0; i < of_layout[world].box_outcomes.size(); ++i)
+        box_columns->write({of_layout[world], i}, table, world * boxes + i);
     }
     all.append(table);
   }

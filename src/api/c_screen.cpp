@@ -67,29 +67,10 @@ CLayouts::CLayouts(const holdfast_layouts* given) {
 }
 
 void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes) {
-  std::transform(worlds.begin(), worlds.end(), outcomes, [](const holdfast::WorldOutcome& world) {
-    return holdfast_outcome{.layout = world.layout,
-                            .acceleration = world.acceleration,
-                            .verdict = static_cast<int32_t>(world.verdict),
-                            .status = world.status,
-                            .stop_reason = static_cast<int32_t>(world.stop_reason),
-                            .boxes = world.boxes,
-                            .fallen = world.fallen,
-                            .moved = world.moved,
-                            .tilted = world.tilted,
-                            .unstable = world.unstable,
-                            .max_displacement = world.max_displacement,
-                            .peak_displacement = world.peak_displacement,
-                            .total_kinetic_energy = world.total_kinetic_energy,
-                            .peak_kinetic_energy = world.peak_kinetic_energy,
-                            .end_time = world.end_time,
-                            .steps = world.steps,
-                            .steps_skipped = world.steps_skipped,
-                            .max_residual = world.max_residual,
-                            .residual_scale = world.residual_scale,
-                            .max_penetration = world.max_penetration,
-                            .cpu_seconds = world.cpu_seconds,
-                            .state_hash = world.state_hash};
+  std::transform(worlds.begin(), worlds.end(), outcomes, [](const holdfast::WorldOutcome& from) {
+    holdfast_outcome copy;
+    HOLDFAST_WORLD_FIELDS(HOLDFAST_C_COPY)
+    return copy;
   });
 }
 

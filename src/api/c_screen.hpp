@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -9,6 +11,15 @@
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast::internal {
+
+// Copies a member of a structure of holdfast.hpp, `from`, into that of holdfast.h, `copy`.
+#define HOLDFAST_C_COPY(scope, type, name, dataset, label, since, unit, sentence) \
+  HOLDFAST_IF_C_##scope(copy_member(from.name, copy.name);)
+template <class From, class To>
+void copy_member(const From& from, To& to) {
+  to = static_cast<To>(from);
+}
+inline void copy_member(const std::array<float, 3>& from, float (&to)[3]) { std::copy(from.begin(), from.end(), to); }
 
 /// A screen of the C interface.
 struct CScreen : CObject {

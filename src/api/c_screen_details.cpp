@@ -100,16 +100,11 @@ int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_ou
     if (world.box_outcomes.size() < world.boxes) throw BadArgument{"the screen was made without keep_boxes"};
     require_room(capacity, world.box_outcomes.size(), "boxes");
     if (world.boxes > 0) required(boxes, "boxes");
-    std::transform(world.box_outcomes.begin(), world.box_outcomes.end(), boxes, [](const holdfast::BoxOutcome& box) {
-      return holdfast_box_outcome{.displacement = {box.displacement[0], box.displacement[1], box.displacement[2]},
-                                  .tilt = box.tilt,
-                                  .kinetic_energy = box.kinetic_energy,
-                                  .peak_displacement = box.peak_displacement,
-                                  .peak_kinetic_energy = box.peak_kinetic_energy,
-                                  .fallen = box.fallen,
-                                  .moved = box.moved,
-                                  .tilted = box.tilted,
-                                  .unstable = box.unstable};
+    std::transform(world.box_outcomes.begin(), world.box_outcomes.end(), boxes, [](const holdfast::BoxOutcome& from) {
+      holdfast_box_outcome copy;
+      HOLDFAST_BOX_FIELDS(HOLDFAST_C_COPY)
+      HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_C_COPY)
+      return copy;
     });
     return HOLDFAST_OK;
   });

@@ -7,8 +7,12 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
+#include "analyses/damage/damage.hpp"
+#include "analyses/replicas/replica_verdict.hpp"
+#include "analyses/walls/wall_forces.hpp"
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
 #include "core/model/acceleration_check.hpp"
@@ -102,20 +106,18 @@ std::array<float, 3> array_of(const Float3& v) { return {v.x, v.y, v.z}; }
 std::array<float, 4> array_of(const Float4& q) { return {q.w, q.x, q.y, q.z}; }
 
 holdfast::BoxOutcome outcome_of(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
-  const BoxVerdict verdict = judge_box(end, i, thresholds);
-  return {.displacement = array_of(end.displacement[i]),
-          .tilt = end.tilt[i],
-          .kinetic_energy = end.kinetic_energy[i],
-          .peak_displacement = end.peak_displacement[i],
-          .peak_kinetic_energy = end.peak_kinetic_energy[i],
-          .fallen = verdict.fallen,
-          .moved = verdict.moved,
-          .tilted = verdict.tilted,
-          .unstable = verdict.unstable};
+  holdfast::BoxOutcome box;
+  visit_box_values(end, i, judge_box(end, i, thresholds), [&](const OutcomeField&, const auto& value, auto member) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Float3>)
+      box.*member = array_of(value);
+    else
+      box.*member = value;
+  });
+  return box;
 }
 
 holdfast::ReplicaOutcome public_replicas(const ReplicaOutcome& found, bool keep_boxes) {
-  return {.verdict = static_cast<holdfast::ReplicaVerdict>(found.verdict),
+  return {.verdict = found.verdict,
           .count = found.count,
           .failed = found.failed,
           .share = found.share,
@@ -127,38 +129,19 @@ holdfast::ReplicaOutcome public_replicas(const ReplicaOutcome& found, bool keep_
 
 holdfast::DamageOutcome public_damage(const WorldDamage& found, bool keep_boxes) {
   holdfast::DamageOutcome damage;
-  if (!found.known()) return damage;
   damage.known = true;
   damage.boxes_beyond = found.boxes_beyond;
   const auto largest = [](const std::vector<float>& values) {
     return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
   };
-  damage.peak_acceleration = largest(found.boxes.peak_acceleration);
-  damage.velocity_change = largest(found.boxes.velocity_change);
+  damage.peak_acceleration = largest(found.peak_acceleration);
+  damage.velocity_change = largest(found.velocity_change);
   if (!keep_boxes) return damage;
-  damage.box_peak_acceleration = found.boxes.peak_acceleration;
-  damage.box_velocity_change = found.boxes.velocity_change;
-  damage.box_beyond = found.boxes.beyond;
+  damage.box_peak_acceleration = found.peak_acceleration;
+  damage.box_velocity_change = found.velocity_change;
+  damage.box_beyond = found.beyond;
   return damage;
 }
-
-static_assert(static_cast<int>(holdfast::ReplicaVerdict::uncertain) == static_cast<int>(ReplicaVerdict::uncertain));
-static_assert(static_cast<int>(holdfast::Verdict::failed) == static_cast<int>(Verdict::failed));
-static_assert(static_cast<int>(holdfast::Verdict::not_needed) == static_cast<int>(Verdict::not_needed));
-static_assert(static_cast<int>(holdfast::Verdict::gave_way) == static_cast<int>(Verdict::gave_way));
-static_assert(static_cast<int>(holdfast::Verdict::unstable) == static_cast<int>(Verdict::unstable));
-static_assert(static_cast<int>(holdfast::Verdict::fell) == static_cast<int>(Verdict::fell));
-static_assert(static_cast<int>(holdfast::Verdict::moved) == static_cast<int>(Verdict::moved));
-static_assert(static_cast<int>(holdfast::StopReason::failed) == static_cast<int>(StopReason::failed));
-static_assert(static_cast<int>(holdfast::StopReason::decided) == static_cast<int>(StopReason::decided));
-static_assert(static_cast<int>(holdfast::StopReason::sleeping) == static_cast<int>(StopReason::sleeping));
-static_assert(holdfast::status::bad_layout == static_cast<std::uint32_t>(Status::bad_layout));
-static_assert(holdfast::status::bad_acceleration == static_cast<std::uint32_t>(Status::bad_acceleration));
-static_assert(holdfast::status::non_finite == static_cast<std::uint32_t>(Status::non_finite));
-static_assert(holdfast::status::not_converged == static_cast<std::uint32_t>(Status::not_converged));
-static_assert(holdfast::status::capacity == static_cast<std::uint32_t>(Status::capacity));
-static_assert(holdfast::status::not_needed == static_cast<std::uint32_t>(Status::not_needed));
-static_assert(holdfast::status::too_large == static_cast<std::uint32_t>(Status::too_large));
 
 holdfast::WallForce wall_of(const WallForces& walls, std::size_t side) {
   const auto array = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
@@ -272,41 +255,25 @@ holdfast::Acceleration public_acceleration(const Acceleration& acceleration) {
 
 void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool keep_boxes,
                 holdfast::WorldOutcome& world) {
-  const Outcome& outcome = record.outcome;
-  const WorldVerdict verdict =
-      judge_world(outcome.status, outcome.stop_reason, record.peak_total_kinetic_energy, record.end, thresholds);
-  const bool was_run = outcome.stop_reason != StopReason::not_run;
-  world.layout = record.layout;
-  world.acceleration = record.acceleration;
-  world.verdict = static_cast<holdfast::Verdict>(verdict.verdict);
-  world.status = static_cast<std::uint32_t>(outcome.status);
-  world.message = record.status_text;
-  world.stop_reason = static_cast<holdfast::StopReason>(outcome.stop_reason);
-  world.boxes = static_cast<std::uint32_t>(record.end.displacement.size());
-  world.fallen = was_run ? verdict.fallen_boxes : 0;
-  world.moved = was_run ? verdict.moved_boxes : 0;
-  world.tilted = was_run ? verdict.tilted_boxes : 0;
-  world.unstable = was_run ? verdict.unstable_boxes : 0;
-  world.max_displacement = was_run ? verdict.max_displacement : 0.0F;
-  world.peak_displacement = was_run ? verdict.peak_displacement : 0.0F;
-  world.total_kinetic_energy = was_run ? verdict.total_kinetic_energy : 0.0;
-  world.peak_kinetic_energy = was_run ? verdict.peak_kinetic_energy : 0.0;
-  world.end_time = outcome.end_time;
-  world.steps = outcome.counters.steps;
-  world.steps_skipped = outcome.counters.steps_skipped;
-  world.max_residual = outcome.counters.max_residual;
-  world.residual_scale = outcome.counters.residual_scale;
-  world.max_penetration = outcome.counters.max_penetration;
-  world.cpu_seconds = record.cpu_seconds;
-  world.state_hash = record.state_hash;
+  const bool was_run = record.row.stop_reason != StopReason::not_run;
+  const WorldVerdict verdict = judge_world(record.row, record.end, thresholds);
+  visit_world_values(record.row, verdict, [&](const OutcomeField& field, const auto& value, auto member) {
+    using Member = std::decay_t<decltype(world.*member)>;
+    if constexpr (std::is_convertible_v<decltype(value), Member>)
+      world.*member = was_run || field.scope != FieldScope::derived ? value : Member();
+    else
+      world.*member = static_cast<Member>(value);
+  });
+  world.verdict = verdict.verdict;
   world.walls.clear();
-  for (std::size_t side = 0; record.walls.known() && side < kSideCount; ++side)
-    world.walls.push_back(wall_of(record.walls, side));
+  if (const WallForces* walls = record.found.get<WallForces>())
+    for (std::size_t side = 0; side < kSideCount; ++side) world.walls.push_back(wall_of(*walls, side));
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
-  world.replicas = public_replicas(record.replicas, keep_boxes);
-  world.damage = public_damage(record.damage, keep_boxes);
+  world.replicas = public_replicas(record.found.value<ReplicaOutcome>(), keep_boxes);
+  const WorldDamage* damage = record.found.get<WorldDamage>();
+  world.damage = damage != nullptr ? public_damage(*damage, keep_boxes) : holdfast::DamageOutcome();
 }
 
 void mark_cancelled(holdfast::WorldOutcome& world) {

@@ -2,9 +2,9 @@
 
 #include <dlfcn.h>
 
+#include "analyses/analysis.hpp"
 #include "api/plugin_file.hpp"
 #include "core/engine/engine_plugin.hpp"
-#include "core/engine/engine_support.hpp"
 
 namespace holdfast::internal {
 
@@ -47,7 +47,7 @@ Result<std::unique_ptr<Engine>> make_engine(const std::string& name, const Setti
   Result<std::unique_ptr<Engine>> engine =
       entry->make != nullptr ? entry->make(settings) : make_from_plugin(*entry, settings);
   if (!engine) return engine;
-  if (const auto error = why_unsupported(**engine, settings)) return *error;
+  if (const auto error = why_not_asked(**engine, settings)) return *error;
   return engine;
 }
 

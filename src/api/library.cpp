@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "api/engine_loader.hpp"
 #include "api/guarded.hpp"
 #include "api/version.hpp"
@@ -24,6 +25,15 @@ const char* version() noexcept { return internal::kVersion; }
 const char* holdfast_version() { return holdfast::version(); }
 
 namespace holdfast {
+
+std::vector<AnalysisNumber> analysis_numbers() {
+  return guarded([] {
+    std::vector<AnalysisNumber> numbers;
+    for (const internal::WorldNumber& number : internal::world_numbers())
+      numbers.push_back({std::string(number.name), std::string(number.type), std::string(number.sentence)});
+    return numbers;
+  });
+}
 
 Acceleration read_acceleration(const std::string& path) {
   return guarded([&] {

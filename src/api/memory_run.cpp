@@ -6,12 +6,19 @@
 
 namespace holdfast::internal {
 
+WorldTaker::WorldTaker(const Thresholds& thresholds, bool keep_boxes)
+    : thresholds_(thresholds), keep_boxes_(keep_boxes), numbers_(world_numbers()) {}
+
+void WorldTaker::take(WorldRecord&& record, holdfast::WorldOutcome& world) const {
+  fill_world(record, thresholds_, keep_boxes_, world);
+  world.numbers.clear();
+  for (const WorldNumber& number : numbers_) world.numbers.push_back(number.value(record.found));
+  move_series(std::move(record.series), world.series);
+}
+
 std::unique_ptr<SinkUnit> MemorySink::place(UnitRecord& unit) {
-  for (WorldRecord& record : unit.worlds) {
-    holdfast::WorldOutcome& world = worlds_[record.layout * acceleration_count_ + record.acceleration];
-    fill_world(record, thresholds_, keep_boxes_, world);
-    move_series(std::move(record.series), world.series);
-  }
+  for (WorldRecord& record : unit.worlds)
+    taker_.take(std::move(record), worlds_[record.row.layout * acceleration_count_ + record.row.acceleration]);
   return std::make_unique<DoneUnit>();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "core/engine/result_sink.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/model/verdict.hpp"
@@ -34,21 +35,32 @@ class DoneUnit final : public SinkUnit {
   std::optional<Error> write() override { return std::nullopt; }
 };
 
+/// Writes what became of a world into memory of the caller, which is used again.
+class WorldTaker {
+ public:
+  WorldTaker(const Thresholds& thresholds, bool keep_boxes);
+  /// Moves the series out of the record.
+  void take(WorldRecord&& record, holdfast::WorldOutcome& world) const;
+
+ private:
+  Thresholds thresholds_;
+  bool keep_boxes_;
+  std::vector<WorldNumber> numbers_;
+};
+
 /// Writes the results of worlds into memory of the caller.
 class MemorySink final : public ResultSink {
  public:
   /// @param worlds one per world of the run, in its order
-  MemorySink(std::span<holdfast::WorldOutcome> worlds, std::size_t acceleration_count, const Thresholds& thresholds,
-             bool keep_boxes)
-      : worlds_(worlds), acceleration_count_(acceleration_count), thresholds_(thresholds), keep_boxes_(keep_boxes) {}
+  MemorySink(std::span<holdfast::WorldOutcome> worlds, std::size_t acceleration_count, const WorldTaker& taker)
+      : worlds_(worlds), acceleration_count_(acceleration_count), taker_(taker) {}
 
   std::unique_ptr<SinkUnit> place(UnitRecord& unit) override;
 
  private:
   std::span<holdfast::WorldOutcome> worlds_;
   std::size_t acceleration_count_;
-  Thresholds thresholds_;
-  bool keep_boxes_;
+  const WorldTaker& taker_;
 };
 
 }  // namespace holdfast::internal

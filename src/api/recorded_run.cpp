@@ -14,6 +14,7 @@
 #include <optional>
 #include <utility>
 
+#include "analyses/analysis.hpp"
 #include "api/version.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/model/setting_table.hpp"
@@ -66,7 +67,7 @@ std::optional<Error> report_finished(const Recording& recording, const Progress&
   std::size_t index = 0;
   const auto report_world = [&](const WorldRecord& world) {
     // Names come from this run's inputs; a world that has none there belongs to a damaged file.
-    if (world.layout >= run.layout_names.size() || world.acceleration >= run.accelerations.size()) return;
+    if (world.row.layout >= run.layout_names.size() || world.row.acceleration >= run.accelerations.size()) return;
     observer.world_finished(world, index++);
   };
   return visit_finished(recording.path, finished,
@@ -77,8 +78,8 @@ std::optional<Error> report_finished(const Recording& recording, const Progress&
 std::optional<Error> count_failures(const Recording& recording, const Progress& finished, ScreeningPlan& plan) {
   FailureOrder& failures = plan.failures.emplace(plan.accelerations.size(), plan.engine.traits());
   const auto count_world = [&](const WorldRecord& world) {
-    if (world.acceleration >= plan.accelerations.size()) return;  // of a damaged file
-    failures.enter(world.layout);
+    if (world.row.acceleration >= plan.accelerations.size()) return;  // of a damaged file
+    failures.enter(world.row.layout);
     failures.count(world, recording.description.thresholds);
   };
   return visit_finished(recording.path, finished, {count_world, nullptr});
@@ -192,7 +193,7 @@ RunDescription describe_run(const Settings& settings, std::vector<std::string> l
   run.layout_names = std::move(layout_names);
   run.layout_hashes = std::move(hashes);
   for (const ReadAcceleration& read : accelerations) run.accelerations.push_back(read.acceleration);
-  run.analyses = analyses_of(settings);
+  run.analyses = tables_of(analyses_of(settings));
   run.record_series = record_series;
   run.thresholds = recording_plan(settings, true).thresholds;
   return run;

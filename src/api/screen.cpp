@@ -48,7 +48,10 @@ internal::Settings settings_of(const ScreenOptions& options) {
 Screen::State::State(const ScreenOptions& given) : options(given), settings(settings_of(given)) {
   engine = value_or_throw(internal::make_engine(settings.screening.engine, settings));
   workers.emplace(settings.screening.scheduler, settings.screening.threads);
-  thresholds = internal::recording_plan(settings, false).thresholds;
+  taker.emplace(internal::recording_plan(settings, false).thresholds, options.keep_boxes);
+  analyses = internal::analyses_of(settings);
+  for (const internal::AnalysisMethod* method : internal::methods_of(analyses))
+    if (method->of_layout == nullptr) world_analyses.push_back(method);
   world_stream = make_stream();
   if (settings.screening.norm.empty()) return;
   for (Acceleration& acceleration : norm_accelerations(settings.screening.norm)) add(std::move(acceleration));
@@ -83,12 +86,12 @@ void Screen::State::evaluate(std::vector<internal::ReadLayout> layouts, std::vec
   const std::size_t count = accelerations.size();
   worlds.resize(layouts.size() * count);
   for (std::size_t i = 0; i < worlds.size(); ++i)
-    internal::fill_world({.layout = i / count, .acceleration = i % count}, thresholds, false, worlds[i]);
+    taker->take({.row = {.layout = i / count, .acceleration = i % count}}, worlds[i]);
   if (worlds.empty()) return;
   internal::MemoryLayouts source(std::move(layouts));
-  internal::MemorySink sink(worlds, count, thresholds, options.keep_boxes);
+  internal::MemorySink sink(worlds, count, *taker);
   internal::ScreeningPlan verdicts_alone = plan(source, options.keep_series);
-  verdicts_alone.margins = false;
+  verdicts_alone.analyses = world_analyses;
   const internal::ScreeningEnd end = internal::screen_worlds(verdicts_alone, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});
   for (WorldOutcome& world : worlds) internal::mark_cancelled(world);

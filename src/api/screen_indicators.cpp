@@ -1,4 +1,4 @@
-#include "core/model/indicators.hpp"
+#include "analyses/indicators/indicators.hpp"
 
 #include <utility>
 #include <vector>

@@ -1,10 +1,10 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/margins/margins.hpp"
 #include "api/guarded.hpp"
 #include "api/memory_run.hpp"
 #include "api/screen_state.hpp"
-#include "core/engine/engine_support.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -17,15 +17,17 @@ class MarginSink final : public internal::ResultSink {
   explicit MarginSink(std::vector<LayoutMargins>& margins) : margins_(margins) {}
 
   std::unique_ptr<internal::SinkUnit> place(internal::UnitRecord& unit) override {
-    for (const internal::LayoutRecord& layout : unit.layouts) margins_[layout.index] = public_margins(layout.margins);
+    for (const internal::LayoutRecord& layout : unit.layouts) margins_[layout.index] = public_margins(layout.found);
     return std::make_unique<internal::DoneUnit>();
   }
 
-  static LayoutMargins public_margins(const internal::LayoutMargins& found) {
+  static LayoutMargins public_margins(const internal::Findings& findings) {
+    const auto found = findings.value<internal::LayoutMargins>();
+    const auto spread = findings.value<internal::MarginSpread>();
     LayoutMargins margins{.margin = found.margin,
                           .trials = found.trials,
-                          .cpu_seconds = found.cpu_seconds + found.spread.cpu_seconds,
-                          .spread = {found.spread.low, found.spread.median, found.spread.high}};
+                          .cpu_seconds = found.cpu_seconds + spread.cpu_seconds,
+                          .spread = {spread.low, spread.median, spread.high}};
     for (std::size_t i = 0; i < internal::kDirectionCount; ++i)
       margins.critical_box.at(i) = static_cast<std::ptrdiff_t>(found.critical_box.at(i)) - 1;
     return margins;
@@ -38,16 +40,16 @@ class MarginSink final : public internal::ResultSink {
 }  // namespace
 
 std::vector<LayoutMargins> Screen::State::margins(std::vector<internal::ReadLayout> layouts) {
-  if (const auto error = internal::why_no_margins(*engine)) throw internal::exception_of({*error});
+  if (const auto error = internal::kMargins.why_not(*engine, settings)) throw internal::exception_of({*error});
   std::vector<LayoutMargins> margins(layouts.size());
   for (LayoutMargins& unknown : margins) unknown = MarginSink::public_margins({});
   internal::MemoryLayouts source(std::move(layouts));
   MarginSink sink(margins);
   const std::vector<internal::ReadAcceleration> gravity = {{internal::gravity_alone(), ""}};
-  internal::Settings margins_alone = settings;
-  margins_alone.screening.indicators = false;
+  internal::AnalysisMethods methods = {&internal::kMargins.method};
+  if (settings.screening.replicas > 0) methods.push_back(&internal::kMarginSpread.method);
   const internal::ScreeningEnd end = internal::screen_worlds(
-      {*engine, margins_alone, *workers, source, gravity, false, true}, sink, observer, stop, costs);
+      {*engine, settings, *workers, source, gravity, false, methods}, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});
   return margins;
 }

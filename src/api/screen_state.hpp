@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "api/convert.hpp"
+#include "api/memory_run.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/run_observer.hpp"
 #include "core/model/settings.hpp"
-#include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
 #include "parallel/schedulers/workers.hpp"
 #include "parallel/screening/screening.hpp"
@@ -50,7 +51,7 @@ struct Screen::State {
   }
 
   internal::ScreeningPlan plan(internal::LayoutSource& layouts, bool series) {
-    return {*engine, settings, *workers, layouts, read_accelerations, series, settings.screening.margins};
+    return {*engine, settings, *workers, layouts, read_accelerations, series, methods_of(analyses)};
   }
 
   void evaluate(std::vector<internal::ReadLayout> layouts, std::vector<WorldOutcome>& worlds);
@@ -85,7 +86,9 @@ struct Screen::State {
   std::vector<internal::ReadAcceleration> read_accelerations;
   std::unique_ptr<internal::Engine> engine;
   std::optional<internal::Workers> workers;
-  internal::Thresholds thresholds;
+  std::optional<internal::WorldTaker> taker;
+  std::vector<const internal::Analysis*> analyses;  ///< that the settings ask for
+  internal::AnalysisMethods world_analyses;         ///< those of worlds alone
   internal::StopRequest stop;
   std::atomic<bool> closed = false;  ///< the running call ends early, and all that follow
   internal::StageCosts costs;

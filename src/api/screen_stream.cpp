@@ -19,8 +19,8 @@ constexpr std::size_t kInFlightPerThread = 16;
 }  // namespace
 
 std::unique_ptr<internal::WorldStream> Screen::State::make_stream() const {
-  return std::make_unique<internal::WorldStream>(*engine, settings, read_accelerations, options.keep_series,
-                                                 workers->threads(), options.on_finished);
+  return std::make_unique<internal::WorldStream>(*engine, settings, read_accelerations, world_analyses,
+                                                 options.keep_series, workers->threads(), options.on_finished);
 }
 
 internal::WorldStream& Screen::State::stream() {
@@ -70,9 +70,8 @@ bool Screen::poll(FinishedLayout& finished, double seconds, PollOrder order) {
     finished.worlds.resize(taken->worlds.size());
     for (std::size_t i = 0; i < finished.worlds.size(); ++i) {
       internal::WorldRecord& record = taken->worlds[i];
-      record.layout = taken->ticket;
-      internal::fill_world(record, state_->thresholds, state_->options.keep_boxes, finished.worlds[i]);
-      internal::move_series(std::move(record.series), finished.worlds[i].series);
+      record.row.layout = taken->ticket;
+      state_->taker->take(std::move(record), finished.worlds[i]);
       internal::mark_cancelled(finished.worlds[i]);
     }
     if (taken->error) throw internal::exception_of({*taken->error});

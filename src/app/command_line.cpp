@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <memory>
 #include <new>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "api/version.hpp"
 #include "app/accuracies_json.hpp"
 #include "app/command_line_pages.hpp"
@@ -99,27 +101,32 @@ void add_part_option(CLI::App& command, RunOptions& options) {
       ->type_name("K/N");
 }
 
+/// The option of a key: "--wall-forces" of WallForces.
+std::string option_of(std::string_view key) {
+  std::string option = "-";
+  for (const char letter : key) {
+    if (letter >= 'A' && letter <= 'Z') option += '-';
+    option += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return option;
+}
+
 /// Adds the options that `screen` and `run` share.
 void add_run_options(CLI::App& command, RunOptions& options) {
   add_recording_options(command, options);
-  command.add_flag("--margins", options.margins,
-                   "Also find how many g each layout stands, in four directions; stands in for [Screening] Margins");
-  command.add_flag("--wall-forces", options.wall_forces,
-                   "Also record the forces on the sides of the container; stands in for [Screening] WallForces");
+  for (const Analysis* analysis : all_analyses()) {
+    if (analysis->key.empty()) continue;
+    command.add_flag_function(
+        option_of(analysis->key), [&options, analysis](std::int64_t) { options.analyses.push_back(analysis->key); },
+        fmt::format("{}; stands in for [Screening] {}", analysis->option, analysis->key));
+  }
   command
-      .add_option(
-          "--walls", options.walls,
-          "The same, and compare them with a norm: en12642-l, en12642-xl, en283 or iso-container; stands in for "
-          "[Screening] Walls")
+      .add_option("--walls", options.walls,
+                  "Record the forces on the sides as --wall-forces does, and compare them with a norm: en12642-l, "
+                  "en12642-xl, en283 or iso-container; stands in for "
+                  "[Screening] Walls")
       ->check(as_in_config("Screening", "Walls"))
       ->type_name("NAME");
-  command.add_flag(
-      "--damage", options.damage,
-      "Also record accelerations and impacts of boxes, and count those beyond a damage boundary; stands in "
-      "for [Screening] Damage");
-  command.add_flag("--indicators", options.indicators,
-                   "Also tell base support, supported sides, centre of gravity and fill of the layouts; stands in for "
-                   "[Screening] Indicators");
   command
       .add_option(
           "--stop-when", options.stop_when,

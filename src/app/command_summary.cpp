@@ -5,13 +5,8 @@
 
 #include "app/commands.hpp"
 #include "app/crash_guard.hpp"
-#include "app/damage_table.hpp"
-#include "app/indicator_table.hpp"
-#include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
-#include "app/replica_table.hpp"
 #include "app/report.hpp"
-#include "app/wall_table.hpp"
 #include "core/model/setting_table.hpp"
 #include "io/results/results_reader.hpp"
 #include "io/results/summary.hpp"
@@ -21,7 +16,7 @@ namespace holdfast::internal {
 namespace {
 
 ExitCode summarise(const SummaryOptions& options) {
-  const Result<ResultsReader> results = ResultsReader::open(options.results_path);
+  Result<ResultsReader> results = ResultsReader::open(options.results_path);
   if (!results) return fail(ExitCode::bad_usage, results.error());
   std::error_code unknown;
   if (options.output_path && std::filesystem::exists(*options.output_path, unknown)) {
@@ -41,20 +36,12 @@ ExitCode summarise(const SummaryOptions& options) {
                            .accepted = "`holdfast screen --resume` finishes the run"}});
   }
 
-  const Result<OutcomeTable> table = outcome_table(options.results_path, thresholds);
+  const Result<OutcomeTable> table = outcome_table(*results, thresholds);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  const Result<std::string> margins = margin_table(options.results_path);
-  if (!margins) return fail(ExitCode::some_failed, margins.error());
-  const Result<std::string> walls = wall_table(options.results_path);
-  if (!walls) return fail(ExitCode::some_failed, walls.error());
-  const Result<std::string> replicas = replica_table(options.results_path);
-  if (!replicas) return fail(ExitCode::some_failed, replicas.error());
-  const Result<std::string> damage = damage_table(options.results_path);
-  if (!damage) return fail(ExitCode::some_failed, damage.error());
-  const Result<std::string> indicators = indicator_table(options.results_path);
-  if (!indicators) return fail(ExitCode::some_failed, indicators.error());
-  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}{}{}{}{}", thresholds.drop, thresholds.move,
-           thresholds.tilt, table->text, *replicas, *margins, *walls, *damage, *indicators);
+  const Result<std::string> analyses = analysis_tables(*results);
+  if (!analyses) return fail(ExitCode::some_failed, analyses.error());
+  print_to(stdout, "thresholds: drop {} m, move {} m, tilt {} degrees\n{}{}", thresholds.drop, thresholds.move,
+           thresholds.tilt, table->text, *analyses);
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);

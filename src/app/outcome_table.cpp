@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analyses/analysis.hpp"
 #include "core/engine/simulate.hpp"
 #include "io/results/summary.hpp"
 
@@ -53,7 +54,7 @@ class Tally {
   bool add(const SummarySlice& slice) {
     for (std::size_t i = 0; i < slice.rows.size(); ++i) {
       if (slice.rows[i].acceleration >= accelerations_.size()) return false;
-      add(slice.rows[i], slice.worlds, i);
+      add(slice.rows[i], slice.worlds[i]);
     }
     return true;
   }
@@ -78,7 +79,7 @@ class Tally {
   }
 
  private:
-  void add(const WorldRow& row, const WorldSummary& summary, std::size_t i) {
+  void add(const WorldRow& row, const WorldVerdict& world) {
     AccelerationLine& line = accelerations_[row.acceleration];
     steps_ += row.steps;
     steps_skipped_ += row.steps_skipped;
@@ -87,22 +88,17 @@ class Tally {
       time_ += latest_end;
       time_saved_ += time_saved(row.status, row.stop_reason, row.end_time, latest_end);
     }
-    const Verdict verdict = summary.verdict[i];
-    ++line.of(verdict);
-    if (verdict == Verdict::failed) {
-      failures_.emplace(row.status_text, 0).first->second += 1;
+    ++line.of(world.verdict);
+    if (world.verdict == Verdict::failed) {
+      failures_.emplace(row.message, 0).first->second += 1;
       return;
     }
-    if (verdict == Verdict::not_needed) return;
-    const WorldLine world{row.layout,
-                          row.acceleration,
-                          row.box_count,
-                          summary.fallen_boxes[i],
-                          summary.moved_boxes[i],
-                          summary.tilted_boxes[i],
-                          summary.peak_displacement[i]};
-    if (verdict == Verdict::fell || verdict == Verdict::moved) add_to_worst(world, line);
-    if (summary.unstable_boxes[i] > 0) unstable_[row.layout] = {row.box_count, summary.unstable_boxes[i]};
+    if (world.verdict == Verdict::not_needed) return;
+    if (world.verdict == Verdict::fell || world.verdict == Verdict::moved)
+      add_to_worst(
+          {row.layout, row.acceleration, row.boxes, world.fallen, world.moved, world.tilted, world.peak_displacement},
+          line);
+    if (world.unstable > 0) unstable_[row.layout] = {row.boxes, world.unstable};
   }
 
   /// An entry of a column that the table has only where there are such verdicts.
@@ -120,11 +116,7 @@ class Tally {
     if (worst_.size() > kWorstShown) worst_.pop_back();
   }
 
-  /// A slice names the layouts that begin in it, and not the one that continues from the slice before.
-  std::string name_of_layout(std::uint64_t layout) const {
-    const std::uint64_t i = layout - info_.layout_begin;
-    return i < info_.layouts.size() ? printable(info_.layouts[i]) : fmt::format("layout {}", layout);
-  }
+  std::string name_of_layout(std::uint64_t layout) const { return printable(info_.layout_name(layout)); }
 
   std::size_t name_width() const {
     std::size_t width = std::string_view("layouts that").size();
@@ -196,17 +188,27 @@ class Tally {
 
 }  // namespace
 
-Result<OutcomeTable> outcome_table(const std::string& results_path, const Thresholds& thresholds,
+Result<OutcomeTable> outcome_table(ResultsReader& results, const Thresholds& thresholds,
                                    std::span<const double> latest_ends) {
-  Result<ResultsReader> results = ResultsReader::open(results_path);
-  if (!results) return results.errors();
-  Tally tally(results->info(), latest_ends);
+  Tally tally(results.info(), latest_ends);
   const auto add = [&](const SummarySlice& slice) -> std::optional<Error> {
     if (tally.add(slice)) return std::nullopt;
-    return Error{.file = results_path, .what = "is damaged: a world has an acceleration that is not in the file"};
+    return Error{.file = results.info().path,
+                 .what = "is damaged: a world has an acceleration that is not in the file"};
   };
-  if (const auto error = derive_summary(*results, thresholds, add)) return *error;
+  if (const auto error = derive_summary(results, thresholds, add)) return *error;
   return tally.table();
+}
+
+Result<std::string> analysis_tables(ResultsReader& results) {
+  std::string text;
+  for (const Analysis* analysis : all_analyses()) {
+    if (analysis->table == nullptr || !results.info().has(analysis->tables)) continue;
+    const Result<std::string> table = analysis->table(results);
+    if (!table) return table.errors();
+    text += *table;
+  }
+  return text;
 }
 
 }  // namespace holdfast::internal

@@ -45,10 +45,8 @@ std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
   if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, 0, *stop_when));
   if (walls) static_cast<void>(find_setting("Screening", "Walls")->set(job.settings, 0, *walls));
   if (replicas) static_cast<void>(find_setting("Screening", "Replicas")->set(job.settings, 0, *replicas));
-  if (margins) screening.margins = true;
-  if (wall_forces) screening.wall_forces = true;
-  if (damage) screening.damage = true;
-  if (indicators) screening.indicators = true;
+  for (const std::string_view key : analyses)
+    static_cast<void>(find_setting("Screening", key)->set(job.settings, 0, "true"));
   if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
   if (part) {

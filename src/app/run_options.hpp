@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/screening.hpp"
 #include "core/base/result.hpp"
@@ -20,10 +22,7 @@ struct RunOptions {
   std::optional<std::string> costs_path;
   std::optional<std::string> replicas;
   std::optional<std::string> part;
-  bool margins = false;
-  bool wall_forces = false;
-  bool damage = false;
-  bool indicators = false;
+  std::vector<std::string_view> analyses;  ///< keys of [Screening] that ask for them
   std::optional<std::string> walls;
   bool first_failure = false;
   bool no_series = false;

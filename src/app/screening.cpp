@@ -4,21 +4,17 @@
 
 #include <filesystem>
 
+#include "analyses/analysis.hpp"
 #include "api/engine_loader.hpp"
 #include "api/recorded_run.hpp"
 #include "app/crash_guard.hpp"
-#include "app/damage_table.hpp"
-#include "app/indicator_table.hpp"
-#include "app/margin_table.hpp"
 #include "app/outcome_table.hpp"
-#include "app/replica_table.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/shard_job.hpp"
 #include "app/stage_costs_file.hpp"
 #include "app/stop_signal.hpp"
 #include "app/terminal_observer.hpp"
-#include "app/wall_table.hpp"
 #include "core/engine/simulate.hpp"
 #include "io/export/text_export.hpp"
 #include "io/input/layout_files.hpp"
@@ -82,21 +78,15 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
   std::vector<double> latest_ends;
   for (const Acceleration& acceleration : description.accelerations)
     latest_ends.push_back(latest_end(acceleration, job.settings));
-  const auto table = outcome_table(job.results_path, description.thresholds, latest_ends);
+  Result<ResultsReader> results = ResultsReader::open(job.results_path);
+  if (!results) return fail(ExitCode::some_failed, results.error());
+  const Result<OutcomeTable> table = outcome_table(*results, description.thresholds, latest_ends);
   if (!table) return fail(ExitCode::some_failed, table.error());
-  const auto margins = margin_table(job.results_path);
-  if (!margins) return fail(ExitCode::some_failed, margins.error());
-  const auto walls = wall_table(job.results_path);
-  if (!walls) return fail(ExitCode::some_failed, walls.error());
-  const auto replicas = replica_table(job.results_path);
-  if (!replicas) return fail(ExitCode::some_failed, replicas.error());
-  const auto damage = damage_table(job.results_path);
-  if (!damage) return fail(ExitCode::some_failed, damage.error());
-  const auto indicators = indicator_table(job.results_path);
-  if (!indicators) return fail(ExitCode::some_failed, indicators.error());
-  if (!job.json && !job.quiet)
-    print_to(stdout, "{}{}{}{}{}{}\nresults: {}\n", table->text, *replicas, *margins, *walls, *damage, *indicators,
-             job.results_path);
+  if (!job.json && !job.quiet) {
+    const Result<std::string> analyses = analysis_tables(*results);
+    if (!analyses) return fail(ExitCode::some_failed, analyses.error());
+    print_to(stdout, "{}{}\nresults: {}\n", table->text, *analyses, job.results_path);
+  }
   return table->failed_worlds == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -156,7 +146,7 @@ ExitCode run_whole(const ScreeningJob& job, const Engine& engine, const std::vec
   Workers workers(job.settings.screening.scheduler, job.settings.screening.threads);
   TerminalObserver observer(job, description, stop);
   const RecordedEnd end = record_run(
-      {engine, job.settings, workers, layouts, accelerations, job.record_series, job.settings.screening.margins},
+      {engine, job.settings, workers, layouts, accelerations, job.record_series, methods_of(analyses_of(job.settings))},
       recording, *lock, observer, stop, costs);
   switch (end.kind) {
     case RecordedEnd::Kind::refused:

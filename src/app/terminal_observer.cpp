@@ -69,19 +69,18 @@ void TerminalObserver::layout_finished(const LayoutRecord& layout) {
 }
 
 void TerminalObserver::world_finished(const WorldRecord& world, std::size_t index) {
-  const std::string& layout = description_.layout_names[world.layout];
-  const Acceleration& acceleration = description_.accelerations[world.acceleration];
-  const Status status = world.outcome.status;
+  const std::string& layout = description_.layout_names[world.row.layout];
+  const Acceleration& acceleration = description_.accelerations[world.row.acceleration];
+  const Status status = world.row.status;
   if (display_) {
-    if (has(status, Status::bad_layout) && world.acceleration == 0) note(world.status_text);
-    if (has(status, Status::too_large)) note(world.status_text);
+    if (has(status, Status::bad_layout) && world.row.acceleration == 0) note(world.row.message);
+    if (has(status, Status::too_large)) note(world.row.message);
     if (has(status, Status::non_finite))
-      note(printable(fmt::format("{} under {}: {}", layout, acceleration.name, world.status_text)));
+      note(printable(fmt::format("{} under {}: {}", layout, acceleration.name, world.row.message)));
   }
   if (!job_.json) return;
-  const Outcome& outcome = world.outcome;
-  const double saved =
-      time_saved(outcome.status, outcome.stop_reason, outcome.end_time, latest_end(acceleration, job_.settings));
+  const WorldRow& row = world.row;
+  const double saved = time_saved(row.status, row.stop_reason, row.end_time, latest_end(acceleration, job_.settings));
   const std::string line = world_json(world, layout, acceleration.name, index, description_.thresholds, saved) + "\n";
   write_unless(stop_.drop, stdout, line);
 }

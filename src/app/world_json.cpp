@@ -1,37 +1,30 @@
 #include "app/world_json.hpp"
 
 #include <fmt/format.h>
-#include <array>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "api/convert.hpp"
-#include "core/model/container_sides.hpp"
-#include "core/model/status.hpp"
+#include "core/model/outcome.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
-void append_walls(nlohmann::ordered_json& json, const std::vector<holdfast::WallForce>& walls) {
-  for (std::size_t side = 0; side < walls.size(); ++side) {
-    const holdfast::WallForce& wall = walls[side];
-    nlohmann::ordered_json& of_side = json[std::string(kContainerSides.at(side).name)];
-    of_side["peak_force_N"] = wall.peak_force;
-    of_side["peak_time_s"] = wall.peak_time;
-    of_side["peak_point_m"] = wall.peak_point;
-    of_side["lasting_force_N"] = wall.lasting_force;
-    of_side["limit_N"] = wall.limit;
-    of_side["impulse_Ns"] = wall.impulse;
-  }
-}
+using Json = nlohmann::ordered_json;
 
-void append_indicators(nlohmann::ordered_json& json, const LayoutIndicators& found) {
-  const auto array = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
-  json["fill"] = found.fill;
-  json["centre_of_gravity_m"] = array(found.centre_of_gravity);
-  json["centre_offset"] = array(found.centre_offset);
-  json["badly_based"] = found.badly_based;
-  json["badly_braced"] = found.badly_braced;
+/// A value of an outcome: names of codes, and 16 hexadecimal digits of a hash.
+template <class Value>
+Json json_value(const OutcomeField& field, const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return to_string(value);
+  else if constexpr (std::is_integral_v<Value>)
+    if (field.type == "status")
+      return to_string(static_cast<Status>(value));
+    else
+      return field.type == "hash" ? Json(fmt::format("{:016x}", value)) : Json(value);
+  else
+    return value;
 }
 
 }  // namespace
@@ -39,45 +32,20 @@ void append_indicators(nlohmann::ordered_json& json, const LayoutIndicators& fou
 void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world,
                     const std::string& acceleration) {
   const bool was_run = world.stop_reason != holdfast::StopReason::not_run;
-  // Numbers that are not finite become null by themselves.
-  const auto known = [&](auto number) -> nlohmann::ordered_json {
-    if (!was_run) return nullptr;
-    return number;
-  };
   json["acceleration"] = acceleration;
-  json["verdict"] = to_string(static_cast<Verdict>(world.verdict));
-  json["status"] = to_string(static_cast<Status>(world.status));
-  json["status_text"] = world.message;
-  json["stop_reason"] = to_string(static_cast<StopReason>(world.stop_reason));
-  json["boxes"] = world.boxes;
-  json["fallen_boxes"] = known(world.fallen);
-  json["moved_boxes"] = known(world.moved);
-  json["tilted_boxes"] = known(world.tilted);
-  json["unstable_boxes"] = known(world.unstable);
-  json["max_displacement_m"] = known(world.max_displacement);
-  json["peak_displacement_m"] = known(world.peak_displacement);
-  json["total_kinetic_energy_J"] = known(world.total_kinetic_energy);
-  json["peak_kinetic_energy_J"] = known(world.peak_kinetic_energy);
-  json["end_time_s"] = world.end_time;
-  json["steps"] = world.steps;
-  json["steps_skipped"] = world.steps_skipped;
-  json["max_residual"] = world.max_residual;
-  json["residual_scale"] = world.residual_scale;
-  json["max_penetration_m"] = world.max_penetration;
-  json["cpu_seconds"] = world.cpu_seconds;
-  if (!world.walls.empty()) append_walls(json["walls"], world.walls);
-  if (world.damage.known)
-    json["damage"] = {{"boxes_beyond", world.damage.boxes_beyond},
-                      {"peak_acceleration_m_s2", world.damage.peak_acceleration},
-                      {"velocity_change_m_s", world.damage.velocity_change}};
-  json["state_hash"] = fmt::format("{:016x}", world.state_hash);
-  if (world.replicas.count == 0) return;
-  json["replicas"] = {{"verdict", to_string(static_cast<ReplicaVerdict>(world.replicas.verdict))},
-                      {"count", world.replicas.count},
-                      {"failed", world.replicas.failed},
-                      {"share", world.replicas.share},
-                      {"wilson_95", {world.replicas.wilson_low, world.replicas.wilson_high}},
-                      {"cpu_seconds", world.replicas.cpu_seconds}};
+  visit_outcome<holdfast::WorldOutcome>([&](const OutcomeField& field, auto member) {
+    if (field.label.empty()) return;
+    // What is not known is null; numbers that are not finite become it by themselves.
+    const bool known = was_run || field.scope != FieldScope::derived || field.type == "verdict";
+    json[std::string(field.label)] = known ? json_value(field, world.*member) : Json();
+  });
+  for (const Analysis* analysis : all_analyses())
+    if (analysis->world_json != nullptr) analysis->world_json(json, world);
+}
+
+void append_box(nlohmann::ordered_json& json, const holdfast::BoxOutcome& box) {
+  visit_box_outcome<holdfast::BoxOutcome>(
+      [&](const OutcomeField& field, auto member) { json[std::string(field.label)] = json_value(field, box.*member); });
 }
 
 std::string one_line(const nlohmann::ordered_json& json) {
@@ -96,23 +64,11 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
   return one_line(json);
 }
 
-std::string layout_json(const LayoutRecord& layout, const std::vector<Analysis>& analyses) {
-  nlohmann::ordered_json json;
+std::string layout_json(const LayoutRecord& layout, std::span<const Analysis* const> analyses) {
+  Json json;
   json["layout"] = layout.layout->name;
-  if (includes(analyses, Analysis::indicators)) append_indicators(json["indicators"], layout.indicators);
-  if (!includes(analyses, Analysis::margins)) return one_line(json);
-  for (std::size_t i = 0; i < kDirectionCount; ++i) {
-    const std::string direction(kMarginDirections.at(i).name);
-    json["margins_g"][direction] = layout.margins.margin.at(i);
-    json["critical_boxes"][direction] = layout.margins.critical_box.at(i);
-  }
-  const MarginSpread& spread = layout.margins.spread;
-  if (includes(analyses, Analysis::margin_spread)) {
-    for (std::size_t i = 0; i < kDirectionCount; ++i)
-      json["margins_5_50_95_g"][std::string(kMarginDirections.at(i).name)] = {spread.low.at(i), spread.median.at(i),
-                                                                              spread.high.at(i)};
-  }
-  json["cpu_seconds"] = layout.margins.cpu_seconds + spread.cpu_seconds;
+  for (const Analysis* analysis : analyses)
+    if (analysis->layout_json != nullptr) analysis->layout_json(json, layout);
   return one_line(json);
 }
 

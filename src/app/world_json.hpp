@@ -1,12 +1,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
-#include <vector>
 
+#include "analyses/analysis.hpp"
 #include "core/engine/result_sink.hpp"
 #include "core/engine/world_record.hpp"
-#include "core/model/analysis.hpp"
 #include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
 
@@ -16,6 +16,9 @@ namespace holdfast::internal {
 /// names, in SI. Values that a world has only when it was simulated are null otherwise.
 void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world, const std::string& acceleration);
 
+/// Appends how a box ended.
+void append_box(nlohmann::ordered_json& json, const holdfast::BoxOutcome& box);
+
 /// Text of JSON on one line. Names of files need not be UTF-8; what is not becomes a replacement character.
 std::string one_line(const nlohmann::ordered_json& json);
 
@@ -24,8 +27,7 @@ std::string one_line(const nlohmann::ordered_json& json);
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
                        std::size_t index, const Thresholds& thresholds, double time_saved);
 
-/// What a run was asked for of layouts, margins or indicators or both, of one layout as one line of JSON; null where
-/// something is not known.
-std::string layout_json(const LayoutRecord& layout, const std::vector<Analysis>& analyses);
+/// What analyses of layouts have found of one layout as one line of JSON; null where something is not known.
+std::string layout_json(const LayoutRecord& layout, std::span<const Analysis* const> analyses);
 
 }  // namespace holdfast::internal

@@ -7,7 +7,7 @@ using namespace holdfast;
 // A program passes these types by value and address, so that a member more is another size, and needs another soname.
 // The numbers are of one platform: what changes them there changes them elsewhere.
 #if defined(__x86_64__) && defined(__GLIBCXX__)
-TEST_CASE("compatibility: public types have the sizes of version 1", "[api][compatibility]") {
+TEST_CASE("compatibility: public types have the sizes of version 2", "[api][compatibility]") {
   CHECK(sizeof(Problem) == 200);
   CHECK(sizeof(Error) == 64);
   CHECK(sizeof(Box) == 56);
@@ -29,7 +29,7 @@ TEST_CASE("compatibility: public types have the sizes of version 1", "[api][comp
   CHECK(sizeof(WallForce) == 80);
   CHECK(sizeof(ReplicaOutcome) == 72);
   CHECK(sizeof(DamageOutcome) == 88);
-  CHECK(sizeof(WorldOutcome) == 472);
+  CHECK(sizeof(WorldOutcome) == 496);
   CHECK(sizeof(MarginSpread) == 96);
   CHECK(sizeof(LayoutMargins) == 176);
   CHECK(sizeof(LayoutIndicators) == 120);

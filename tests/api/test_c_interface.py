@@ -37,9 +37,9 @@ class Layouts(ctypes.Structure):
 
 class Outcome(ctypes.Structure):
     _fields_ = [("layout", c_uint64), ("acceleration", c_uint64), ("verdict", c_int32), ("status", c_uint32),
-                ("stop_reason", c_int32), ("boxes", c_uint32), ("fallen", c_uint32), ("moved", c_uint32),
-                ("tilted", c_uint32), ("unstable", c_uint32), ("max_displacement", c_float),
-                ("peak_displacement", c_float), ("total_kinetic_energy", c_double), ("peak_kinetic_energy", c_double),
+                ("stop_reason", c_int32), ("boxes", c_uint32), ("fallen", c_uint32), ("unstable", c_uint32),
+                ("moved", c_uint32), ("tilted", c_uint32), ("total_kinetic_energy", c_double),
+                ("peak_kinetic_energy", c_double), ("max_displacement", c_float), ("peak_displacement", c_float),
                 ("end_time", c_double), ("steps", c_uint64), ("steps_skipped", c_uint64), ("max_residual", c_double),
                 ("residual_scale", c_double), ("max_penetration", c_double), ("cpu_seconds", c_double),
                 ("state_hash", c_uint64)]

@@ -95,7 +95,7 @@ class InstalledTest(unittest.TestCase):
         folder = self.folder / "c_alone"
         folder.mkdir()
         (folder / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 1.0 REQUIRED)\n"
+            "cmake_minimum_required(VERSION 3.22)\nproject(alone LANGUAGES C)\nfind_package(holdfast 2.0 REQUIRED)\n"
             f"add_executable(plain {SOURCE}/examples/embed/plain.c)\n"
             "target_link_libraries(plain PRIVATE holdfast::holdfast)\n")
         done("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
@@ -104,7 +104,7 @@ class InstalledTest(unittest.TestCase):
 
     def test_only_the_public_headers_are_installed(self):
         headers = [path.name for path in (self.prefix / "include").rglob("*") if path.is_file()]
-        self.assertEqual(sorted(headers), ["holdfast.h", "holdfast.hpp", "outcomes.hpp"])
+        self.assertEqual(sorted(headers), ["holdfast.h", "holdfast.hpp", "outcome_fields.h", "outcomes.hpp"])
 
     def assert_finds_engines(self, *words):
         """The output has a line for each engine of Bullet, and misses none."""

@@ -129,7 +129,7 @@ TEST_CASE("bullet_engine: a pulse off the step grid gives its exact velocity", "
   const Run one = run(engine, one_box(kFlat), pulse, open_floor(0.0));
   CAPTURE(engine);
   CHECK(one.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-5));
-  CHECK(one.record.outcome.counters.steps == 25 + 97 + 72);
+  CHECK(one.record.row.steps == 25 + 97 + 72);
 }
 
 TEST_CASE("bullet_engine: a box of one centimetre rests and slides like larger ones", "[bullet][bullet_engine]") {
@@ -146,9 +146,9 @@ TEST_CASE("bullet_engine: a box of one centimetre rests and slides like larger o
 
 TEST_CASE("bullet_engine: settings override the solver values of the preset", "[bullet][bullet_engine]") {
   const auto counters = [](const std::string& engine, const Settings& settings) {
-    return run(engine, one_box(kFlat), constant(0, 1), settings).record.outcome.counters;
+    return run(engine, one_box(kFlat), constant(0, 1), settings).record.row;
   };
-  const Counters best = counters("bullet", open_floor(0.5));
+  const WorldRow best = counters("bullet", open_floor(0.5));
   CHECK(best.steps == 240);
   CHECK(best.steps_skipped == 0);
   CHECK(best.solve_iterations == 240 * 50);
@@ -166,7 +166,7 @@ TEST_CASE("bullet_engine: settings override the solver values of the preset", "[
 namespace {
 
 double relative_residual(const Run& run) {
-  const Counters& counters = run.record.outcome.counters;
+  const WorldRow& counters = run.record.row;
   return counters.max_residual / counters.residual_scale;
 }
 
@@ -193,5 +193,5 @@ TEST_CASE("bullet_engine: without gravity boxes float, and there is no residual"
   CHECK(one.displacement().z() == 0.0);
   const Run pushed = run("bullet", one_box(kFlat), acceleration_of({{1, Vec3(0, 0, 5)}}), settings);
   CHECK(pushed.displacement().norm() < 1e-4);
-  CHECK(pushed.record.outcome.counters.max_residual == 0.0);
+  CHECK(pushed.record.row.max_residual == 0.0);
 }

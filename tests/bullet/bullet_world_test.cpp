@@ -26,7 +26,7 @@ Acceleration swerve() {
 }
 
 std::uint64_t hash_alone(const std::string& engine, const Layout& layout) {
-  return run(engine, layout, swerve(), {}).record.state_hash;
+  return run(engine, layout, swerve(), {}).record.row.state_hash;
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ TEST_CASE("bullet_world: the same bits alone, again and in any batch", "[bullet]
   const Acceleration same = swerve();
   const Acceleration* const accelerations[] = {&other, &same};
   const std::vector<Run> runs = run_all(*engine_of(engine, {}), layouts, accelerations, {});
-  CHECK(runs[3].record.state_hash == expected);
-  CHECK(runs[7].record.state_hash == expected);
+  CHECK(runs[3].record.row.state_hash == expected);
+  CHECK(runs[7].record.row.state_hash == expected);
 }
 
 TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][bullet_world]") {
@@ -63,7 +63,7 @@ TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][
       SeriesRecorder recorder(recording_plan({}, true));
       Recorder* const recorders[] = {&recorder};
       simulate(*shared, batch, {}, recorders, false);
-      hash = recorder.take().state_hash;
+      hash = recorder.take().row.state_hash;
     });
   }
   for (std::thread& thread : threads) thread.join();
@@ -73,8 +73,8 @@ TEST_CASE("bullet_world: the same bits from several threads at once", "[bullet][
 TEST_CASE("bullet_world: engines of both precisions do not mix up", "[bullet][bullet_world]") {
   const std::unique_ptr<Engine> in_float = engine_of("bullet", {});
   const std::unique_ptr<Engine> in_double = engine_of("bullet-f64", {});
-  CHECK(run(*in_float, pile(), swerve(), {}).record.state_hash == hash_alone("bullet", pile()));
-  CHECK(run(*in_double, pile(), swerve(), {}).record.state_hash == hash_alone("bullet-f64", pile()));
+  CHECK(run(*in_float, pile(), swerve(), {}).record.row.state_hash == hash_alone("bullet", pile()));
+  CHECK(run(*in_double, pile(), swerve(), {}).record.row.state_hash == hash_alone("bullet-f64", pile()));
   CHECK(hash_alone("bullet", pile()) != hash_alone("bullet-f64", pile()));
   CHECK(hash_alone("bullet", pile()) != hash_alone("bullet-stock", pile()));
 }
@@ -82,7 +82,7 @@ TEST_CASE("bullet_world: engines of both precisions do not mix up", "[bullet][bu
 TEST_CASE("bullet_world: sampling does not change the motion", "[bullet][bullet_world]") {
   Settings settings;
   settings.results_interval = 0.0123;
-  CHECK(run("bullet", pile(), swerve(), settings).record.state_hash == hash_alone("bullet", pile()));
+  CHECK(run("bullet", pile(), swerve(), settings).record.row.state_hash == hash_alone("bullet", pile()));
 }
 
 TEST_CASE("bullet_world: a change of the acceleration wakes sleeping boxes", "[bullet][bullet_world]") {
@@ -96,8 +96,8 @@ TEST_CASE("bullet_world: a change of the acceleration wakes sleeping boxes", "[b
   const Run one = run(engine, layout, acceleration, settings);
   CHECK(one.displacement().x() == Approx(-0.25 * limit * (1 + 1.0 / 240)).epsilon(1e-3));
   // The box was asleep: Bullet puts bodies to sleep after 2 s.
-  const Counters awake = run(engine, layout, acceleration, open_floor(0.5)).record.outcome.counters;
-  const Counters& asleep = one.record.outcome.counters;
+  const WorldRow awake = run(engine, layout, acceleration, open_floor(0.5)).record.row;
+  const WorldRow& asleep = one.record.row;
   CHECK(asleep.steps == awake.steps);
   CAPTURE(asleep.solve_iterations, awake.solve_iterations);
   CHECK(asleep.solve_iterations < awake.solve_iterations / 8 * 7);
@@ -116,8 +116,8 @@ TEST_CASE("bullet_world: the layouts that come with the program stay finite", "[
     const Result<Layout> layout = parse_layout(*file, settings, warnings);
     REQUIRE(layout);
     const Run one = run(*engine, *layout, constant(0.8 * kGravity, 0.2), settings);
-    CHECK(one.record.outcome.status == Status::ok);
-    CHECK(one.record.outcome.end_time == 0.2);
+    CHECK(one.record.row.status == Status::ok);
+    CHECK(one.record.row.end_time == 0.2);
     // ½ · 0.8 g · 0.2² is 16 cm; no box can have moved much farther.
     for (const Float3& moved : one.record.end.displacement) CHECK(length(moved) < 0.3F);
     ++count;

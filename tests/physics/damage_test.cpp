@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analyses/damage/damage.hpp"
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
@@ -33,12 +34,11 @@ Settings settings_of(const Measured& measured, double friction) {
   return settings;
 }
 
-double peak(const Run& run, std::size_t box = 0) {
-  return static_cast<double>(run.record.damage.boxes.peak_acceleration.at(box));
-}
-double change(const Run& run, std::size_t box = 0) {
-  return static_cast<double>(run.record.damage.boxes.velocity_change.at(box));
-}
+/// What was found; the run was asked for it.
+const WorldDamage& damage(const Run& run) { return *run.record.found.get<WorldDamage>(); }
+
+double peak(const Run& run, std::size_t box = 0) { return static_cast<double>(damage(run).peak_acceleration.at(box)); }
+double change(const Run& run, std::size_t box = 0) { return static_cast<double>(damage(run).velocity_change.at(box)); }
 
 /// A box of 1 m x 1 m x 0.4 m, at a distance from the front wall, m.
 Layout at(double gap) { return layout_of({box({gap, 5, 0}, {1, 1, 0.4})}); }
@@ -102,8 +102,8 @@ TEST_CASE("damage: a box that falls stops with the velocity of its fall", "[phys
     CHECK(change(run) == Approx(speed).epsilon(measured.tolerance + 0.01));
     CHECK(peak(run) == Approx(speed / kWindow).epsilon(0.06));
     // 22 g and 4.4 m/s; the other box does not move.
-    CHECK(run.record.damage.boxes_beyond == 1);
-    CHECK(run.record.damage.boxes.beyond == std::vector<std::uint8_t>{1, 0});
+    CHECK(damage(run).boxes_beyond == 1);
+    CHECK(damage(run).beyond == std::vector<std::uint8_t>{1, 0});
     CHECK(change(run, 1) == 0.0);
   }
 }
@@ -116,10 +116,8 @@ TEST_CASE("damage: recording changes no bit", "[physics][damage]") {
     const Run without = run(engine, layout, acceleration, settings);
     settings.screening.damage = true;
     const Run with_damage = run(engine, layout, acceleration, settings);
-    CHECK(without.record.state_hash == with_damage.record.state_hash);
-    CHECK_FALSE(without.record.damage.known());
-    CHECK(without.record.damage.boxes.beyond.empty());
-    CHECK(with_damage.record.damage.known());
-    CHECK(with_damage.record.damage.boxes.beyond.size() == layout.boxes.size());
+    CHECK(without.record.row.state_hash == with_damage.record.row.state_hash);
+    CHECK(without.record.found.get<WorldDamage>() == nullptr);
+    CHECK(damage(with_damage).beyond.size() == layout.boxes.size());
   }
 }

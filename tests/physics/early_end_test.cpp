@@ -29,7 +29,7 @@ std::vector<Acceleration> bundled_accelerations() {
 
 Verdict verdict_of(const WorldRecord& record, const Settings& settings) {
   const Thresholds thresholds = recording_plan(settings, true).thresholds;
-  return judge_world(record.outcome.status, record.outcome.stop_reason, 0.0, record.end, thresholds).verdict;
+  return judge_world(record.row, record.end, thresholds).verdict;
 }
 
 /// Whether the state in which a world ended is beyond the thresholds that it ends early by.
@@ -81,16 +81,16 @@ TEST_CASE("early_end: of the bundled worlds no verdict changes, and those that e
       CAPTURE(layouts[i / accelerations.size()].name, i % accelerations.size(), static_cast<int>(stop_when));
       const Verdict given = verdict_of(part, settings);
       const Verdict expected = verdict_of(all, settings);
-      time += all.outcome.end_time;
+      time += all.row.end_time;
       if (given != Verdict::gave_way) {
         CHECK(to_string(given) == to_string(expected));
-        CHECK(part.state_hash == all.state_hash);
-        CHECK(part.outcome.end_time == all.outcome.end_time);
+        CHECK(part.row.state_hash == all.row.state_hash);
+        CHECK(part.row.end_time == all.row.end_time);
         continue;
       }
       ++gave_way;
-      saved += time_saved(part.outcome.status, part.outcome.stop_reason, part.outcome.end_time, all.outcome.end_time);
-      CHECK(part.outcome.end_time < all.outcome.end_time);
+      saved += time_saved(part.row.status, part.row.stop_reason, part.row.end_time, all.row.end_time);
+      CHECK(part.row.end_time < all.row.end_time);
       CHECK(is_beyond(part, settings));
       CHECK(begins_like(part.series, all.series));
       const bool stays_so = expected == Verdict::fell || (stop_when == StopWhen::moved && expected == Verdict::moved);

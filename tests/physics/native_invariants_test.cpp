@@ -149,8 +149,7 @@ TEST_CASE("native_invariants: the deepest penetration that is reported is the de
       const Settings settings = small_container(accuracy);
       const Worst worst = worst_of(layout, acceleration, settings);
       const double seen = std::max(worst.overlap.of_boxes, worst.overlap.with_side);
-      const double reported =
-          run(NativeEngine(settings), layout, acceleration, settings).record.outcome.counters.max_penetration;
+      const double reported = run(NativeEngine(settings), layout, acceleration, settings).record.row.max_penetration;
       CAPTURE(seed, static_cast<int>(accuracy), text(seen), text(reported));
       // Of two ways out of each other a contact keeps the one it had while they are near ties.
       CHECK(reported > 0.95 * seen - 1e-9);

@@ -44,9 +44,9 @@ TEST_CASE("native_shortcuts: Jump and Freeze never change a bit", "[physics][nat
     for (std::size_t k = 1; k < runs.size(); ++k) {
       CAPTURE(kLayouts[i], &acceleration - all.data(), k);
       CHECK(same_bits(runs[k].state, runs[0].state));
-      CHECK(runs[k].record.outcome.counters.steps == runs[0].record.outcome.counters.steps);
+      CHECK(runs[k].record.row.steps == runs[0].record.row.steps);
     }
-    skipped += runs.front().record.outcome.counters.steps_skipped;
+    skipped += runs.front().record.row.steps_skipped;
   }
   CHECK(skipped > 0);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analyses/walls/wall_forces.hpp"
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
@@ -30,14 +31,17 @@ Layout row(int count, double gap) {
 }
 constexpr double kMass = 250.0 * 1.0 * 1.2 * 0.4;  ///< of such a box, kg
 
+/// What was found; the run was asked for it.
+const WallForces& walls(const Run& run) { return *run.record.found.get<WallForces>(); }
+
 /// Force on a side at the last sample, N.
-double last_force(const Run& run, std::size_t side) { return run.record.series.side_force.back().at(side); }
+double last_force(const Run& run, std::size_t side) { return walls(run).force.back().at(side); }
 
 /// How far the impulses on all sides are from what weight and change of momentum call for, over the weight of the time.
 double imbalance(const Layout& layout, const Acceleration& acceleration, const Settings& settings, const Run& run) {
   const Acceleration* const accelerations[] = {&acceleration};
   const WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
-  Vec3 field = Vec3(0, 0, -kGravity) * run.record.outcome.end_time;
+  Vec3 field = Vec3(0, 0, -kGravity) * run.record.row.end_time;
   for (const Segment& segment : acceleration.segments) field -= segment.duration * segment.acceleration;
   Vec3 expected = Vec3::Zero();
   double mass = 0.0;
@@ -46,8 +50,8 @@ double imbalance(const Layout& layout, const Acceleration& acceleration, const S
     mass += batch.boxes.mass[i];
   }
   Vec3 impulse = Vec3::Zero();
-  for (const Vec3& of_side : run.record.walls.impulse) impulse += of_side;
-  return (impulse - expected).norm() / (mass * kGravity * run.record.outcome.end_time);
+  for (const Vec3& of_side : walls(run).impulse) impulse += of_side;
+  return (impulse - expected).norm() / (mass * kGravity * run.record.row.end_time);
 }
 
 }  // namespace
@@ -61,7 +65,7 @@ TEST_CASE("wall_forces: a row that is braked presses the front wall with m k (a 
         const Run run = native_run(row(count, gap), constant(acceleration, 2), settings);
         const double exact = kMass * count * (acceleration - friction * kGravity);
         CAPTURE(static_cast<int>(accuracy), count, friction, acceleration, text(last_force(run, kFront) / exact - 1.0),
-                text(run.record.walls.lasting_force[kFront] / exact - 1.0));
+                text(walls(run).lasting_force[kFront] / exact - 1.0));
         CHECK(last_force(run, kFront) == Approx(exact).epsilon(1e-6));
       }
     }
@@ -80,15 +84,14 @@ TEST_CASE("wall_forces: the floor carries the weight, centred below where the ef
     const Run braked = native_run(layout, constant(acceleration, 1), settings);
     CAPTURE(static_cast<int>(accuracy));
     for (const Run* run : {&rest, &braked}) {
-      CHECK(run->record.walls.peak_force[kFloor] == Approx(kMass * kGravity).epsilon(1e-6));
-      CHECK(run->record.walls.peak_force[kFront] == 0.0);
+      CHECK(walls(*run).peak_force[kFloor] == Approx(kMass * kGravity).epsilon(1e-6));
+      CHECK(walls(*run).peak_force[kFront] == 0.0);
     }
     const Vec3 centre(4.6, 5.4, 0.25);
-    CHECK((rest.record.walls.peak_point[kFloor] - Vec3(centre.x(), centre.y(), 0)).norm() < 1e-6);
+    CHECK((walls(rest).peak_point[kFloor] - Vec3(centre.x(), centre.y(), 0)).norm() < 1e-6);
     const Vec3 shifted(centre.x() - acceleration / kGravity * centre.z(), centre.y(), 0);
-    CHECK((braked.record.walls.peak_point[kFloor] - shifted).norm() < 1e-6);
-    CHECK((braked.record.walls.impulse[kFloor] - Vec3(-acceleration, 0, -kGravity) * kMass).norm() <
-          1e-5 * kMass * kGravity);
+    CHECK((walls(braked).peak_point[kFloor] - shifted).norm() < 1e-6);
+    CHECK((walls(braked).impulse[kFloor] - Vec3(-acceleration, 0, -kGravity) * kMass).norm() < 1e-5 * kMass * kGravity);
   }
 }
 
@@ -116,9 +119,8 @@ TEST_CASE("wall_forces: measuring changes no bit", "[physics][walls]") {
     const Acceleration acceleration = constant(9, 0.4);
     const Run without = run(engine, layout, acceleration, settings);
     const Run with_forces = run(engine, layout, acceleration, measured(settings));
-    CHECK(without.record.state_hash == with_forces.record.state_hash);
-    CHECK_FALSE(without.record.walls.known());
-    CHECK(without.record.series.side_force.empty());
-    CHECK(with_forces.record.walls.known());
+    CHECK(without.record.row.state_hash == with_forces.record.row.state_hash);
+    CHECK(without.record.found.get<WallForces>() == nullptr);
+    CHECK(walls(with_forces).known());
   }
 }

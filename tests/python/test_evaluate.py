@@ -29,6 +29,7 @@ class EvaluateTest(unittest.TestCase):
         self.assertLess(verdicts.end_time[0, 0], verdicts.end_time[0, 1])
         self.assertIn("gave_way", repr(verdicts))
         self.assertEqual(list(verdicts.frame()["verdict"]), ["gave_way", "stayed"])
+        self.assertIn(">gave_way, ", verdicts._repr_html_())
 
     def test_layouts_may_be_one_array_with_offsets_or_of_three_dimensions(self):
         with holdfast.Screen([SLIDE, REST]) as screen:
@@ -81,6 +82,8 @@ class EvaluateTest(unittest.TestCase):
         boxes = verdicts.box_outcomes(0)
         self.assertEqual(boxes.shape, (2, 2))
         self.assertEqual(boxes["displacement"].shape, (2, 2, 3))
+        for name in boxes.dtype.names:
+            self.assertIn(name, holdfast.Verdicts.box_outcomes.__doc__)
         self.assertEqual(int(boxes["moved"][0].sum()), int(verdicts.moved[0, 0]))
         self.assertLess(boxes["displacement"][0, 0, 0], -0.5)
         self.assertEqual(verdicts.box_outcomes(1).shape, (2, 0))

@@ -20,6 +20,8 @@ test("every bundled layout under every bundled acceleration ends in the bits of 
       continue;
     }
     assert.equal(outcome.verdict, world.verdict);
+    assert.equal(outcome.stopReason, world.stop_reason);
+    assert.equal(outcome.endTime, world.end_time_s);
     assert.equal(outcome.fallen, world.fallen_boxes);
     assert.equal(outcome.moved, world.moved_boxes);
     assert.equal(outcome.steps, world.steps);

@@ -7,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "api/apply_settings.hpp"
@@ -66,14 +67,24 @@ TextFile file_of(const char* name, const char* text) {
 
 void append(const Vec3& vector) { rows.insert(rows.end(), vector.begin(), vector.end()); }
 
-}  // namespace
+// The page gets the fields of a world that a structure of C has: all but the message, which is no number.
+#define FIELD_ROW(scope, type, name, ...) HOLDFAST_IF_C_##scope("field " #type " " #name "\n")
+#define FIELD_NUMBERS(scope, type, name, ...) HOLDFAST_IF_C_##scope(append_field(#type, world.name);)
+#define VERDICT_ROW(name, c_name, code, sentence) "verdict " #code " " #name "\n"
+#define STOP_REASON_ROW(name, c_name, code, sentence) "stop_reason " #code " " #name "\n"
 
-/// What became of a world: the numbers of `holdfast_outcome` that the page shows, in doubles.
-struct PageOutcome {
-  std::uint64_t state_hash;
-  double verdict, status, stop_reason, boxes, fallen, moved, tilted, unstable;
-  double max_displacement, peak_displacement, end_time, steps, steps_skipped;
-};
+/// Appends a number; a hash as its upper and its lower half, since one number has too few bits.
+template <class Value>
+void append_field(std::string_view type, Value value) {
+  if (type != "hash") return rows.push_back(static_cast<double>(value));
+  const auto hash = static_cast<std::uint64_t>(value);
+  rows.push_back(static_cast<double>(hash >> 32));
+  rows.push_back(static_cast<double>(hash & 0xffffffffU));
+}
+
+void append(const holdfast::WorldOutcome& world) { HOLDFAST_WORLD_FIELDS(FIELD_NUMBERS) }
+
+}  // namespace
 
 const char* holdfast_version() { return kVersion; }
 
@@ -111,9 +122,15 @@ EXPORTED int page_read_acceleration(const char* name, const char* text) {
   });
 }
 
-/// Simulates a world to its end, as `holdfast screen` does.
+/// What the numbers of a world are, in their order, a line for each: "field", its type and its name. Then the names of
+/// codes: type, code and name.
+EXPORTED const char* page_outcome_rows() {
+  return HOLDFAST_WORLD_FIELDS(FIELD_ROW) HOLDFAST_VERDICTS(VERDICT_ROW) HOLDFAST_STOP_REASONS(STOP_REASON_ROW);
+}
+
+/// Simulates a world to its end, as `holdfast screen` does, into numbers that `page_outcome_rows` explains.
 EXPORTED int page_screen(const holdfast_settings* handle, const double* boxes, std::size_t box_count,
-                         const double* segments, std::size_t segment_count, PageOutcome* outcome) {
+                         const double* segments, std::size_t segment_count) {
   return call([&] {
     const Settings settings = settings_of(handle);
     const EngineEntry* entry = find_engine(settings.screening.engine);
@@ -135,23 +152,8 @@ EXPORTED int page_screen(const holdfast_settings* handle, const double* boxes, s
     SeriesRecorder recorder(plan);
     Recorder* const recorders[] = {&recorder};
     simulate(*engine, batch, settings, recorders, std::atomic<bool>(false));
-    const WorldRecord record = recorder.take();
-    const Outcome& end = record.outcome;
-    const WorldVerdict verdict =
-        judge_world(end.status, end.stop_reason, record.peak_total_kinetic_energy, record.end, plan.thresholds);
-    *required(outcome, "outcome") = {.state_hash = record.state_hash,
-                                     .verdict = static_cast<double>(verdict.verdict),
-                                     .status = static_cast<double>(end.status),
-                                     .stop_reason = static_cast<double>(end.stop_reason),
-                                     .boxes = static_cast<double>(box_count),
-                                     .fallen = static_cast<double>(verdict.fallen_boxes),
-                                     .moved = static_cast<double>(verdict.moved_boxes),
-                                     .tilted = static_cast<double>(verdict.tilted_boxes),
-                                     .unstable = static_cast<double>(verdict.unstable_boxes),
-                                     .max_displacement = static_cast<double>(verdict.max_displacement),
-                                     .peak_displacement = static_cast<double>(verdict.peak_displacement),
-                                     .end_time = end.end_time,
-                                     .steps = static_cast<double>(end.counters.steps),
-                                     .steps_skipped = static_cast<double>(end.counters.steps_skipped)};
+    holdfast::WorldOutcome world;
+    fill_world(recorder.take(), plan.thresholds, false, world);
+    append(world);
   });
 }

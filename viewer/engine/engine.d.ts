@@ -1,4 +1,7 @@
 // Types of build/viewer/engine.mjs, which glue.mjs documents.
+import type { WorldOutcome } from "../src/data/outcome";
+
+export type { WorldOutcome };
 
 /** What the user, or the calling program, has given that cannot be used: a sentence. */
 export class EngineError extends Error {}
@@ -17,24 +20,6 @@ export interface WorldInputs extends GivenSettings {
   boxes: Numbers;
   /** Rows of five numbers: start, duration (s), acceleration along x, y, z (m/s²). */
   segments: Numbers;
-}
-
-/** What became of a world, as `holdfast screen --json` says it. */
-export interface WorldOutcome {
-  stateHash: string;
-  verdict: "stayed" | "moved" | "fell" | "unstable" | "failed" | "gave_way" | "not_needed";
-  stopReason: "not_run" | "timeout" | "sleeping" | "error" | "decided";
-  status: number;
-  boxes: number;
-  fallen: number;
-  moved: number;
-  tilted: number;
-  unstable: number;
-  maxDisplacement: number;
-  peakDisplacement: number;
-  endTime: number;
-  steps: number;
-  stepsSkipped: number;
 }
 
 /** A world that is taken forward in pieces. */
@@ -64,6 +49,7 @@ export interface Engine {
   readonly version: string;
   readLayout(text: string, inputs?: GivenSettings & { name?: string }): Float64Array;
   readAcceleration(text: string, name?: string): Float64Array;
+  /** What `holdfast screen` says of the world; `cpuSeconds` is 0, since the engine here has no clock. */
   screen(inputs: WorldInputs): WorldOutcome;
   world(inputs: WorldInputs): World;
 }

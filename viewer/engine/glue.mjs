@@ -8,13 +8,6 @@ const WASM_BASE64 = '@WASM@';
 
 const NUMBERS_PER_BOX = 7;
 const NUMBERS_PER_SEGMENT = 5;
-const VERDICTS = ['stayed', 'moved', 'fell', 'unstable', 'failed', 'gave_way', 'not_needed'];
-const STOP_REASONS = ['not_run', 'timeout', 'sleeping', 'error', 'decided'];
-/** Doubles of `PageOutcome` in binding.cpp, after its state hash. */
-const OUTCOME_NUMBERS = [
-  'verdict', 'status', 'stopReason', 'boxes', 'fallen', 'moved', 'tilted', 'unstable',
-  'maxDisplacement', 'peakDisplacement', 'endTime', 'steps', 'stepsSkipped',
-];
 
 /** What the user, or the calling program, has given that cannot be used. */
 export class EngineError extends Error {}
@@ -26,7 +19,9 @@ function bytesOfBase64(text) {
   return bytes;
 }
 
-const hashText = (hash) => hash.toString(16).padStart(16, '0');
+const hexText = (number, digits) => number.toString(16).padStart(digits, '0');
+/** state_hash: stateHash */
+const memberName = (name) => name.replaceAll(/_(.)/g, (_, letter) => letter.toUpperCase());
 
 /** Compiles the engine. */
 export async function loadEngine() {
@@ -50,6 +45,12 @@ class Engine {
   constructor(wasm) {
     this.wasm = wasm;
     this.version = this.textAt(wasm.holdfast_version());
+    const rows = this.textAt(wasm.page_outcome_rows()).trimEnd().split('\n').map((row) => row.split(' '));
+    /** Types and names of what `screen` gives, in the order of its numbers. */
+    this.outcomeFields = rows.filter(([kind]) => kind === 'field').map(([, type, name]) => [type, memberName(name)]);
+    /** Names of the codes of a type. */
+    this.names = {};
+    for (const [type, code, name] of rows) if (type !== 'field') (this.names[type] ??= {})[code] = name;
   }
 
   /**
@@ -82,15 +83,14 @@ class Engine {
 
   /** Simulates a world to its end as `holdfast screen` does: its verdict, counts and state hash. Inputs as of `world`. */
   screen(inputs) {
-    return this.withInputs(inputs, (settings, boxes, boxCount, segments, segmentCount) =>
-      this.withBytes(8 * (1 + OUTCOME_NUMBERS.length), (at) => {
-        this.checkPage(this.wasm.page_screen(settings, boxes, boxCount, segments, segmentCount, at));
-        const outcome = { stateHash: hashText(this.view().getBigUint64(at, true)) };
-        OUTCOME_NUMBERS.forEach((name, i) => { outcome[name] = this.view().getFloat64(at + 8 * (i + 1), true); });
-        outcome.verdict = VERDICTS[outcome.verdict];
-        outcome.stopReason = STOP_REASONS[outcome.stopReason];
-        return outcome;
-      }));
+    const numbers = this.withInputs(inputs, (...places) => this.read(this.wasm.page_screen(...places))).values();
+    const next = () => numbers.next().value;
+    const value = (type) => {
+      if (type === 'hash') return hexText(next(), 8) + hexText(next(), 8);
+      const number = next();
+      return this.names[type]?.[number] ?? number;
+    };
+    return Object.fromEntries(this.outcomeFields.map(([type, name]) => [name, value(type)]));
   }
 
   // ---- Between JavaScript and the memory of the engine, which moves when it grows: views are made anew. ----
@@ -224,7 +224,7 @@ class World {
   stateHash() {
     return this.engine.withBytes(8, (at) => {
       this.check(this.wasm.holdfast_world_hash(this.handle, at));
-      return hashText(this.engine.view().getBigUint64(at, true));
+      return hexText(this.engine.view().getBigUint64(at, true), 16);
     });
   }
 

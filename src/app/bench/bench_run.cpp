@@ -90,12 +90,12 @@ std::optional<Error> take_results(const std::string& path, BenchSample& sample) 
     for (const WorldRow& row : *rows) {
       sample.steps += row.steps;
       sample.steps_skipped += row.steps_skipped;
-      sample.box_steps += row.steps * row.box_count;
+      sample.box_steps += row.steps * row.boxes;
       sample.simulated_seconds += row.end_time;
       append_bytes(std::vector<std::uint64_t>{row.state_hash}, bytes);
     }
     const std::uint64_t box_begin = rows->front().box_begin;
-    const auto ends = results->ends(box_begin, rows->back().box_begin + rows->back().box_count - box_begin);
+    const auto ends = results->ends(box_begin, rows->back().box_begin + rows->back().boxes - box_begin);
     if (!ends) return ends.error();
     append_bytes(ends->displacement, bytes);
     append_bytes(ends->tilt, bytes);

@@ -15,18 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const holdfast::BoxOutcome& box) {
-  return {{"displacement_m", box.displacement},
-          {"tilt_deg", box.tilt},
-          {"kinetic_energy_J", box.kinetic_energy},
-          {"peak_displacement_m", box.peak_displacement},
-          {"peak_kinetic_energy_J", box.peak_kinetic_energy},
-          {"fallen", box.fallen},
-          {"moved", box.moved},
-          {"tilted", box.tilted},
-          {"unstable", box.unstable}};
-}
-
 /// A column of a series as one list per sample.
 template <class Entry>
 Json by_sample(const std::vector<Entry>& column, std::size_t samples) {
@@ -61,7 +49,7 @@ std::string verdicts_text(const AnsweredLine& line, std::span<const holdfast::Wo
     append_outcome(json, world, accelerations[world.acceleration]);
     if (options.per_box) {
       Json& boxes = json["per_box"] = Json::array();
-      for (const holdfast::BoxOutcome& box : world.box_outcomes) boxes.push_back(json_of(box));
+      for (const holdfast::BoxOutcome& box : world.box_outcomes) append_box(boxes.emplace_back(Json::object()), box);
     }
     if (options.series) json["series"] = json_of(world.series);
   }

@@ -12,4 +12,12 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// Unaligned, so that its columns are plain arrays.
 using Rotation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
+/// A vector and a quaternion as the results file stores them: float32, the latter as w, x, y, z.
+struct Float3 {
+  float x = 0, y = 0, z = 0;
+};
+struct Float4 {
+  float w = 1, x = 0, y = 0, z = 0;
+};
+
 }  // namespace holdfast::internal

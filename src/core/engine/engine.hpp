@@ -8,28 +8,17 @@
 
 #include "core/base/result.hpp"
 #include "core/model/acceleration.hpp"
+#include "core/model/outcome.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/side_impulse.hpp"
-#include "core/model/status.hpp"
 #include "core/model/world.hpp"
 
 namespace holdfast::internal {
 
-/// What an engine computed for a world, and how accurate it was.
+/// What an engine computed for a world, and how accurate it was: HOLDFAST_COUNTER_FIELDS. The residual scale is 0 as
+/// long as no step has a residual.
 struct Counters {
-  std::uint64_t steps = 0;  ///< steps that the simulated time is divided into
-  std::uint64_t steps_skipped =
-      0;  ///< those of them that were not computed, because all islands were in static equilibrium
-  std::uint64_t solve_iterations = 0;  ///< of the contact solver, over all steps
-  /// Largest change of a contact's velocity in the last iteration of a step, m/s: of the step in which it is largest
-  /// relative to `residual_scale`.
-  double max_residual = 0.0;
-  /// Velocity that the effective gravity adds in that step, m/s: |g − a| h for the native engine, g h for the others. 0
-  /// as long as no step has a residual.
-  double residual_scale = 0.0;
-  /// Largest penetration of a box into another box or a side, m. Largest value over all steps; 0 if the engine does not
-  /// measure it.
-  double max_penetration = 0.0;
+  HOLDFAST_COUNTER_FIELDS(HOLDFAST_FOUND_MEMBER)
   double device_seconds = 0.0;  ///< for which the calling thread waited for a device on behalf of the world, s
 
   /// Takes the residual of a step over if it is the largest so far, relative to its scale.

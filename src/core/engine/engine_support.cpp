@@ -18,31 +18,13 @@ std::optional<Error> why_no_wall_forces(const Engine& engine) {
                .accepted = "leave wall forces out, or take native, bullet or bullet-f64 with Motion = prescribed"};
 }
 
-std::optional<Error> why_no_damage(const Engine& engine, const Settings& settings) {
-  if (engine.traits().shows_every_step && settings.container.motion == ContainerMotion::prescribed) return std::nullopt;
-  return Error{.what = "damage is not recorded by this engine, or not with this motion of the container",
-               .value = engine.traits().name,
-               .accepted = "leave damage out, or take native, bullet or bullet-f64 with Motion = prescribed"};
-}
-
 }  // namespace
-
-std::optional<Error> why_no_margins(const Engine& engine) {
-  if (engine.traits().rewinds) return std::nullopt;
-  return Error{.what = "this engine cannot find margins, since its worlds cannot go back in time",
-               .value = engine.traits().name,
-               .accepted = "leave margins out, or take the engine native"};
-}
 
 std::optional<Error> why_unsupported(const Engine& engine, const Settings& settings) {
   if (settings.contact.kinetic_friction != 1.0)
     if (auto error = why_one_friction(engine)) return error;
-  if (settings.screening.margins)
-    if (auto error = why_no_margins(engine)) return error;
   if (settings.screening.measures_walls())
     if (auto error = why_no_wall_forces(engine)) return error;
-  if (settings.screening.damage)
-    if (auto error = why_no_damage(engine, settings)) return error;
   return std::nullopt;
 }
 

@@ -8,11 +8,8 @@
 
 namespace holdfast::internal {
 
-/// What an engine lacks of what the settings ask for beyond its own checks, if anything: kinetic friction, and the
-/// analyses beside verdicts.
+/// What an engine lacks of what the settings ask for beyond its own checks, if anything: kinetic friction, and
+/// forces on the sides of the container. Analyses that ask for more say so themselves.
 std::optional<Error> why_unsupported(const Engine& engine, const Settings& settings);
-
-/// Why an engine cannot find margins, if it cannot.
-std::optional<Error> why_no_margins(const Engine& engine);
 
 }  // namespace holdfast::internal

@@ -2,7 +2,6 @@
 
 #include "core/base/vector.hpp"
 #include "core/engine/engine.hpp"
-#include "core/model/status.hpp"
 #include "core/model/world.hpp"
 
 namespace holdfast::internal {

@@ -7,9 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/engine/world_record.hpp"
-#include "core/model/indicators.hpp"
 #include "core/model/layout.hpp"
-#include "core/model/margin.hpp"
 
 namespace holdfast::internal {
 
@@ -17,8 +15,7 @@ namespace holdfast::internal {
 struct LayoutRecord {
   std::uint64_t index = 0;  ///< in the run
   std::shared_ptr<const Layout> layout;
-  LayoutMargins margins;        ///< unknown where they were not asked for, or not found
-  LayoutIndicators indicators;  ///< unknown where they were not asked for
+  Findings found;  ///< by the analyses that were asked for
 };
 
 /// The finished worlds of one unit of work.

@@ -41,7 +41,7 @@ class RunObserver {
   /// What is odd about an input and does not keep it from being used.
   virtual void warned(const Error& /*warning*/) {}
 
-  /// Margins or indicators of a layout are found, in a run that was asked for them. Called before its first world is
+  /// What analyses find of a layout is found, in a run that was asked for such. Called before its first world is
   /// finished.
   virtual void layout_finished(const LayoutRecord& /*layout*/) {}
 

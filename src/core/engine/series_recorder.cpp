@@ -18,19 +18,21 @@ Float4 to_float(const Rotation& q) { return {to_float(q.w()), to_float(q.x()), t
 
 }  // namespace
 
-RecordingPlan recording_plan(const Settings& settings, bool series) {
+RecordingPlan recording_plan(const Settings& settings, bool series, const AnalysisMethods& analyses) {
   const ScreeningSettings& screening = settings.screening;
-  return {.interval = settings.results_interval,
-          .series = series,
-          .reference_pose = screening.reference_pose,
-          .external_force = settings.container.motion == ContainerMotion::prescribed,
-          .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold},
-          .stop_when = screening.stop_when,
-          .wall_forces = screening.measures_walls(),
-          .wall_norm = screening.walls,
-          .damage_boundary = screening.damage ? std::optional(damage_boundary(screening)) : std::nullopt,
-          .damage_window = screening.damage_window,
-          .gravity = settings.gravity};
+  RecordingPlan plan{.interval = settings.results_interval,
+                     .series = series,
+                     .reference_pose = screening.reference_pose,
+                     .external_force = settings.container.motion == ContainerMotion::prescribed,
+                     .thresholds = {screening.drop_threshold, screening.move_threshold, screening.tilt_threshold},
+                     .stop_when = screening.stop_when};
+  for (const AnalysisMethod* analysis : analyses)
+    if (analysis->recorder != nullptr)
+      plan.analyses.emplace_back(
+          [&settings, make = analysis->recorder](const BoxView& boxes, const StateView& settled) {
+            return make(settings, boxes, settled);
+          });
+  return plan;
 }
 
 void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const StateView& settled) {
@@ -41,8 +43,7 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
   reference_orientation_.assign(reference.orientation.begin(), reference.orientation.end());
   last_linear_acceleration_.assign(count, Vec3::Zero());
 
-  if (plan_.wall_forces) walls_.emplace(plan_.wall_norm, boxes);
-  if (plan_.damage_boundary) damage_.emplace(*plan_.damage_boundary, plan_.damage_window, plan_.gravity, settled);
+  for (const auto& make : plan_.analyses) analyses_.push_back(make(boxes, settled));
 
   BoxTable& table = record_.boxes;
   EndTable& end = record_.end;
@@ -67,7 +68,6 @@ void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
   series.container_acceleration.reserve(samples);
   series.total_kinetic_energy.reserve(samples);
   series.fallen_count.reserve(samples);
-  if (walls_) series.side_force.reserve(samples);
   const std::size_t rows = samples * boxes;
   series.displacement.reserve(rows);
   series.orientation.reserve(rows);
@@ -88,8 +88,7 @@ void SeriesRecorder::step(const Step& step) {
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
   update_peaks(step.after);
-  if (walls_) walls_->step(step);
-  if (damage_) damage_->step(step);
+  for (const auto& analysis : analyses_) analysis->step(step);
   decided_ = decides(step.after);
   while (output_time() <= step.end + kSameInstant) {
     const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
@@ -108,10 +107,16 @@ void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
     record_.end.kinetic_energy.push_back(
         static_cast<float>(kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
   }
-  if (walls_) record_.walls = walls_->forces();
-  if (damage_) record_.damage = damage_->damage();
-  record_.state_hash = state_hash(end);
-  record_.outcome = outcome;
+  for (const auto& analysis : analyses_) analysis->finish(record_.found);
+  WorldRow& row = record_.row;
+  row.status = outcome.status;
+  row.stop_reason = outcome.stop_reason;
+  row.end_time = outcome.end_time;
+  row.boxes = static_cast<std::uint32_t>(boxes_.mass.size());
+  row.state_hash = state_hash(end);
+  row.cpu_seconds = outcome.counters.device_seconds;
+  visit_counters<WorldRow, Counters>(
+      [&](const OutcomeField&, auto to, auto from) { row.*to = outcome.counters.*from; });
 }
 
 void SeriesRecorder::add_sample(const Instant& instant) {
@@ -144,7 +149,7 @@ void SeriesRecorder::add_sample(const Instant& instant) {
   series.container_acceleration.push_back(to_float(step.acceleration));
   series.total_kinetic_energy.push_back(static_cast<float>(total_energy));
   series.fallen_count.push_back(fallen);
-  if (walls_) series.side_force.push_back(walls_->force_now());
+  for (const auto& analysis : analyses_) analysis->sample();
 }
 
 void SeriesRecorder::update_peaks(const StateView& state) {
@@ -156,7 +161,7 @@ void SeriesRecorder::update_peaks(const StateView& state) {
     end.peak_kinetic_energy[box] = std::max(end.peak_kinetic_energy[box], static_cast<float>(energy));
     end.peak_displacement[box] = std::max(end.peak_displacement[box], length(displacement(state.position[box], box)));
   }
-  record_.peak_total_kinetic_energy = std::max(record_.peak_total_kinetic_energy, total_energy);
+  record_.row.peak_total_kinetic_energy = std::max(record_.row.peak_total_kinetic_energy, total_energy);
 }
 
 bool SeriesRecorder::decides(const StateView& state) const {

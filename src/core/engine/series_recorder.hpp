@@ -1,12 +1,12 @@
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "core/engine/damage_recorder.hpp"
+#include "core/engine/analysis_method.hpp"
 #include "core/engine/recorder.hpp"
-#include "core/engine/wall_recorder.hpp"
 #include "core/engine/world_record.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/verdict.hpp"
@@ -21,14 +21,13 @@ struct RecordingPlan {
   std::size_t samples = 0;     ///< number of samples to reserve memory for; more may follow
   bool external_force = true;  ///< −m a(t) acts on the boxes; false in a free container
   Thresholds thresholds;
-  StopWhen stop_when = StopWhen::end;             ///< what decides the world
-  bool wall_forces = false;                       ///< record the forces on the sides; steps then have their impulses
-  std::optional<WallNorm> wall_norm;              ///< whose limits they are compared with
-  std::optional<DamageBoundary> damage_boundary;  ///< to compare accelerations of boxes with; none: do not record them
-  double damage_window = 0.02;                    ///< over which these are averaged, s
-  double gravity = 9.81;                          ///< m/s²
+  StopWhen stop_when = StopWhen::end;  ///< what decides the world
+  /// Makes the recorders of analyses; empty: none.
+  std::vector<std::function<std::unique_ptr<AnalysisRecorder>(const BoxView& boxes, const StateView& settled)>>
+      analyses;
 };
-RecordingPlan recording_plan(const Settings& settings, bool series);
+/// @param settings kept by reference where there are analyses
+RecordingPlan recording_plan(const Settings& settings, bool series, const AnalysisMethods& analyses = {});
 
 /// Records what the results file contains of a world: samples at 0, after every interval and at the end, interpolated
 /// linearly between the ends of steps; peaks over all steps; end values of all boxes.
@@ -74,8 +73,7 @@ class SeriesRecorder final : public Recorder {
   bool decided_ = false;
   Vec3 last_acceleration_ = Vec3::Zero();       ///< of the container in the last step, m/s²
   std::vector<Vec3> last_linear_acceleration_;  ///< of the boxes in the last step, m/s²
-  std::optional<WallRecorder> walls_;
-  std::optional<DamageRecorder> damage_;
+  std::vector<std::unique_ptr<AnalysisRecorder>> analyses_;
   WorldRecord record_;
 };
 

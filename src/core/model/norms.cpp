@@ -6,7 +6,7 @@
 
 #include "core/base/closest_word.hpp"
 #include "core/base/number_text.hpp"
-#include "core/model/margin.hpp"
+#include "core/model/push_direction.hpp"
 
 namespace holdfast::internal {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/result.hpp"
 #include "core/model/acceleration.hpp"
-#include "core/model/margin.hpp"
+#include "core/model/push_direction.hpp"
 
 namespace holdfast::internal {
 

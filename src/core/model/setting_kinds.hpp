@@ -14,7 +14,6 @@
 #include "core/model/container_sides.hpp"
 #include "core/model/friction_pairs.hpp"
 #include "core/model/norms.hpp"
-#include "core/model/replica_verdict.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/wrapped_text.hpp"
 

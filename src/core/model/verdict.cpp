@@ -1,28 +1,34 @@
 #include "core/model/verdict.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 namespace holdfast::internal {
 
 namespace {
 
+/// Counts and numbers that are not known.
 WorldVerdict not_simulated(Status status) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
-  const Verdict verdict = status == Status::not_needed ? Verdict::not_needed : Verdict::failed;
-  return {verdict, kNotCounted, kNotCounted, kNotCounted, kNotCounted, kNan, kNan, kFloatNan, kFloatNan};
+  WorldVerdict world;
+  visit_world_verdict<WorldVerdict>([&](const OutcomeField&, auto member) {
+    using Number = std::decay_t<decltype(world.*member)>;
+    if constexpr (std::is_floating_point_v<Number>) world.*member = std::numeric_limits<Number>::quiet_NaN();
+    if constexpr (std::is_same_v<Number, std::uint32_t>) world.*member = kNotCounted;
+  });
+  world.verdict = status == Status::not_needed ? Verdict::not_needed : Verdict::failed;
+  return world;
 }
 
 /// A layout that was not stable before any acceleration is unstable, even if the acceleration then moved nothing.
-Verdict worst_of(Status status, StopReason stop_reason, const WorldVerdict& world) {
-  if (status != Status::ok) return Verdict::failed;
+Verdict worst_of(const WorldRow& row, const WorldVerdict& world) {
+  if (row.status != Status::ok) return Verdict::failed;
   // How the boxes would have ended is not known, and they may have come back: under no thresholds is there more to say.
-  if (stop_reason == StopReason::decided) return Verdict::gave_way;
-  if (world.fallen_boxes > 0) return Verdict::fell;
-  if (world.moved_boxes + world.tilted_boxes > 0) return Verdict::moved;
-  return world.unstable_boxes > 0 ? Verdict::unstable : Verdict::stayed;
+  if (row.stop_reason == StopReason::decided) return Verdict::gave_way;
+  if (world.fallen > 0) return Verdict::fell;
+  if (world.moved + world.tilted > 0) return Verdict::moved;
+  return world.unstable > 0 ? Verdict::unstable : Verdict::stayed;
 }
 
 }  // namespace
@@ -43,6 +49,12 @@ float length(const Float3& displacement) {
 
 BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
   BoxVerdict verdict;
+  verdict.displacement = end.displacement[i];
+  verdict.max_displacement = end.peak_displacement[i];
+  verdict.tilt = end.tilt[i];
+  verdict.kinetic_energy = end.kinetic_energy[i];
+  verdict.peak_kinetic_energy = end.peak_kinetic_energy[i];
+  verdict.first_move_time = std::numeric_limits<float>::quiet_NaN();
   verdict.drop = 0.0F - end.displacement[i].z;  // never −0
   verdict.fallen = is_fallen(end.displacement[i], thresholds);
   verdict.moved = is_moved(end.displacement[i], thresholds);
@@ -52,28 +64,21 @@ BoxVerdict judge_box(const EndTable& end, std::size_t i, const Thresholds& thres
   return verdict;
 }
 
-std::string to_string(Verdict verdict) {
-  constexpr std::array<const char*, kVerdictCount> kNames = {"stayed", "moved",    "fell",      "unstable",
-                                                             "failed", "gave_way", "not_needed"};
-  return kNames.at(static_cast<std::size_t>(verdict));
-}
-
-WorldVerdict judge_world(Status status, StopReason stop_reason, double peak_kinetic_energy, const EndTable& end,
-                         const Thresholds& thresholds) {
-  if (stop_reason == StopReason::not_run) return not_simulated(status);
+WorldVerdict judge_world(const WorldRow& row, const EndTable& end, const Thresholds& thresholds) {
+  if (row.stop_reason == StopReason::not_run) return not_simulated(row.status);
   WorldVerdict world;
-  world.peak_kinetic_energy = peak_kinetic_energy;
+  world.peak_kinetic_energy = row.peak_total_kinetic_energy;
   for (std::size_t i = 0; i < end.displacement.size(); ++i) {
     const BoxVerdict box = judge_box(end, i, thresholds);
-    world.fallen_boxes += box.fallen ? 1 : 0;
-    world.unstable_boxes += box.unstable ? 1 : 0;
-    world.moved_boxes += box.moved ? 1 : 0;
-    world.tilted_boxes += box.tilted ? 1 : 0;
+    world.fallen += box.fallen ? 1 : 0;
+    world.unstable += box.unstable ? 1 : 0;
+    world.moved += box.moved ? 1 : 0;
+    world.tilted += box.tilted ? 1 : 0;
     world.total_kinetic_energy += static_cast<double>(end.kinetic_energy[i]);
     world.max_displacement = std::max(world.max_displacement, length(end.displacement[i]));
     world.peak_displacement = std::max(world.peak_displacement, end.peak_displacement[i]);
   }
-  world.verdict = worst_of(status, stop_reason, world);
+  world.verdict = worst_of(row, world);
   return world;
 }
 

@@ -9,4 +9,14 @@ std::string csv_field(const std::string& text) {
   return field + '"';
 }
 
+std::string csv_heading(const OutcomeField& field) {
+  const std::string label(field.label);
+  if (field.type != "vec3") return label;
+  const std::size_t unit = label.rfind('_');
+  std::string headings;
+  for (const char axis : {'x', 'y', 'z'})
+    headings += (headings.empty() ? "" : ",") + label.substr(0, unit) + '_' + axis + label.substr(unit);
+  return headings;
+}
+
 }  // namespace holdfast::internal

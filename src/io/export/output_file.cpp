@@ -33,14 +33,4 @@ void make_output_folder(const std::string& folder) {
   if (failure) throw h5::Failure(Error{.file = folder, .what = "cannot be created", .value = failure.message()});
 }
 
-std::string layout_name(const ResultsInfo& info, const WorldRow& row) {
-  const std::uint64_t i = row.layout - info.layout_begin;
-  return i < info.layouts.size() ? info.layouts[i] : std::to_string(row.layout);
-}
-
-std::string acceleration_name(const ResultsInfo& info, const WorldRow& row) {
-  const std::uint64_t i = row.acceleration;
-  return i < info.accelerations.size() ? info.accelerations[i] : std::to_string(i);
-}
-
 }  // namespace holdfast::internal

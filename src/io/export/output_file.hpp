@@ -5,8 +5,6 @@
 #include <string_view>
 
 #include "io/results/hdf5_file.hpp"
-#include "io/results/results_reader.hpp"
-
 namespace holdfast::internal {
 
 /// A text file that is written sequentially; every failure is thrown as `h5::Failure`. For src/io only.
@@ -25,9 +23,5 @@ class OutputFile {
 
 /// Creates the folder and those above it if they are missing.
 void make_output_folder(const std::string& folder);
-
-/// Names of a world's inputs; for a layout that is not described in the file (a part), its index.
-std::string layout_name(const ResultsInfo& info, const WorldRow& row);
-std::string acceleration_name(const ResultsInfo& info, const WorldRow& row);
 
 }  // namespace holdfast::internal

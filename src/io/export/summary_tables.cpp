@@ -53,16 +53,22 @@ void write_file(const h5::File& source, const std::string& path, const Threshold
 
 void write_summary_tables(const h5::File& file, ResultsReader& results, const Thresholds& thresholds) {
   std::map<std::string_view, TableWriter> writers;
-  for (const DatasetSpec& spec : kSchema) {
+  for (const DatasetSpec& spec : schema()) {
     if (spec.origin != Origin::derived) continue;
     const ResultsInfo& info = results.info();
     writers.emplace(spec.path, TableWriter(file, spec, spec.axis == Axis::worlds ? info.world_count : info.box_count));
   }
-  const auto append = [&](std::string_view path, const auto& values) { writers.at(path).append_values(values); };
+  const auto append_of = [&](const auto& rows) {
+    return [&](const OutcomeField& field, auto member) {
+      Column column(dataset_spec(field.dataset));
+      column.append(rows, member);
+      writers.at(field.dataset).append(column.take());
+    };
+  };
   const auto error = derive_summary(results, thresholds, [&](const SummarySlice& slice) -> std::optional<Error> {
     return h5::caught(file.path(), [&] {
-      visit_world_summary(append, slice.worlds);
-      visit_box_summary(append, slice.boxes);
+      visit_world_verdict<WorldVerdict>(append_of(slice.worlds));
+      visit_box_verdict<BoxVerdict>(append_of(slice.boxes));
     });
   });
   if (error) throw h5::Failure(*error);

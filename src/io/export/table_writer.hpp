@@ -18,11 +18,6 @@ class TableWriter {
 
   /// Adds entries in their stored form.
   void append(std::span<const std::byte> entries);
-  template <class T>
-  void append_values(const std::vector<T>& values) {
-    assert(dataset_.spec().type == element_type_of<T>() && dataset_.entry_bytes() == sizeof(T));
-    append(std::as_bytes(std::span(values)));
-  }
 
   /// Writes the last chunk; the dataset must be full.
   void finish();

@@ -55,9 +55,9 @@ std::string outcome(const WorldRow& row, double value) {
 /// The first lines of both files of a world.
 std::string heading(const ResultsInfo& info, const WorldRow& row) {
   std::string text =
-      fmt::format("# layout {}, acceleration {}, engine {}, status {}", printable(layout_name(info, row)),
-                  printable(acceleration_name(info, row)), row.engine, to_string(row.status));
-  if (!row.status_text.empty()) text += " (" + row.status_text + ")";
+      fmt::format("# layout {}, acceleration {}, engine {}, status {}", printable(info.layout_name(row.layout)),
+                  printable(info.acceleration_name(row.acceleration)), row.engine, to_string(row.status));
+  if (!row.message.empty()) text += " (" + row.message + ")";
   return text + '\n';
 }
 
@@ -76,7 +76,7 @@ std::string solution_lines(const Series& series, const BoxTable& boxes) {
 }
 
 void write_solution(ResultsReader& results, const WorldRow& row, const std::string& path) {
-  const Result<BoxTable> boxes = results.boxes(row.box_begin, row.box_count);
+  const Result<BoxTable> boxes = results.boxes(row.box_begin, row.boxes);
   if (!boxes) throw h5::Failure(boxes.error());
   const Result<Series> series = results.series(row);
   if (!series) throw h5::Failure(series.error());
@@ -93,20 +93,20 @@ void write_solution(ResultsReader& results, const WorldRow& row, const std::stri
 /// @param world of the slice
 void write_resumed(ResultsReader& results, const SummarySlice& slice, std::size_t world, const std::string& path) {
   const WorldRow& row = slice.rows[world];
-  const Result<BoxTable> boxes = results.boxes(row.box_begin, row.box_count);
+  const Result<BoxTable> boxes = results.boxes(row.box_begin, row.boxes);
   if (!boxes) throw h5::Failure(boxes.error());
   OutputFile file(path);
   file.write(heading(results.info(), row));
-  file.write("# number of fallen boxes\n" + outcome(row, slice.worlds.fallen_boxes[world]) + '\n');
+  file.write("# number of fallen boxes\n" + outcome(row, slice.worlds[world].fallen) + '\n');
   file.write("# id  displacement of the centre of mass x y z [m]  kinetic energy [J]\n");
   std::string lines;
-  for (std::size_t box = 0; box < row.box_count; ++box) {
+  for (std::size_t box = 0; box < row.boxes; ++box) {
     const std::size_t i = row.box_begin - slice.box_begin + box;
-    const Float3& d = slice.boxes.displacement[i];
-    lines += fmt::format("{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z, slice.boxes.kinetic_energy[i]);
+    const Float3& d = slice.boxes[i].displacement;
+    lines += fmt::format("{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z, slice.boxes[i].kinetic_energy);
   }
   file.write(lines);
-  file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds.total_kinetic_energy[world]) + '\n');
+  file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds[world].total_kinetic_energy) + '\n');
   file.close();
 }
 
@@ -118,10 +118,10 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
     const std::string pair = pair_of(layouts.at(row.layout), accelerations.at(row.acceleration));
     write_solution(results, row, folder + "/" + solution_file(pair));
     write_resumed(results, slice, world, folder + "/" + resumed_file(pair));
-    batch.write(fmt::format("{}\t{}\t{}\t{}\n", printable(layout_name(results.info(), row)),
-                            printable(acceleration_name(results.info(), row)),
-                            outcome(row, slice.worlds.fallen_boxes[world]),
-                            outcome(row, slice.worlds.total_kinetic_energy[world])));
+    batch.write(fmt::format("{}\t{}\t{}\t{}\n", printable(results.info().layout_name(row.layout)),
+                            printable(results.info().acceleration_name(row.acceleration)),
+                            outcome(row, slice.worlds[world].fallen),
+                            outcome(row, slice.worlds[world].total_kinetic_energy)));
   }
 }
 

@@ -7,18 +7,18 @@ namespace holdfast::internal {
 
 namespace {
 
-const DatasetSpec& long_spec(std::size_t column) { return kSchema[long_datasets()[column]]; }
+const DatasetSpec& long_spec(std::size_t column) { return schema()[long_datasets()[column]]; }
 
 }  // namespace
 
 ChunkGrid::ChunkGrid(const AxisCounts& counts, LongEntries tail) : tail_(std::move(tail)) {
-  for (std::size_t column = 0; column < kLongDatasets; ++column)
+  for (std::size_t column = 0; column < long_datasets().size(); ++column)
     next_chunk_[column] = at(counts, long_spec(column).axis) / chunk_entries(long_spec(column).axis);
 }
 
 GridPiece ChunkGrid::add(ColumnSet& columns) {
   GridPiece piece;
-  for (std::size_t column = 0; column < kLongDatasets; ++column) {
+  for (std::size_t column = 0; column < long_datasets().size(); ++column) {
     const DatasetSpec& spec = long_spec(column);
     const std::size_t chunk_bytes = chunk_entries(spec.axis) * spec.width * size_of(spec.type);
     const std::vector<std::byte> bytes = columns[spec.path].take();
@@ -38,7 +38,7 @@ GridPiece ChunkGrid::add(ColumnSet& columns) {
 
 void append_rest(const GridPiece& piece, LongEntries& tail) {
   for (const GridChunk& chunk : piece.chunks) tail[chunk.column].clear();
-  for (std::size_t column = 0; column < kLongDatasets; ++column) {
+  for (std::size_t column = 0; column < long_datasets().size(); ++column) {
     const std::vector<std::byte>& rest = piece.rest[column];
     tail[column].insert(tail[column].end(), rest.begin(), rest.end());
   }

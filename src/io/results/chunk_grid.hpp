@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +10,8 @@
 namespace holdfast::internal {
 
 /// Entries of every long dataset, in the order of `long_datasets`, in their stored form.
-using LongEntries = std::array<std::vector<std::byte>, kLongDatasets>;
+using LongEntries = std::vector<std::vector<std::byte>>;
+inline LongEntries no_entries() { return LongEntries(long_datasets().size()); }
 
 /// A full chunk of a long dataset: raw, or compressed as in the file.
 struct GridChunk {
@@ -22,8 +22,8 @@ struct GridChunk {
 
 /// The entries that a unit adds to the long datasets.
 struct GridPiece {
-  std::vector<GridChunk> chunks;  ///< those that it completes; for each dataset, by increasing index
-  LongEntries rest;               ///< its entries after the last completed chunk
+  std::vector<GridChunk> chunks;    ///< those that it completes; for each dataset, by increasing index
+  LongEntries rest = no_entries();  ///< its entries after the last completed chunk
 };
 
 /// Concatenates the long entries of successive worlds and divides them into chunks of n = `chunk_entries` each, on one
@@ -42,8 +42,8 @@ class ChunkGrid {
   GridPiece add(ColumnSet& columns);
 
  private:
-  std::array<std::uint64_t, kLongDatasets> next_chunk_{};
-  LongEntries tail_;
+  std::vector<std::uint64_t> next_chunk_ = std::vector<std::uint64_t>(long_datasets().size());
+  LongEntries tail_ = no_entries();
 };
 
 /// Updates the entries of the incomplete chunks with a piece: those after the last chunk that the piece completes.

@@ -23,9 +23,9 @@ PartBuilder::PartBuilder(const std::string& path, const RunDescription& run, con
   write_range_begin(file_, begin_);
   h5::write_attribute(file_, "/", "complete", std::uint64_t{0});
   append_accelerations(columns_, run.accelerations);
-  for (std::size_t column = 0; column < kLongDatasets; ++column) {
-    const DatasetSpec& spec = kSchema[long_datasets()[column]];
-    if (includes(analyses_, spec.analysis)) chunked_.emplace(column, h5::Dataset::create(file_, spec, 0, 1));
+  for (std::size_t column = 0; column < long_datasets().size(); ++column) {
+    const DatasetSpec& spec = schema()[long_datasets()[column]];
+    if (includes(analyses_, spec)) chunked_.emplace(column, h5::Dataset::create(file_, spec, 0, 1));
   }
 }
 
@@ -59,7 +59,7 @@ void PartBuilder::close() {
   write_tail();
   chunked_.clear();
   for (const Column& column : columns_.columns())
-    if (!is_long(column.spec()) && includes(analyses_, column.spec().analysis)) write_column(file_, column);
+    if (!is_long(column.spec()) && includes(analyses_, column.spec())) write_column(file_, column);
   const std::vector<std::byte> image = file_.image();
   file_.close();
   write_durably(path_, image);

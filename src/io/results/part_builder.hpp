@@ -39,8 +39,8 @@ class PartBuilder {
 
   std::string path_;
   h5::File file_;
-  std::vector<Analysis> analyses_;  ///< of the run
-  AxisCounts begin_;                ///< for long datasets, at the start of a chunk
+  RunTables analyses_;  ///< of the run
+  AxisCounts begin_;    ///< for long datasets, at the start of a chunk
   AxisCounts end_;
   ColumnSet columns_;                           ///< the short datasets
   std::map<std::size_t, h5::Dataset> chunked_;  ///< the long datasets of the run, by their index among all

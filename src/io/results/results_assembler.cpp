@@ -126,24 +126,24 @@ class TableGroup {
 };
 
 /// Positions of the chunks of the long datasets in the parts: by dataset, then by part. 16 bytes per chunk.
-using ChunkPlaces = std::array<std::vector<std::vector<h5::ChunkPlace>>, kLongDatasets>;
+using ChunkPlaces = std::vector<std::vector<std::vector<h5::ChunkPlace>>>;
 
 /// The long datasets of a run, by their index among all.
 std::vector<std::size_t> long_columns_of(const RunDescription& run) {
   std::vector<std::size_t> columns;
-  for (std::size_t column = 0; column < kLongDatasets; ++column)
-    if (includes(run.analyses, kSchema[long_datasets()[column]].analysis)) columns.push_back(column);
+  for (std::size_t column = 0; column < long_datasets().size(); ++column)
+    if (includes(run.analyses, schema()[long_datasets()[column]])) columns.push_back(column);
   return columns;
 }
 
 /// The chunk at the boundary of two parts is in both; in the later one it is complete.
 ChunkPlaces find_chunks(const std::vector<std::size_t>& columns, Parts& parts) {
-  ChunkPlaces places;
+  ChunkPlaces places(long_datasets().size());
   const auto& ranges = parts.ranges();
   for (std::size_t part = 0; part < ranges.size(); ++part) {
     parts.with(part, [&](const h5::File& source) {
       for (const std::size_t column : columns) {
-        const DatasetSpec& spec = kSchema[long_datasets()[column]];
+        const DatasetSpec& spec = schema()[long_datasets()[column]];
         const std::uint64_t entries = chunk_entries(spec.axis);
         const std::uint64_t begin = at(ranges[part].begin, spec.axis) / entries;
         const std::uint64_t end = part + 1 < ranges.size() ? at(ranges[part + 1].begin, spec.axis) / entries
@@ -172,8 +172,8 @@ void copy_chunks(const h5::File& file, const DatasetSpec& spec, const Parts& par
 
 void assemble_tables(const h5::File& file, const RunDescription& run, Parts& parts) {
   TableGroup tables;
-  for (const DatasetSpec& spec : kSchema) {
-    if (is_long(spec) || is_of_run(spec) || !includes(run.analyses, spec.analysis)) continue;
+  for (const DatasetSpec& spec : schema()) {
+    if (is_long(spec) || is_of_run(spec) || !includes(run.analyses, spec)) continue;
     if (tables.take(spec, parts)) continue;
     std::exchange(tables, {}).assemble(file, parts);
     tables.take(spec, parts);
@@ -190,7 +190,7 @@ void assemble_datasets(const h5::File& file, const RunDescription& run, Parts& p
   assemble_tables(file, run, parts);
   const std::vector<std::size_t> columns = long_columns_of(run);
   const ChunkPlaces places = find_chunks(columns, parts);
-  for (const std::size_t column : columns) copy_chunks(file, kSchema[long_datasets()[column]], parts, places[column]);
+  for (const std::size_t column : columns) copy_chunks(file, schema()[long_datasets()[column]], parts, places[column]);
 }
 
 void check_whole(const std::string& path, const RunDescription& run, const Parts& parts) {

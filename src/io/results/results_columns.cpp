@@ -49,7 +49,7 @@ std::vector<std::byte> Column::stored(std::size_t text_size) const {
 }
 
 ColumnSet::ColumnSet() {
-  for (const DatasetSpec& spec : kSchema) columns_.emplace_back(spec);
+  for (const DatasetSpec& spec : schema()) columns_.emplace_back(spec);
 }
 
 void ColumnSet::append(const ColumnSet& other) {

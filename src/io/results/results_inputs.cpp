@@ -19,11 +19,6 @@ std::vector<T> read_numbers(const h5::File& file, std::string_view path) {
   return values_of<T>(dataset.read(0, dataset.length()));
 }
 
-std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
-  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
-  return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
-}
-
 std::vector<Acceleration> read_accelerations(const h5::File& file) {
   const std::vector<std::string> names = read_texts(file, "/inputs/accelerations/name");
   const std::vector<std::string> hashes = read_texts(file, "/inputs/accelerations/sha256");
@@ -41,15 +36,6 @@ std::vector<Acceleration> read_accelerations(const h5::File& file) {
                                {value.at(3 * segment), value.at(3 * segment + 1), value.at(3 * segment + 2)}});
   }
   return accelerations;
-}
-
-/// The analyses of which the file has datasets.
-std::vector<Analysis> analyses_in(const h5::File& file) {
-  std::vector<Analysis> analyses;
-  for (const DatasetSpec& spec : kSchema)
-    if (!includes(analyses, spec.analysis) && h5::exists(file, std::string(spec.path)))
-      analyses.push_back(spec.analysis);
-  return analyses;
 }
 
 }  // namespace
@@ -80,6 +66,18 @@ void write_run(const h5::File& file, const RunDescription& run) {
   write_thresholds(file, run.thresholds);
 }
 
+std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
+  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
+  return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
+}
+
+RunTables tables_in(const h5::File& file) {
+  RunTables tables;
+  for (const AnalysisTables* analysis : all_tables())
+    if (h5::exists(file, '/' + std::string(analysis->name))) tables.push_back(analysis);
+  return tables;
+}
+
 RunDescription read_run(const h5::File& file) {
   const auto text = [&](const char* name) { return h5::read_text_attribute(file, "/", name); };
   const auto count = [&](const char* name) { return h5::read_count_attribute(file, "/", name); };
@@ -96,7 +94,7 @@ RunDescription read_run(const h5::File& file) {
     run.settings.emplace_back(std::move(key), std::move(value));
   }
   run.accelerations = read_accelerations(file);
-  run.analyses = analyses_in(file);
+  run.analyses = tables_in(file);
   run.thresholds = read_thresholds(file);
   if (h5::has_attribute(file, "/", "shard"))
     run.shard = {{count("shard"), count("shards"), count("shard_block"), count("run_layouts")},

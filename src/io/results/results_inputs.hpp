@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_columns.hpp"
@@ -15,6 +18,12 @@ void write_run(const h5::File& file, const RunDescription& run);
 /// What `write_run` wrote. Not in the file, and empty or as by default: names and hashes of layouts, and whether series
 /// are recorded, which `fingerprint` has.
 RunDescription read_run(const h5::File& file);
+
+/// A whole column of texts.
+std::vector<std::string> read_texts(const h5::File& file, std::string_view path);
+
+/// The analyses of which the file has datasets.
+RunTables tables_in(const h5::File& file);
 
 /// /inputs/layout_hashes, only in the first part of a run: hashes of all its layouts when it began. Layouts that the
 /// run has reached are also in /inputs/layouts.

@@ -9,6 +9,7 @@
 #include "io/results/results_columns.hpp"
 #include "io/results/results_inputs.hpp"
 #include "io/results/results_part.hpp"
+#include "io/results/results_tables.hpp"
 
 namespace holdfast::internal {
 
@@ -36,11 +37,6 @@ std::uint64_t check_format(const h5::File& file) {
                             .accepted = fmt::format("up to {}", kFormatVersion)});
   }
   return version;
-}
-
-/// Whether a file of that version has the dataset.
-bool has_dataset(std::uint64_t version, std::string_view path) {
-  return version > 1 || path != "/worlds/residual_scale";
 }
 
 }  // namespace
@@ -77,6 +73,18 @@ struct ResultsReader::State {
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column[i];
   }
 
+  /// The same of a field; a file of an earlier version does not have all.
+  template <class Row, class Entry>
+  void read_field(const OutcomeField& field, std::uint64_t begin, Entry Row::*member, std::vector<Row>& rows) {
+    if (field.since > version) return;
+    if constexpr (std::is_same_v<Entry, std::string>) {
+      const std::vector<std::string> column = texts(field.dataset, begin, rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column[i];
+    } else {
+      read_member(field.dataset, begin, member, rows);
+    }
+  }
+
   void read_info() {
     version = check_format(*file);
     info.path = file->path();
@@ -94,12 +102,7 @@ struct ResultsReader::State {
     // Files of earlier versions have no such setting.
     if (h5::has_attribute(*file, "/inputs/settings", "Screening/Norm"))
       info.norm = h5::read_text_attribute(*file, "/inputs/settings", "Screening/Norm");
-    info.has_margins = h5::exists(*file, "/margins");
-    info.has_margin_spread = h5::exists(*file, "/margin_spread");
-    info.has_walls = h5::exists(*file, "/walls");
-    info.has_replicas = h5::exists(*file, "/replicas");
-    info.has_damage = h5::exists(*file, "/damage");
-    info.has_indicators = h5::exists(*file, "/indicators");
+    info.analyses = tables_in(*file);
     before = read_range_begin(*file);
     info.world_begin = at(before, Axis::worlds);
     info.layout_begin = at(before, Axis::layouts);
@@ -114,6 +117,16 @@ ResultsReader::ResultsReader(std::unique_ptr<State> state) : state_(std::move(st
 ResultsReader::ResultsReader(ResultsReader&&) noexcept = default;
 ResultsReader& ResultsReader::operator=(ResultsReader&&) noexcept = default;
 ResultsReader::~ResultsReader() = default;
+
+std::string ResultsInfo::layout_name(std::uint64_t layout) const {
+  const std::uint64_t i = layout - layout_begin;
+  return layout >= layout_begin && i < layouts.size() ? layouts[i] : fmt::format("layout {}", layout);
+}
+
+std::string ResultsInfo::acceleration_name(std::uint64_t acceleration) const {
+  return acceleration < accelerations.size() ? accelerations[acceleration]
+                                             : fmt::format("acceleration {}", acceleration);
+}
 
 const ResultsInfo& ResultsReader::info() const { return state_->info; }
 
@@ -138,107 +151,38 @@ Result<ResultsReader> ResultsReader::attach(const h5::File& file) {
 
 Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
-    std::map<std::string_view, std::vector<std::byte>> columns;
-    WorldRow none;
-    visit_world(
-        [&](std::string_view path, auto&) {
-          if (has_dataset(state_->version, path)) columns[path] = state_->dataset(path).read(begin, count);
-        },
-        none);
     std::vector<WorldRow> rows(count);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto take = [&]<class T>(std::string_view path, T& member) {
-        if (!has_dataset(state_->version, path)) return;
-        const std::size_t size = state_->dataset(path).entry_bytes();
-        const auto entry = std::span<const std::byte>(columns.at(path)).subspan(i * size, size);
-        if constexpr (std::is_same_v<T, std::string>) {
-          member = texts_of(entry, size).front();
-        } else {
-          assert(size == sizeof member);
-          std::memcpy(&member, entry.data(), sizeof member);
-        }
-      };
-      visit_world(take, rows[i]);
-      rows[i].box_begin -= at(state_->before, Axis::boxes);
-      rows[i].sample_begin -= at(state_->before, Axis::samples);
-      rows[i].row_begin -= at(state_->before, Axis::rows);
+    visit_world_row<WorldRow>(
+        [&](const OutcomeField& field, auto member) { state_->read_field(field, begin, member, rows); });
+    for (WorldRow& row : rows) {
+      if (state_->version == 1) row.residual_scale = 1.0;
+      row.box_begin -= at(state_->before, Axis::boxes);
+      row.sample_begin -= at(state_->before, Axis::samples);
+      row.row_begin -= at(state_->before, Axis::rows);
     }
     return rows;
   });
 }
 
-Result<std::vector<LayoutMargins>> ResultsReader::margins(std::uint64_t begin, std::uint64_t count) {
-  return h5::caught_result(state_->file->path(), [&] {
-    std::vector<LayoutMargins> rows(count);
-    visit_margins([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
-    if (!state_->info.has_margin_spread) return rows;
-    std::vector<MarginSpread> spreads(count);
-    visit_margin_spread([&](std::string_view path, auto member) { state_->read_member(path, begin, member, spreads); });
-    for (std::size_t i = 0; i < count; ++i) rows[i].spread = spreads[i];
-    return rows;
-  });
+Result<std::vector<std::byte>> ResultsReader::stored(std::string_view path, std::uint64_t begin, std::uint64_t count) {
+  return h5::caught_result(state_->file->path(), [&] { return state_->dataset(path).read(begin, count); });
 }
 
-Result<std::vector<LayoutIndicators>> ResultsReader::indicators(std::uint64_t begin, std::uint64_t count) {
+Result<EntryRange> ResultsReader::layout_boxes(std::uint64_t begin, std::size_t count) {
   return h5::caught_result(state_->file->path(), [&] {
-    std::vector<LayoutIndicators> rows(count);
-    visit_indicators([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
-    return rows;
-  });
-}
-
-Result<LayoutIndicators> ResultsReader::box_indicators(std::uint64_t layout) {
-  return h5::caught_result(state_->file->path(), [&] {
-    std::vector<std::uint64_t> begin;
-    std::vector<std::uint32_t> count;
-    state_->read("/inputs/layouts/box_begin", layout, 1, begin);
-    state_->read("/inputs/layouts/box_count", layout, 1, count);
-    LayoutIndicators found;
-    visit_box_indicators(
-        [&](std::string_view path, auto& values) {
-          state_->read(path, begin.front() - at(state_->before, Axis::layout_boxes), count.front(), values);
-        },
-        found);
-    return found;
-  });
-}
-
-Result<std::vector<WallForces>> ResultsReader::walls(std::uint64_t begin, std::uint64_t count) {
-  return h5::caught_result(state_->file->path(), [&] {
-    std::vector<WallForces> rows(count);
-    visit_walls([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
-    return rows;
-  });
-}
-
-Result<std::vector<ReplicaOutcome>> ResultsReader::replicas(std::uint64_t begin, std::uint64_t count) {
-  return h5::caught_result(state_->file->path(), [&] {
-    std::vector<ReplicaOutcome> rows(count);
-    visit_replicas([&](std::string_view path, auto member) { state_->read_member(path, begin, member, rows); });
-    return rows;
-  });
-}
-
-Result<std::vector<std::uint32_t>> ResultsReader::boxes_beyond(std::uint64_t begin, std::uint64_t count) {
-  return h5::caught_result(state_->file->path(), [&] {
-    std::vector<std::uint32_t> boxes;
-    state_->read("/damage/boxes_beyond", begin, count, boxes);
-    return boxes;
-  });
-}
-
-Result<BoxDamage> ResultsReader::box_damage(std::uint64_t begin, std::uint64_t count) {
-  return h5::caught_result(state_->file->path(), [&] {
-    BoxDamage damage;
-    visit_box_damage([&](std::string_view path, auto& column) { state_->read(path, begin, count, column); }, damage);
-    return damage;
+    std::vector<std::uint64_t> begins;
+    std::vector<std::uint32_t> counts;
+    state_->read("/inputs/layouts/box_begin", begin, count, begins);
+    state_->read("/inputs/layouts/box_count", begin, count, counts);
+    return EntryRange{begins.empty() ? 0 : begins.front() - at(state_->before, Axis::layout_boxes),
+                      {counts.begin(), counts.end()}};
   });
 }
 
 Result<BoxTable> ResultsReader::boxes(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     BoxTable table;
-    visit_boxes([&](std::string_view path, auto& column) { state_->read(path, begin, count, column); }, table);
+    visit_boxes([&](const DatasetContent& q, auto member) { state_->read(q.path, begin, count, table.*member); });
     return table;
   });
 }
@@ -246,23 +190,22 @@ Result<BoxTable> ResultsReader::boxes(std::uint64_t begin, std::uint64_t count) 
 Result<EndTable> ResultsReader::ends(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     EndTable table;
-    visit_ends([&](std::string_view path, auto& column) { state_->read(path, begin, count, column); }, table);
+    visit_ends<EndTable>(
+        [&](const OutcomeField& field, auto member) { state_->read(field.dataset, begin, count, table.*member); });
     return table;
   });
 }
 
 Result<Series> ResultsReader::series(const WorldRow& world) {
   return h5::caught_result(state_->file->path(), [&] {
-    const std::uint64_t rows = std::uint64_t{world.sample_count} * world.box_count;
+    const std::uint64_t rows = std::uint64_t{world.sample_count} * world.boxes;
     Series series;
-    visit_series(
-        [&](std::string_view path, auto& column) {
-          if (!state_->info.has_walls && dataset_spec(path).analysis == Analysis::wall_forces) return;
-          const bool of_samples = dataset_spec(path).axis == Axis::samples;
-          state_->read(path, of_samples ? world.sample_begin : world.row_begin, of_samples ? world.sample_count : rows,
-                       column);
-        },
-        series);
+    const auto read = [&](const DatasetContent& q, auto member) {
+      const bool of_samples = q.axis == Axis::samples;
+      state_->read(q.path, of_samples ? world.sample_begin : world.row_begin, of_samples ? world.sample_count : rows,
+                   series.*member);
+    };
+    visit_series(read);
     return series;
   });
 }
@@ -271,7 +214,7 @@ Result<Series> ResultsReader::path_of(const WorldRow& world) {
   return h5::caught_result(state_->file->path(), [&] {
     Series series;
     state_->read("/series/time", world.sample_begin, world.sample_count, series.time);
-    state_->read("/series/displacement", world.row_begin, std::uint64_t{world.sample_count} * world.box_count,
+    state_->read("/series/displacement", world.row_begin, std::uint64_t{world.sample_count} * world.boxes,
                  series.displacement);
     return series;
   });

@@ -15,11 +15,6 @@ namespace holdfast::internal {
 
 namespace {
 
-std::vector<std::string> read_texts(const h5::File& file, std::string_view path) {
-  const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(path));
-  return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
-}
-
 void add_counts(const PartRange& range, Progress& progress) {
   progress.world_count = at(range.end, Axis::worlds);
   progress.box_count = at(range.end, Axis::boxes);
@@ -49,85 +44,43 @@ Progress progress_of_finished_file(const std::string& path, const std::string& f
   return progress;
 }
 
-WorldRecord record_of(const WorldRow& row, EndTable&& end) {
-  WorldRecord world;
-  world.layout = row.layout;
-  world.acceleration = row.acceleration;
-  world.outcome.status = row.status;
-  world.outcome.stop_reason = row.stop_reason;
-  world.outcome.end_time = row.end_time;
-  world.outcome.counters = {row.steps,        row.steps_skipped,  row.solve_iterations,
-                            row.max_residual, row.residual_scale, row.max_penetration};
-  world.status_text = row.status_text;
-  world.cpu_seconds = row.cpu_seconds;
-  world.peak_total_kinetic_energy = row.peak_total_kinetic_energy;
-  world.state_hash = row.state_hash;
-  world.end = std::move(end);
-  return world;
+void fail_if(const std::optional<Error>& error) {
+  if (error) throw h5::Failure(*error);
 }
 
-WorldDamage damage_of(ResultsReader& results, const WorldRow& row, std::uint32_t boxes_beyond) {
-  Result<BoxDamage> boxes = results.box_damage(row.box_begin, row.box_count);
-  if (!boxes) throw h5::Failure(boxes.error());
-  return {boxes_beyond, std::move(*boxes)};
+/// Whether the file has analyses of layouts.
+bool has_layouts(const RunTables& tables) {
+  return std::any_of(tables.begin(), tables.end(), [](const AnalysisTables* table) { return table->read_layouts; });
 }
 
 void visit_layouts(ResultsReader& results, const std::function<void(const LayoutRecord&)>& visit) {
   const ResultsInfo& info = results.info();
-  std::vector<LayoutMargins> margins(info.layouts.size());
-  if (info.has_margins) {
-    auto read = results.margins(0, info.layouts.size());
-    if (!read) throw h5::Failure(read.error());
-    margins = std::move(*read);
-  }
-  std::vector<LayoutIndicators> indicators(info.layouts.size());
-  if (info.has_indicators) {
-    auto read = results.indicators(0, info.layouts.size());
-    if (!read) throw h5::Failure(read.error());
-    indicators = std::move(*read);
-  }
+  std::vector<LayoutRecord> layouts;
   for (std::size_t i = 0; i < info.layouts.size(); ++i)
-    visit(
-        {info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), margins[i], indicators[i]});
+    layouts.push_back({info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), {}});
+  for (const AnalysisTables* analysis : info.analyses)
+    if (analysis->read_layouts != nullptr) fail_if(analysis->read_layouts(results, 0, layouts));
+  for (const LayoutRecord& layout : layouts) visit(layout);
 }
 
 void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   Result<ResultsReader> results = ResultsReader::open(path);
   if (!results) throw h5::Failure(results.error());
-  const bool has_layouts = results->info().has_margins || results->info().has_indicators;
-  if (has_layouts && visitor.layout) visit_layouts(*results, visitor.layout);
-  const std::uint64_t count = results->info().world_count;
-  for (std::uint64_t begin = 0; begin < count; begin += kSliceWorlds) {
-    const auto rows = results->worlds(begin, std::min(kSliceWorlds, count - begin));
+  const ResultsInfo& info = results->info();
+  if (has_layouts(info.analyses) && visitor.layout) visit_layouts(*results, visitor.layout);
+  for (std::uint64_t begin = 0; begin < info.world_count; begin += kSliceWorlds) {
+    Result<std::vector<WorldRow>> rows = results->worlds(begin, std::min(kSliceWorlds, info.world_count - begin));
     if (!rows) throw h5::Failure(rows.error());
-    std::vector<WallForces> walls(rows->size());
-    if (results->info().has_walls) {
-      Result<std::vector<WallForces>> read = results->walls(begin, rows->size());
-      if (!read) throw h5::Failure(read.error());
-      walls = std::move(*read);
-    }
-    std::vector<ReplicaOutcome> replicas(rows->size());
-    if (results->info().has_replicas) {
-      auto read = results->replicas(begin, rows->size());
-      if (!read) throw h5::Failure(read.error());
-      replicas = std::move(*read);
-    }
-    std::vector<std::uint32_t> beyond;
-    if (results->info().has_damage) {
-      auto read = results->boxes_beyond(begin, rows->size());
-      if (!read) throw h5::Failure(read.error());
-      beyond = std::move(*read);
-    }
-    for (std::size_t i = 0; i < rows->size(); ++i) {
-      const WorldRow& row = (*rows)[i];
-      Result<EndTable> end = results->ends(row.box_begin, row.box_count);
+    std::vector<WorldRecord> worlds(rows->size());
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+      worlds[i].row = std::move((*rows)[i]);
+      Result<EndTable> end = results->ends(worlds[i].row.box_begin, worlds[i].row.boxes);
       if (!end) throw h5::Failure(end.error());
-      WorldRecord world = record_of(row, std::move(*end));
-      world.walls = walls[i];
-      world.replicas = std::move(replicas[i]);
-      if (!beyond.empty()) world.damage = damage_of(*results, row, beyond[i]);
-      visitor.world(world);
+      worlds[i].end = std::move(*end);
     }
+    for (const AnalysisTables* analysis : info.analyses)
+      if (analysis->read_worlds != nullptr) fail_if(analysis->read_worlds(*results, begin, worlds));
+    for (const WorldRecord& world : worlds) visitor.world(world);
   }
 }
 

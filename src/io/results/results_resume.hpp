@@ -36,7 +36,7 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
 /// Called with what an earlier run finished.
 struct FinishedVisitor {
   std::function<void(const WorldRecord&)> world;  ///< without boxes and series
-  /// Of a run that was asked for margins or indicators, with these; may be empty.
+  /// Of a run that was asked for analyses of layouts, with these; may be empty.
   std::function<void(const LayoutRecord&)> layout;
 };
 

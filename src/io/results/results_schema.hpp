@@ -4,14 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "core/base/vector.hpp"
-#include "core/engine/world_record.hpp"
-#include "core/model/analysis.hpp"
-#include "core/model/margin.hpp"
-#include "core/model/status.hpp"
 
 namespace holdfast::internal {
 
@@ -56,16 +54,23 @@ std::string_view to_string(ElementType type);
 /// Origin of a dataset: recorded in the simulation, or derived from it with thresholds.
 enum class Origin : std::uint8_t { recorded, derived };
 
-/// One dataset of the results file.
-struct DatasetSpec {
+struct AnalysisTables;
+
+/// What a dataset holds.
+struct DatasetContent {
   std::string_view path;
-  ElementType type;
-  std::size_t width;  ///< numbers per entry: 1, or the length of the second dimension
   Axis axis;
   std::string_view units;  ///< "1": a number without unit; "none": text
   std::string_view description;
+};
+
+/// One dataset of the results file.
+struct DatasetSpec : DatasetContent {
+  ElementType type;
+  std::size_t width;  ///< numbers per entry: 1, or the length of the second dimension
   Origin origin = Origin::recorded;
-  Analysis analysis = Analysis::verdicts;  ///< the dataset is there where a run was asked for it
+  std::uint64_t since = 1;                   ///< version of the file that has it first
+  const AnalysisTables* analysis = nullptr;  ///< the dataset is there where a run was asked for it; null: always
 };
 
 /// Entries per chunk of a long axis: 64 KiB of one float32 column of a series, 192 KiB of a vector column. Fewer for
@@ -86,18 +91,15 @@ inline constexpr std::size_t kWholeTableBytes = 1024;
 inline constexpr std::uint64_t kFormatVersion = 2;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
-/// Number of datasets in the schema.
-inline constexpr std::size_t kDatasetCount = 113;
-
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
 /// docs/results_file.md and the tests all use this table.
-extern const std::array<DatasetSpec, kDatasetCount> kSchema;
+const std::vector<DatasetSpec>& schema();
 
-/// Index of a dataset in `kSchema`; the path must be in the table.
+/// Index of a dataset in `schema`; the path must be in the table.
 std::size_t dataset_index(std::string_view path);
 
 /// The dataset of that path, which must be in the table.
-inline const DatasetSpec& dataset_spec(std::string_view path) { return kSchema[dataset_index(path)]; }
+inline const DatasetSpec& dataset_spec(std::string_view path) { return schema()[dataset_index(path)]; }
 
 /// True for the datasets of a long axis, which are divided into chunks of `chunk_entries`.
 inline bool is_long(const DatasetSpec& spec) {
@@ -107,21 +109,32 @@ inline bool is_long(const DatasetSpec& spec) {
 /// A dataset that every file has, and whose length is that of the axis.
 const DatasetSpec& representative(Axis axis);
 
-/// Indices in `kSchema` of the long datasets, in increasing order.
-inline constexpr std::size_t kLongDatasets = 43;
-const std::array<std::size_t, kLongDatasets>& long_datasets();
+/// Indices in `schema` of the long datasets, in increasing order.
+const std::vector<std::size_t>& long_datasets();
+
+/// The type of the entries of a member: of a column, that of its entries.
+template <class Member>
+struct EntryOfMember {
+  using Type = Member;
+};
+template <class Entry>
+struct EntryOfMember<std::vector<Entry>> {
+  using Type = Entry;
+};
+template <class Member>
+using EntryOf = typename EntryOfMember<Member>::Type;
 
 template <class T>
 inline constexpr bool kIsArray = false;
 template <class T, std::size_t N>
 inline constexpr bool kIsArray<std::array<T, N>> = true;
 
-/// Element type and width as which a C++ type is stored.
+/// Element type as which a C++ type is stored.
 template <class T>
 constexpr ElementType element_type_of() {
   if constexpr (std::is_enum_v<T>) {
     return element_type_of<std::underlying_type_t<T>>();
-  } else if constexpr (std::is_same_v<T, std::uint8_t>) {
+  } else if constexpr (std::is_same_v<T, std::uint8_t> || std::is_same_v<T, bool>) {
     return ElementType::u8;
   } else if constexpr (kIsArray<T>) {
     return element_type_of<typename T::value_type>();
@@ -133,10 +146,23 @@ constexpr ElementType element_type_of() {
     return ElementType::i32;
   } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vec3>) {
     return ElementType::f64;
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return ElementType::text;
   } else {
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, Float3> || std::is_same_v<T, Float4>);
     return ElementType::f32;
   }
+}
+
+/// Numbers of a C++ type per entry.
+template <class T>
+constexpr std::size_t width_of() {
+  if constexpr (kIsArray<T>)
+    return std::tuple_size_v<T> * width_of<typename T::value_type>();
+  else if constexpr (std::is_same_v<T, Vec3> || std::is_same_v<T, Float3>)
+    return 3;
+  else
+    return std::is_same_v<T, Float4> ? 4 : 1;
 }
 
 }  // namespace holdfast::internal

@@ -14,12 +14,12 @@ namespace {
 
 /// Entries of the incomplete chunks at the end of the last finished part.
 LongEntries read_tail(const std::string& path, const RunDescription& run, const Progress& resume) {
-  LongEntries tail;
+  LongEntries tail = no_entries();
   if (resume.part_count == 0) return tail;
   const h5::File file = h5::File::open(part_path(path, resume.part_count));
-  for (std::size_t column = 0; column < kLongDatasets; ++column) {
-    const DatasetSpec& spec = kSchema[long_datasets()[column]];
-    if (!includes(run.analyses, spec.analysis)) continue;
+  for (std::size_t column = 0; column < long_datasets().size(); ++column) {
+    const DatasetSpec& spec = schema()[long_datasets()[column]];
+    if (!includes(run.analyses, spec)) continue;
     const h5::Dataset dataset = h5::Dataset::open(file, spec);
     const std::uint64_t begin = chunk_begin(dataset.spec().axis, dataset.length());
     tail[column] = dataset.read(begin, dataset.length() - begin);
@@ -69,8 +69,8 @@ struct ResultsWriter::State {
   std::mutex mutex;  ///< guards the following members
   std::unique_ptr<PartBuilder> part;
   std::uint64_t finished_parts = 0;
-  AxisCounts end{};  ///< of the finished parts
-  LongEntries tail;  ///< their entries in the incomplete chunks
+  AxisCounts end{};                 ///< of the finished parts
+  LongEntries tail = no_entries();  ///< their entries in the incomplete chunks
   std::optional<Error> error;
 
   void close_part() {
@@ -130,7 +130,7 @@ class ResultsWriter::Unit final : public SinkUnit {
 
   void pack() override {
     for (GridChunk& chunk : unit_.piece.chunks)
-      chunk.bytes = compress_chunk(chunk.bytes, size_of(kSchema[long_datasets()[chunk.column]].type));
+      chunk.bytes = compress_chunk(chunk.bytes, size_of(schema()[long_datasets()[chunk.column]].type));
   }
 
   /// Adds the unit to the open part; closes the part when it is due.

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/model/acceleration.hpp"
-#include "core/model/analysis.hpp"
 #include "core/model/shard.hpp"
 #include "core/model/verdict.hpp"
+#include "io/results/analysis_tables.hpp"
 
 namespace holdfast::internal {
 
@@ -33,10 +33,10 @@ struct RunDescription {
   /// SHA-256 of each layout file when the run began; empty if it could not be read.
   std::vector<std::string> layout_hashes;
   std::vector<Acceleration> accelerations;  ///< of the run, in its order; a bad acceleration has no segments
-  std::vector<Analysis> analyses = {Analysis::verdicts};  ///< what the run finds out
-  bool record_series = true;                              ///< false: end states and peaks only
-  Thresholds thresholds;                                  ///< of the summary
-  std::optional<ShardOfRun> shard;                        ///< of a run that is a part of another
+  RunTables analyses;                       ///< what the run finds out beside the verdicts
+  bool record_series = true;                ///< false: end states and peaks only
+  Thresholds thresholds;                    ///< of the summary
+  std::optional<ShardOfRun> shard;          ///< of a run that is a part of another
 };
 
 /// Everything that must be the same for a run to be resumed, as text: `software=… settings=… engine=… layouts=…

@@ -81,12 +81,8 @@ Result<ShardFile> ShardFile::open(const std::string& path) {
         h5::read_count_attribute(file, "/", "complete") == 1 && names.length() == expected &&
         h5::Dataset::open(file, representative(Axis::worlds)).length() == expected * shard.run_.accelerations.size();
     if (!whole) h5::fail(path, "does not have all of its layouts", "its command with --resume finishes it");
-    const auto texts = [&](const char* column) {
-      const h5::Dataset dataset = h5::Dataset::open(file, dataset_spec(column));
-      return texts_of(dataset.read(0, dataset.length()), dataset.number_bytes());
-    };
-    shard.run_.layout_names = texts("/inputs/layouts/name");
-    shard.run_.layout_hashes = texts("/inputs/layouts/sha256");
+    shard.run_.layout_names = read_texts(file, "/inputs/layouts/name");
+    shard.run_.layout_hashes = read_texts(file, "/inputs/layouts/sha256");
     shard.run_.record_series = h5::read_text_attribute(file, "/", "fingerprint").find(" series=1") != std::string::npos;
     return shard;
   });
@@ -99,9 +95,9 @@ Result<ColumnSet> ShardFile::read(std::uint64_t begin, std::uint64_t end, const 
     const AxisCounts first = entries_before(file, begin, run_.accelerations.size());
     const AxisCounts last = entries_before(file, end, run_.accelerations.size());
     ColumnSet columns;
-    for (const DatasetSpec& spec : kSchema) {
+    for (const DatasetSpec& spec : schema()) {
       if (spec.axis == Axis::accelerations || spec.axis == Axis::segments) continue;
-      if (!includes(run_.analyses, spec.analysis)) continue;
+      if (!includes(run_.analyses, spec)) continue;
       const h5::Dataset dataset = h5::Dataset::open(file, spec);
       std::vector<std::byte> stored = dataset.read(at(first, spec.axis), at(last, spec.axis) - at(first, spec.axis));
       for (const auto& [path, axis] : kIndexColumns)

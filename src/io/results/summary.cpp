@@ -1,7 +1,6 @@
 #include "io/results/summary.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "io/results/hdf5_file.hpp"
 
@@ -24,58 +23,32 @@ EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
     const auto from = column.begin() + static_cast<std::ptrdiff_t>(begin);
     return std::decay_t<decltype(column)>(from, from + static_cast<std::ptrdiff_t>(count));
   };
-  return {cut(end.displacement),        cut(end.tilt),
-          cut(end.kinetic_energy),      cut(end.peak_displacement),
-          cut(end.peak_kinetic_energy), cut(end.settling_displacement)};
+  EndTable part;
+  visit_ends<EndTable>([&](const OutcomeField&, auto member) { part.*member = cut(end.*member); });
+  return part;
 }
 
-/// Times at which the boxes of a world first moved. A box whose peak displacement is below the threshold has no such
-/// time, so that the series of most worlds need not be read.
-/// @param times called for the other worlds
-template <class Times>
-void append_first_moves(const EndTable& end, const Thresholds& thresholds, BoxSummary& boxes, Times&& times) {
+/// Verdicts on the boxes of a world. A box whose peak displacement is below the threshold has never moved, so that the
+/// series of most worlds need not be read.
+/// @param first_moves called for the other worlds: times at which their boxes first moved
+template <class FirstMoves>
+std::vector<BoxVerdict> judge_boxes(const EndTable& end, const Thresholds& thresholds, FirstMoves&& first_moves) {
+  std::vector<BoxVerdict> boxes;
+  for (std::size_t i = 0; i < end.displacement.size(); ++i) boxes.push_back(judge_box(end, i, thresholds));
   const auto& peak = end.peak_displacement;
   const bool any =
       std::any_of(peak.begin(), peak.end(), [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
-  const std::vector<float> found =
-      any ? times() : std::vector<float>(peak.size(), std::numeric_limits<float>::quiet_NaN());
-  boxes.first_move_time.insert(boxes.first_move_time.end(), found.begin(), found.end());
-}
-
-void append_world(const WorldVerdict& verdict, WorldSummary& worlds) {
-  worlds.verdict.push_back(verdict.verdict);
-  worlds.fallen_boxes.push_back(verdict.fallen_boxes);
-  worlds.unstable_boxes.push_back(verdict.unstable_boxes);
-  worlds.moved_boxes.push_back(verdict.moved_boxes);
-  worlds.tilted_boxes.push_back(verdict.tilted_boxes);
-  worlds.total_kinetic_energy.push_back(verdict.total_kinetic_energy);
-  worlds.peak_kinetic_energy.push_back(verdict.peak_kinetic_energy);
-  worlds.max_displacement.push_back(verdict.max_displacement);
-  worlds.peak_displacement.push_back(verdict.peak_displacement);
-}
-
-void append_boxes(const EndTable& end, const Thresholds& thresholds, BoxSummary& boxes) {
-  for (std::size_t i = 0; i < end.displacement.size(); ++i) {
-    const BoxVerdict verdict = judge_box(end, i, thresholds);
-    boxes.displacement.push_back(end.displacement[i]);
-    boxes.max_displacement.push_back(end.peak_displacement[i]);
-    boxes.drop.push_back(verdict.drop);
-    boxes.tilt.push_back(end.tilt[i]);
-    boxes.kinetic_energy.push_back(end.kinetic_energy[i]);
-    boxes.peak_kinetic_energy.push_back(end.peak_kinetic_energy[i]);
-    boxes.fallen.push_back(verdict.fallen ? 1 : 0);
-    boxes.moved.push_back(verdict.moved ? 1 : 0);
-    boxes.tilted.push_back(verdict.tilted ? 1 : 0);
-    boxes.unstable.push_back(verdict.unstable ? 1 : 0);
-  }
+  if (!any) return boxes;
+  const std::vector<float> times = first_moves();
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].first_move_time = times[i];
+  return boxes;
 }
 
 /// Takes as many of the rows as fit into a slice.
 std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
   std::uint64_t boxes = 0;
   std::size_t count = 0;
-  while (count < rows.size() && (count == 0 || boxes + rows[count].box_count <= kSliceBoxes))
-    boxes += rows[count++].box_count;
+  while (count < rows.size() && (count == 0 || boxes + rows[count].boxes <= kSliceBoxes)) boxes += rows[count++].boxes;
   rows.resize(count);
   return rows;
 }
@@ -85,12 +58,12 @@ void check_ranges(const ResultsInfo& info, const SummarySlice& slice) {
   std::uint64_t next = slice.box_begin;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     const WorldRow& row = slice.rows[i];
-    if (row.box_begin != next || row.box_count > info.box_count - next) {
+    if (row.box_begin != next || row.boxes > info.box_count - next) {
       throw h5::Failure(Error{.file = info.path,
                               .what = "is damaged: the boxes of a world are not where they should be, world",
                               .value = std::to_string(slice.world_begin + i)});
     }
-    next += row.box_count;
+    next += row.boxes;
   }
 }
 
@@ -102,29 +75,24 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
   slice.rows = take_slice(value_of(results.worlds(world_begin, std::min(left, kSliceWorlds))));
   slice.box_begin = box_begin;
   check_ranges(results.info(), slice);
-  const std::uint64_t box_count = slice.rows.back().box_begin + slice.rows.back().box_count - slice.box_begin;
-  const EndTable ends = value_of(results.ends(slice.box_begin, box_count));
+  const std::uint64_t box_count = slice.rows.back().box_begin + slice.rows.back().boxes - slice.box_begin;
+  slice.ends = value_of(results.ends(slice.box_begin, box_count));
   for (const WorldRow& row : slice.rows) {
-    const EndTable end = part_of(ends, row.box_begin - slice.box_begin, row.box_count);
-    append_world(judge_world(row.status, row.stop_reason, row.peak_total_kinetic_energy, end, thresholds),
-                 slice.worlds);
-    append_boxes(end, thresholds, slice.boxes);
-    append_first_moves(end, thresholds, slice.boxes, [&] {
+    const EndTable end = part_of(slice.ends, row.box_begin - slice.box_begin, row.boxes);
+    slice.worlds.push_back(judge_world(row, end, thresholds));
+    const std::vector<BoxVerdict> boxes = judge_boxes(end, thresholds, [&] {
       const Series series = value_of(results.path_of(row));
-      return first_move_times(series.time, series.displacement, row.box_count, thresholds);
+      return first_move_times(series.time, series.displacement, row.boxes, thresholds);
     });
+    slice.boxes.insert(slice.boxes.end(), boxes.begin(), boxes.end());
   }
   return slice;
 }
 
 }  // namespace
 
-void append_summary(const WorldRecord& world, const Thresholds& thresholds, WorldSummary& worlds, BoxSummary& boxes) {
-  append_world(judge_world(world.outcome.status, world.outcome.stop_reason, world.peak_total_kinetic_energy, world.end,
-                           thresholds),
-               worlds);
-  append_boxes(world.end, thresholds, boxes);
-  append_first_moves(world.end, thresholds, boxes, [&] {
+std::vector<BoxVerdict> judge_boxes(const WorldRecord& world, const Thresholds& thresholds) {
+  return judge_boxes(world.end, thresholds, [&] {
     return first_move_times(world.series.time, world.series.displacement, world.end.displacement.size(), thresholds);
   });
 }
@@ -139,7 +107,7 @@ std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& th
       const SummarySlice slice = derive_slice(results, thresholds, world, box);
       if (const auto error = visit(slice)) throw h5::Failure(*error);
       world += slice.rows.size();
-      box += slice.boxes.drop.size();
+      box += slice.boxes.size();
     }
     if (box != info.box_count)
       throw h5::Failure(Error{.file = info.path, .what = "is damaged: it has boxes that belong to no world"});

@@ -1,38 +1,27 @@
 #include "io/results/unit_columns.hpp"
 
 #include <cassert>
+#include <string_view>
 #include <type_traits>
 
 #include "io/results/results_inputs.hpp"
+#include "io/results/results_tables.hpp"
 #include "io/results/summary.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
-/// The row of the world; its entries of the other axes begin after those of the run.
+std::string_view path_of(const DatasetContent& content) { return content.path; }
+std::string_view path_of(const OutcomeField& field) { return field.dataset; }
+
+/// The row of the world, with the places of its entries: after those of the run.
 WorldRow row_of(const WorldRecord& world, const RunDescription& run, const AxisCounts& end) {
-  WorldRow row;
-  row.layout = world.layout;
-  row.acceleration = world.acceleration;
-  row.status = world.outcome.status;
-  row.status_text = world.status_text;
-  row.stop_reason = world.outcome.stop_reason;
+  WorldRow row = world.row;
   row.box_begin = at(end, Axis::boxes);
-  row.box_count = static_cast<std::uint32_t>(world.boxes.id.size());
   row.sample_begin = at(end, Axis::samples);
   row.sample_count = static_cast<std::uint32_t>(world.series.time.size());
   row.row_begin = at(end, Axis::rows);
-  row.end_time = world.outcome.end_time;
-  row.steps = world.outcome.counters.steps;
-  row.steps_skipped = world.outcome.counters.steps_skipped;
-  row.solve_iterations = world.outcome.counters.solve_iterations;
-  row.max_residual = world.outcome.counters.max_residual;
-  row.residual_scale = world.outcome.counters.residual_scale;
-  row.max_penetration = world.outcome.counters.max_penetration;
-  row.peak_total_kinetic_energy = world.peak_total_kinetic_energy;
-  row.cpu_seconds = world.cpu_seconds;
-  row.state_hash = world.state_hash;
   row.engine = run.engine;
   return row;
 }
@@ -43,36 +32,24 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
   assert(world.end.displacement.size() == box_count && world.end.settling_displacement.size() == box_count);
   assert(world.series.displacement.size() == sample_count * box_count);
 
-  const auto append = [&](std::string_view path, const auto& values) { columns[path].append(values); };
-  const WorldRow row = row_of(world, run, end);
-  visit_world(append, row);
-  if (includes(run.analyses, Analysis::wall_forces))
-    visit_walls([&](std::string_view path, auto member) { append(path, world.walls.*member); });
-  visit_boxes(append, world.boxes);
-  visit_ends(append, world.end);
+  const auto append_from = [&](const auto& from) {
+    return [&](const auto& what, auto member) { columns[path_of(what)].append(from.*member); };
+  };
+  visit_world_row<WorldRow>(append_from(row_of(world, run, end)));
+  visit_boxes(append_from(world.boxes));
+  visit_ends<EndTable>(append_from(world.end));
   columns["/boxes/world"].append(std::vector<std::uint64_t>(box_count, at(end, Axis::worlds)));
-  WorldSummary worlds;
-  BoxSummary boxes;
-  append_summary(world, run.thresholds, worlds, boxes);
-  visit_world_summary(append, worlds);
-  visit_box_summary(append, boxes);
-  if (includes(run.analyses, Analysis::replicas)) {
-    assert(world.replicas.box_share.size() == box_count);
-    visit_replicas([&](std::string_view path, auto member) { append(path, world.replicas.*member); });
-    append("/replicas/box_share", world.replicas.box_share);
-  }
-  if (includes(run.analyses, Analysis::damage)) {
-    assert(world.damage.boxes.beyond.size() == box_count);
-    append("/damage/boxes_beyond", world.damage.boxes_beyond);
-    visit_box_damage(append, world.damage.boxes);
-  }
+  visit_world_verdict<WorldVerdict>(append_from(judge_world(world.row, world.end, run.thresholds)));
+  const std::vector<BoxVerdict> boxes = judge_boxes(world, run.thresholds);
+  visit_box_verdict<BoxVerdict>(
+      [&](const OutcomeField& field, auto member) { columns[field.dataset].append(boxes, member); });
+  for (const AnalysisTables* analysis : run.analyses)
+    if (analysis->append_world != nullptr) analysis->append_world(columns, world, run.record_series);
   // Column by column, so that at most one of them is in memory twice.
-  visit_series(
-      [&](std::string_view path, auto& values) {
-        columns[path].append(values);
-        values = std::decay_t<decltype(values)>();
-      },
-      world.series);
+  visit_series([&](const DatasetContent& content, auto member) {
+    columns[content.path].append(world.series.*member);
+    world.series.*member = std::decay_t<decltype(world.series.*member)>();  // which gives its memory back
+  });
 
   at(end, Axis::worlds) += 1;
   at(end, Axis::boxes) += box_count;
@@ -87,16 +64,8 @@ ColumnSet columns_of(UnitRecord& unit, const RunDescription& run, AxisCounts& en
   for (const LayoutRecord& record : unit.layouts) {
     assert(record.index == at(end, Axis::layouts));
     append_layout(columns, *record.layout, at(end, Axis::layout_boxes));
-    if (includes(run.analyses, Analysis::margins))
-      visit_margins([&](std::string_view path, auto member) { columns[path].append(record.margins.*member); });
-    if (includes(run.analyses, Analysis::margin_spread))
-      visit_margin_spread(
-          [&](std::string_view path, auto member) { columns[path].append(record.margins.spread.*member); });
-    if (includes(run.analyses, Analysis::indicators)) {
-      visit_indicators([&](std::string_view path, auto member) { columns[path].append(record.indicators.*member); });
-      visit_box_indicators([&](std::string_view path, const auto& values) { columns[path].append(values); },
-                           record.indicators);
-    }
+    for (const AnalysisTables* analysis : run.analyses)
+      if (analysis->append_layout != nullptr) analysis->append_layout(columns, record);
     at(end, Axis::layouts) += 1;
     at(end, Axis::layout_boxes) += record.layout->boxes.size();
   }

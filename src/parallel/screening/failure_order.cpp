@@ -11,8 +11,7 @@ constexpr std::size_t kFirstBlock = 8;
 constexpr std::size_t kLongestBlock = 256;
 
 Verdict verdict_of(const WorldRecord& world, const Thresholds& thresholds) {
-  const Outcome& outcome = world.outcome;
-  return judge_world(outcome.status, outcome.stop_reason, 0.0, world.end, thresholds).verdict;
+  return judge_world(world.row, world.end, thresholds).verdict;
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ void FailureOrder::enter(std::size_t layout) {
 }
 
 void FailureOrder::count(const WorldRecord& world, const Thresholds& thresholds) {
-  if (rejects(world, thresholds)) ++failures_[world.acceleration];
+  if (rejects(world, thresholds)) ++failures_[world.row.acceleration];
 }
 
 bool rejects(const WorldRecord& world, const Thresholds& thresholds) {

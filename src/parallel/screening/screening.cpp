@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -38,7 +39,7 @@ class Run {
         stop_(stop),
         costs_(costs),
         runner_(plan.engine, plan.settings, plan.record_series, plan.layouts, plan.accelerations, stop.drop, costs,
-                plan.margins),
+                plan.analyses),
         units_(units_of(plan)),
         failures_(plan.failures.value_or(FailureOrder(plan.accelerations.size(), plan.engine.traits()))),
         thresholds_(recording_plan(plan.settings, false).thresholds),
@@ -123,20 +124,25 @@ class Run {
     }
     for (const WorldRecord& world : unit.record.worlds) {
       if (first_failure(plan_)) failures_.count(world, thresholds_);
-      progress_.steps += world.outcome.counters.steps;
-      progress_.steps_skipped += world.outcome.counters.steps_skipped;
+      progress_.steps += world.row.steps;
+      progress_.steps_skipped += world.row.steps_skipped;
     }
     progress_.done += unit.record.worlds.size();
     for (const Error& warning : unit.record.warnings) observer_.warned(warning);
-    if (plan_.margins || plan_.settings.screening.indicators)
+    if (analyses_layouts())
       for (const LayoutRecord& layout : unit.record.layouts) observer_.layout_finished(layout);
     for (const WorldRecord& world : unit.record.worlds) observer_.world_finished(world, next_world_++);
     return true;
   }
 
+  bool analyses_layouts() const {
+    return std::any_of(plan_.analyses.begin(), plan_.analyses.end(),
+                       [](const AnalysisMethod* analysis) { return analysis->of_layout != nullptr; });
+  }
+
   template <class Work>
   auto with_memory(const UnitRecord& record, const char* done, Work&& work) -> decltype(work()) {
-    return with_memory(record.worlds.front().layout, record.worlds.front().acceleration, done,
+    return with_memory(record.worlds.front().row.layout, record.worlds.front().row.acceleration, done,
                        std::forward<Work>(work));
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/engine/analysis_method.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engine/result_sink.hpp"
 #include "core/engine/run_inputs.hpp"
@@ -24,7 +25,7 @@ struct ScreeningPlan {
   LayoutSource& layouts;
   std::span<const ReadAcceleration> accelerations;
   bool record_series = true;
-  bool margins = false;             ///< also find the margins of every layout
+  AnalysisMethods analyses = {};    ///< beside the verdicts
   std::size_t finished_worlds = 0;  ///< the first so many are finished already; a unit of work must begin there
   std::optional<FailureOrder> failures = std::nullopt;  ///< with FirstFailure: has counted the finished worlds
 

@@ -4,9 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "core/engine/margin_search.hpp"
-#include "core/engine/margin_spread.hpp"
-#include "core/engine/replica_run.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
@@ -23,13 +20,13 @@ std::string describe(Status status) {
   return "";
 }
 
-bool is_good(const WorldRecord& world) { return world.outcome.status == Status::ok; }
+bool is_good(const WorldRecord& world) { return world.row.status == Status::ok; }
 
 /// Puts what became of a world in its place.
 void put(WorldRecord&& simulated, WorldRecord& world) {
-  simulated.layout = world.layout;
-  simulated.acceleration = world.acceleration;
-  simulated.status_text = describe(simulated.outcome.status);
+  simulated.row.layout = world.row.layout;
+  simulated.row.acceleration = world.row.acceleration;
+  simulated.row.message = describe(simulated.row.status);
   world = std::move(simulated);
 }
 
@@ -46,7 +43,6 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
     layouts.push_back(read);
     if (unit.acceleration_begin > 0) continue;
     record.layouts.push_back({i, {read, &read->layout}});
-    if (settings_.screening.indicators) record.layouts.back().indicators = find_indicators(read->layout, settings_);
     record.warnings.insert(record.warnings.end(), read->warnings.begin(), read->warnings.end());
   }
   for (std::size_t i = unit.layout_begin; i < unit.layout_end; ++i)
@@ -58,44 +54,25 @@ std::optional<UnitRecord> UnitRunner::run(const WorkUnit& unit, std::size_t shar
   const double cpu_end = processor_seconds();
   const double cpu_share = (cpu_end - cpu_begin) / static_cast<double>(std::max<std::size_t>(1, simulated));
   for (WorldRecord& world : record.worlds)
-    if (world.outcome.stop_reason != StopReason::not_run)
-      world.cpu_seconds = cpu_share + world.outcome.counters.device_seconds;
-  if (settings_.screening.replicas > 0 && !add_replicas(unit, layouts, record.worlds)) return std::nullopt;
-  if (margins_ && !add_margins(record.layouts)) return std::nullopt;
+    if (world.row.stop_reason != StopReason::not_run) world.row.cpu_seconds += cpu_share;
+  if (!analyse(unit, layouts, record)) return std::nullopt;
   return record;
 }
 
-bool UnitRunner::add_replicas(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
-                              std::vector<WorldRecord>& worlds) const {
+bool UnitRunner::analyse(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+                         UnitRecord& record) const {
   const StageTimer timer(costs_, Stage::simulate);
-  for (WorldRecord& world : worlds) {
-    if (world.outcome.stop_reason == StopReason::not_run) continue;
-    const double cpu_begin = processor_seconds();
-    std::optional<ReplicaOutcome> replicas =
-        run_replicas(engine_, layouts[world.layout - unit.layout_begin]->layout,
-                     accelerations_[world.acceleration].acceleration, settings_, abort_);
-    if (!replicas) return false;
-    world.replicas = std::move(*replicas);
-    world.replicas.cpu_seconds = processor_seconds() - cpu_begin;
-  }
-  return true;
-}
-
-bool UnitRunner::add_margins(std::vector<LayoutRecord>& layouts) const {
-  const StageTimer timer(costs_, Stage::simulate);
-  for (LayoutRecord& record : layouts) {
-    if (record.layout->boxes.empty()) continue;
-    const double cpu_begin = processor_seconds();
-    const std::optional<LayoutMargins> margins = find_margins(engine_, *record.layout, settings_, abort_);
-    if (!margins) return false;
-    record.margins = *margins;
-    const double cpu_end = processor_seconds();
-    record.margins.cpu_seconds = cpu_end - cpu_begin;
-    if (settings_.screening.replicas == 0) continue;
-    const std::optional<MarginSpread> spread = find_margin_spread(engine_, *record.layout, settings_, abort_);
-    if (!spread) return false;
-    record.margins.spread = *spread;
-    record.margins.spread.cpu_seconds = processor_seconds() - cpu_end;
+  const AnalysisInputs inputs{engine_, settings_, abort_, processor_seconds};
+  for (const AnalysisMethod* analysis : analyses_) {
+    if (analysis->of_layout != nullptr)
+      for (LayoutRecord& layout : record.layouts)
+        if (!analysis->of_layout(inputs, layout)) return false;
+    if (analysis->of_world == nullptr) continue;
+    for (WorldRecord& world : record.worlds)
+      if (world.row.stop_reason != StopReason::not_run &&
+          !analysis->of_world(inputs, layouts[world.row.layout - unit.layout_begin]->layout,
+                              accelerations_[world.row.acceleration].acceleration, world))
+        return false;
   }
   return true;
 }
@@ -107,20 +84,20 @@ std::shared_ptr<const ReadLayout> UnitRunner::take(std::size_t layout, std::size
 
 WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t acceleration) const {
   WorldRecord world;
-  world.layout = layout_index;
-  world.acceleration = acceleration;
+  world.row.layout = layout_index;
+  world.row.acceleration = acceleration;
   if (!layout.error.empty()) {
-    world.outcome.status = Status::bad_layout;
-    world.status_text = layout.error;
+    world.row.status = Status::bad_layout;
+    world.row.message = layout.error;
   } else if (!accelerations_[acceleration].error.empty()) {
-    world.outcome.status = Status::bad_acceleration;
-    world.status_text = accelerations_[acceleration].error;
+    world.row.status = Status::bad_acceleration;
+    world.row.message = accelerations_[acceleration].error;
   } else if (!plan_.series) {
     return world;
   } else if (const auto error = check_rows(layout.layout.name, layout.layout.boxes.size(),
                                            accelerations_[acceleration].acceleration, settings_)) {
-    world.outcome.status = Status::too_large;
-    world.status_text = error->message();
+    world.row.status = Status::too_large;
+    world.row.message = error->message();
   }
   return world;
 }
@@ -172,8 +149,8 @@ std::size_t UnitRunner::simulate_until_failure(const WorkUnit& unit,
       WorldRecord& world = worlds[i * acceleration_count + j];
       if (!is_good(world)) continue;
       if (failed_by[i] != nullptr) {
-        world.outcome.status = Status::not_needed;
-        world.status_text = "the layout does not hold " + *failed_by[i];
+        world.row.status = Status::not_needed;
+        world.row.message = "the layout does not hold " + *failed_by[i];
         continue;
       }
       tried.push_back(i);

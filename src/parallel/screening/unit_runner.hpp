@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/engine/analysis_method.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engine/result_sink.hpp"
 #include "core/engine/run_inputs.hpp"
@@ -23,18 +25,18 @@ namespace holdfast::internal {
 class UnitRunner {
  public:
   /// All must outlive this.
-  /// @param margins whether to find those of every layout
+  /// @param analyses beside the verdicts
   UnitRunner(const Engine& engine, const Settings& settings, bool record_series, LayoutSource& layouts,
              std::span<const ReadAcceleration> accelerations, const std::atomic<bool>& abort, StageCosts& costs,
-             bool margins = false)
+             AnalysisMethods analyses = {})
       : engine_(engine, costs),
         settings_(settings),
-        plan_(recording_plan(settings, record_series)),
+        plan_(recording_plan(settings, record_series, analyses)),
         layouts_(layouts),
         accelerations_(accelerations),
         abort_(abort),
         costs_(costs),
-        margins_(margins) {}
+        analyses_(std::move(analyses)) {}
 
   /// The unit's records; nothing when aborted.
   /// @param sharing units of the run that take the same layouts, this one among them
@@ -58,12 +60,9 @@ class UnitRunner {
                                      const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
                                      std::span<const std::size_t> order, std::vector<WorldRecord>& worlds) const;
 
-  /// Simulates the replicas of a unit's worlds that were simulated. False when aborted.
-  bool add_replicas(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
-                    std::vector<WorldRecord>& worlds) const;
-
-  /// Finds the margins of layouts that can be used. False when aborted.
-  bool add_margins(std::vector<LayoutRecord>& layouts) const;
+  /// Applies the analyses to a unit's layouts, and to its worlds that were simulated. False when aborted.
+  bool analyse(const WorkUnit& unit, const std::vector<std::shared_ptr<const ReadLayout>>& layouts,
+               UnitRecord& record) const;
 
   /// Every layout under every acceleration; nothing when aborted.
   std::vector<WorldRecord> simulate_batch(const std::vector<const Layout*>& layouts,
@@ -76,7 +75,7 @@ class UnitRunner {
   std::span<const ReadAcceleration> accelerations_;
   const std::atomic<bool>& abort_;
   StageCosts& costs_;
-  bool margins_;
+  AnalysisMethods analyses_;
 };
 
 }  // namespace holdfast::internal

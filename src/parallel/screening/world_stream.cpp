@@ -47,10 +47,11 @@ class WorldStream::Job {
         units_left(units.count()),
         accelerations_(stream.accelerations_),
         layout_(std::move(layout)),
-        runner_(stream.engine_, stream.settings_, stream.record_series_, layout_, accelerations_, abort, costs_) {
+        runner_(stream.engine_, stream.settings_, stream.record_series_, layout_, accelerations_, abort, costs_,
+                stream.analyses_) {
     result.ticket = ticket;
     result.worlds.resize(accelerations_.size());
-    for (std::size_t i = 0; i < accelerations_.size(); ++i) result.worlds[i].acceleration = i;
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) result.worlds[i].row.acceleration = i;
     if (!stream.settings_.screening.first_failure) return;
     order_.resize(accelerations_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -76,7 +77,7 @@ class WorldStream::Job {
   /// Called once, when no unit is left.
   void conclude() {
     result.cancelled = std::any_of(result.worlds.begin(), result.worlds.end(), [](const WorldRecord& world) {
-      return world.outcome.stop_reason == StopReason::not_run && world.outcome.status == Status::ok;
+      return world.row.stop_reason == StopReason::not_run && world.row.status == Status::ok;
     });
   }
 
@@ -98,11 +99,12 @@ class WorldStream::Job {
 };
 
 WorldStream::WorldStream(const Engine& engine, const Settings& settings,
-                         const std::vector<ReadAcceleration>& accelerations, bool record_series, int threads,
-                         std::function<void()> on_finished)
+                         const std::vector<ReadAcceleration>& accelerations, const AnalysisMethods& analyses,
+                         bool record_series, int threads, std::function<void()> on_finished)
     : engine_(engine),
       settings_(settings),
       accelerations_(accelerations),
+      analyses_(analyses),
       record_series_(record_series),
       thread_count_(threads),
       on_finished_(std::move(on_finished)) {}

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/engine/analysis_method.hpp"
 #include "core/engine/engine.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/world_record.hpp"
@@ -40,10 +41,11 @@ class WorldStream {
 
   /// All that is named must outlive the stream. Starts no thread.
   /// @param accelerations may change while nothing is in flight
+  /// @param analyses      of worlds
   /// @param on_finished   called on a thread of the stream whenever a layout is finished; may be empty. It must return
   ///                      soon, throw nothing and not call the stream
   WorldStream(const Engine& engine, const Settings& settings, const std::vector<ReadAcceleration>& accelerations,
-              bool record_series, int threads, std::function<void()> on_finished = {});
+              const AnalysisMethods& analyses, bool record_series, int threads, std::function<void()> on_finished = {});
   WorldStream(const WorldStream&) = delete;
   WorldStream& operator=(const WorldStream&) = delete;
   /// Drops what is in flight and waits for its threads.
@@ -76,6 +78,7 @@ class WorldStream {
   const Engine& engine_;
   const Settings& settings_;
   const std::vector<ReadAcceleration>& accelerations_;
+  AnalysisMethods analyses_;
   bool record_series_;
   int thread_count_;
   std::function<void()> on_finished_;

@@ -207,7 +207,7 @@ TEST_CASE("series_recorder: kinetic energy of a spinning, tilted box", "[core][s
   CHECK(record.series.kinetic_energy[0] == Approx(expected).epsilon(1e-7));
   CHECK(record.series.total_kinetic_energy[0] == Approx(expected).epsilon(1e-7));
   CHECK(record.end.peak_kinetic_energy[0] == Approx(expected).epsilon(1e-7));
-  CHECK(record.peak_total_kinetic_energy == Approx(expected).epsilon(1e-12));
+  CHECK(record.row.peak_total_kinetic_energy == Approx(expected).epsilon(1e-12));
 }
 
 TEST_CASE("series_recorder: peaks are over all steps, also between samples", "[core][series_recorder]") {
@@ -225,7 +225,7 @@ TEST_CASE("series_recorder: peaks are over all steps, also between samples", "[c
   CHECK(record.end.peak_displacement[0] == 0.5F);
   CHECK(record.end.peak_kinetic_energy[0] == 3000.0F);
   CHECK(record.end.kinetic_energy[0] == 0.0F);
-  CHECK(record.peak_total_kinetic_energy == 3000.0);
+  CHECK(record.row.peak_total_kinetic_energy == 3000.0);
 }
 
 TEST_CASE("series_recorder: end values have the same bits as the last sample", "[core][series_recorder]") {

@@ -102,7 +102,7 @@ TEST_CASE("simulate: the sampling interval does not affect the motion", "[core][
   Settings settings;
   const auto hash = [&](double interval) {
     settings.results_interval = interval;
-    return run(ScriptedEngine({}), kOneBox, pulse(), settings).record.state_hash;
+    return run(ScriptedEngine({}), kOneBox, pulse(), settings).record.row.state_hash;
   };
   const std::uint64_t expected = hash(0.1);
   CHECK(hash(0.001) == expected);
@@ -116,7 +116,7 @@ TEST_CASE("simulate: no sample is lost when an engine takes many steps at once",
   const Acceleration acceleration = constant(2.0, 1.0);
   const Run run_slowly = run(ScriptedEngine({}), kOneBox, acceleration, settings);
   const Run run_fast = run(ScriptedEngine({.steps_a_call = 100}), kOneBox, acceleration, settings);
-  CHECK(run_fast.record.state_hash == run_slowly.record.state_hash);
+  CHECK(run_fast.record.row.state_hash == run_slowly.record.row.state_hash);
   CHECK(run_fast.record.series.time == run_slowly.record.series.time);
   REQUIRE(run_fast.record.series.time.size() == 101);
   CHECK(run_fast.record.series.displacement.back().x == run_slowly.record.series.displacement.back().x);
@@ -131,20 +131,20 @@ TEST_CASE("simulate: after the acceleration ends it is zero, and an earlier end 
   Settings settings;
   settings.timeout = 0.5;
   const Run cut = run(ScriptedEngine({}), kOneBox, acceleration, settings);
-  CHECK(cut.record.outcome.end_time == 0.5);
+  CHECK(cut.record.row.end_time == 0.5);
   CHECK(cut.state.velocity[0].x() == Approx(-1.0));
   settings.timeout = 2.5;
   const Run longer = run(ScriptedEngine({}), kOneBox, acceleration, settings);
-  CHECK(longer.record.outcome.end_time == 2.5);
+  CHECK(longer.record.row.end_time == 2.5);
   CHECK(longer.state.velocity[0].x() == Approx(-2.0));
   CHECK(longer.displacement().x() == Approx(-4.0));
 }
 
 TEST_CASE("simulate: an acceleration without duration ends at once, at 0", "[core][simulate]") {
   const Run none = run(ScriptedEngine({}), kOneBox, Acceleration{}, {});
-  CHECK(none.record.outcome.end_time == 0.0);
-  CHECK_FALSE(std::signbit(none.record.outcome.end_time));
-  CHECK(none.record.outcome.counters.steps == 0);
+  CHECK(none.record.row.end_time == 0.0);
+  CHECK_FALSE(std::signbit(none.record.row.end_time));
+  CHECK(none.record.row.steps == 0);
   CHECK(none.record.series.time == std::vector<double>{0.0});
   CHECK(none.displacement() == Vec3(0, 0, 0));
 }
@@ -167,7 +167,7 @@ TEST_CASE("simulate: settling is not recorded, and the world starts where it end
 TEST_CASE("simulate: a state that is not finite ends the world at its last finite state", "[core][simulate]") {
   const Acceleration acceleration = constant(2.0, 1.0);
   const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, acceleration, {});
-  const Outcome& outcome = one.record.outcome;
+  const WorldRow& outcome = one.record.row;
   CHECK(outcome.status == Status::non_finite);
   CHECK(outcome.stop_reason == StopReason::failed);
   CHECK(outcome.end_time == Approx(100.0 / 240));
@@ -175,7 +175,7 @@ TEST_CASE("simulate: a state that is not finite ends the world at its last finit
   CHECK(one.record.series.time.back() == outcome.end_time);
   CHECK(one.record.series.displacement.back().x == one.record.end.displacement[0].x);
   CHECK(std::isfinite(one.record.end.kinetic_energy[0]));
-  CHECK(std::isfinite(one.record.peak_total_kinetic_energy));
+  CHECK(std::isfinite(one.record.row.peak_total_kinetic_energy));
 }
 
 TEST_CASE("simulate: a state that is not finite while settling", "[core][simulate]") {
@@ -204,10 +204,10 @@ TEST_CASE("simulate: a world that fails does not affect the others", "[core][sim
       const double breaks_at = settle > 0 ? -0.3 : 0.5;
       const ScriptedEngine engine({.all_together = all_together, .breaks_at = breaks_at, .breaking_world = 1});
       const std::vector<Run> runs = run_all(engine, layouts, accelerations, settings);
-      CHECK(runs[1].record.outcome.status == Status::non_finite);
+      CHECK(runs[1].record.row.status == Status::non_finite);
       for (const std::size_t i : {0U, 2U}) {
-        CHECK(runs[i].record.outcome.status == Status::ok);
-        CHECK(runs[i].record.outcome.end_time == 1.0);
+        CHECK(runs[i].record.row.status == Status::ok);
+        CHECK(runs[i].record.row.end_time == 1.0);
         CHECK(runs[i].displacement().x() == Approx(-1.0));
       }
     }
@@ -216,40 +216,40 @@ TEST_CASE("simulate: a world that fails does not affect the others", "[core][sim
 
 TEST_CASE("simulate: problems that the engine finds are in the status", "[core][simulate]") {
   const Run one = run(ScriptedEngine({.status = Status::not_converged}), kOneBox, constant(1, 1), {});
-  CHECK(one.record.outcome.status == Status::not_converged);
-  CHECK(one.record.outcome.stop_reason == StopReason::timeout);
+  CHECK(one.record.row.status == Status::not_converged);
+  CHECK(one.record.row.stop_reason == StopReason::timeout);
   const Run both =
       run(ScriptedEngine({.breaks_at = 0.5, .status = Status::not_converged}), kOneBox, constant(1, 1), {});
-  CHECK(both.record.outcome.status == (Status::not_converged | Status::non_finite));
+  CHECK(both.record.row.status == (Status::not_converged | Status::non_finite));
 }
 
 TEST_CASE("simulate: sleeping waits for the last change of the acceleration", "[core][simulate]") {
   const Acceleration acceleration = acceleration_of({{1, Vec3(0, 0, 0)}, {1, Vec3(1, 0, 0)}});
   const Run one = run(ScriptedEngine({.still_from = 0.0}), kOneBox, acceleration, sleeping());
-  CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
-  CHECK(one.record.outcome.end_time == Approx(2.5));
+  CHECK(one.record.row.stop_reason == StopReason::sleeping);
+  CHECK(one.record.row.end_time == Approx(2.5));
 }
 
 TEST_CASE("simulate: sleeping takes half a second at low speed", "[core][simulate]") {
   const Acceleration acceleration = constant(0.5, 1.0);
   const Run one = run(ScriptedEngine({.still_from = 3.0}), kOneBox, acceleration, sleeping());
-  CHECK(one.record.outcome.stop_reason == StopReason::sleeping);
-  CHECK(one.record.outcome.end_time == Approx(3.5).margin(1.0 / 240));
-  CHECK(one.record.series.time.back() == one.record.outcome.end_time);
+  CHECK(one.record.row.stop_reason == StopReason::sleeping);
+  CHECK(one.record.row.end_time == Approx(3.5).margin(1.0 / 240));
+  CHECK(one.record.series.time.back() == one.record.row.end_time);
 }
 
 TEST_CASE("simulate: a world that never sleeps ends at the timeout, or after a minute", "[core][simulate]") {
   const Acceleration acceleration = constant(0.5, 1.0);
   CHECK(latest_end(acceleration, sleeping()) == 61.0);
   const Run one = run(ScriptedEngine({}), kOneBox, acceleration, sleeping());
-  CHECK(one.record.outcome.stop_reason == StopReason::timeout);
-  CHECK(one.record.outcome.end_time == 61.0);
+  CHECK(one.record.row.stop_reason == StopReason::timeout);
+  CHECK(one.record.row.end_time == 61.0);
   Settings settings = sleeping();
   settings.timeout = 2.0;
-  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.outcome.end_time == 2.0);
+  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.row.end_time == 2.0);
   settings.timeout = 1.2;
   const Run early = run(ScriptedEngine({.still_from = 0.0}), kOneBox, acceleration, settings);
-  CHECK(early.record.outcome.stop_reason == StopReason::timeout);
+  CHECK(early.record.row.stop_reason == StopReason::timeout);
 }
 
 TEST_CASE("simulate: an abort ends the simulation", "[core][simulate]") {
@@ -294,10 +294,10 @@ TEST_CASE("simulate: a world is the same alone, in a batch and together with oth
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const Run alone = run(ScriptedEngine({}), layouts[i / 2], *accelerations[i % 2], {});
     for (const Run* same : {&batch[i], &together[i]}) {
-      CHECK(same->record.state_hash == alone.record.state_hash);
+      CHECK(same->record.row.state_hash == alone.record.row.state_hash);
       CHECK(same->record.series.time == alone.record.series.time);
-      CHECK(same->record.peak_total_kinetic_energy == alone.record.peak_total_kinetic_energy);
-      CHECK(same->record.outcome.end_time == alone.record.outcome.end_time);
+      CHECK(same->record.row.peak_total_kinetic_energy == alone.record.row.peak_total_kinetic_energy);
+      CHECK(same->record.row.end_time == alone.record.row.end_time);
     }
   }
 }
@@ -313,9 +313,9 @@ TEST_CASE("simulate: worlds that advance together keep their own accelerations",
   const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);
   REQUIRE(together.size() == 4);
   for (std::size_t i = 0; i < together.size(); ++i) {
-    CHECK(together[i].record.state_hash == alone[i].record.state_hash);
-    CHECK(together[i].record.outcome.end_time == alone[i].record.outcome.end_time);
-    CHECK(together[i].record.outcome.counters.steps == alone[i].record.outcome.counters.steps);
+    CHECK(together[i].record.row.state_hash == alone[i].record.row.state_hash);
+    CHECK(together[i].record.row.end_time == alone[i].record.row.end_time);
+    CHECK(together[i].record.row.steps == alone[i].record.row.steps);
     CHECK(together[i].record.series.time == alone[i].record.series.time);
   }
 }
@@ -326,17 +326,17 @@ TEST_CASE("simulate: worlds that advance together end separately", "[core][simul
   const Acceleration* const accelerations[] = {&acceleration};
   const Script script{.all_together = true, .breaks_at = 0.2, .breaking_world = 1};
   const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, accelerations, {});
-  CHECK(runs[0].record.outcome.stop_reason == StopReason::timeout);
-  CHECK(runs[0].record.outcome.end_time == acceleration.end_time());
-  CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
-  CHECK(runs[1].record.outcome.end_time == Approx(0.2).margin(1.0 / 240));
+  CHECK(runs[0].record.row.stop_reason == StopReason::timeout);
+  CHECK(runs[0].record.row.end_time == acceleration.end_time());
+  CHECK(runs[1].record.row.stop_reason == StopReason::failed);
+  CHECK(runs[1].record.row.end_time == Approx(0.2).margin(1.0 / 240));
 }
 
 TEST_CASE("simulate: a world whose engine lost contacts fails with the last valid state", "[core][simulate]") {
   const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), {});
-  CHECK(lost.record.outcome.stop_reason == StopReason::failed);
-  CHECK(has(lost.record.outcome.status, Status::capacity));
-  CHECK(lost.record.outcome.end_time == 0.0);
+  CHECK(lost.record.row.stop_reason == StopReason::failed);
+  CHECK(has(lost.record.row.status, Status::capacity));
+  CHECK(lost.record.row.end_time == 0.0);
 }
 
 TEST_CASE("simulate: a world ends with the step that decides it", "[core][simulate]") {
@@ -346,19 +346,19 @@ TEST_CASE("simulate: a world ends with the step that decides it", "[core][simula
   settings.screening.tilt_threshold = 180.0;
   const Acceleration acceleration = constant(2.0, 1.0);
   const Run early = run(ScriptedEngine({}), kOneBox, acceleration, settings);
-  CHECK(early.record.outcome.stop_reason == StopReason::decided);
-  CHECK(early.record.outcome.end_time == 76.0 / 240);
-  CHECK(early.record.outcome.counters.steps == 76);
-  CHECK(early.record.series.time.back() == early.record.outcome.end_time);
-  CHECK(time_saved(Status::ok, StopReason::decided, early.record.outcome.end_time,
-                   latest_end(acceleration, settings)) == 1.0 - 76.0 / 240);
+  CHECK(early.record.row.stop_reason == StopReason::decided);
+  CHECK(early.record.row.end_time == 76.0 / 240);
+  CHECK(early.record.row.steps == 76);
+  CHECK(early.record.series.time.back() == early.record.row.end_time);
+  CHECK(time_saved(Status::ok, StopReason::decided, early.record.row.end_time, latest_end(acceleration, settings)) ==
+        1.0 - 76.0 / 240);
   settings.screening.tilt_threshold = 10.0;
-  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.outcome.end_time == 42.0 / 240);
+  CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.row.end_time == 42.0 / 240);
 
   settings.screening.stop_when = StopWhen::fallen;
   const Run whole = run(ScriptedEngine({}), kOneBox, acceleration, settings);
-  CHECK(whole.record.outcome.stop_reason == StopReason::timeout);
-  CHECK(whole.record.outcome.end_time == 1.0);
+  CHECK(whole.record.row.stop_reason == StopReason::timeout);
+  CHECK(whole.record.row.end_time == 1.0);
   CHECK(time_saved(Status::ok, StopReason::timeout, 0.5, 1.0) == 0.0);
   CHECK(time_saved(Status::not_needed, StopReason::not_run, 0.0, 1.0) == 1.0);
   CHECK(time_saved(Status::bad_layout, StopReason::not_run, 0.0, 1.0) == 0.0);
@@ -369,8 +369,8 @@ TEST_CASE("simulate: a world that is decided by its last step has run to its end
   settings.screening.stop_when = StopWhen::moved;
   settings.screening.tilt_threshold = 180.0;
   const Run whole = run(ScriptedEngine({}), kOneBox, constant(2.0, 76.0 / 240), settings);
-  CHECK(whole.record.outcome.stop_reason == StopReason::timeout);
-  CHECK(whole.record.outcome.counters.steps == 76);
+  CHECK(whole.record.row.stop_reason == StopReason::timeout);
+  CHECK(whole.record.row.steps == 76);
 }
 
 TEST_CASE("simulate: worlds that advance together are decided separately", "[core][simulate]") {
@@ -382,7 +382,7 @@ TEST_CASE("simulate: worlds that advance together are decided separately", "[cor
   settings.screening.stop_when = StopWhen::moved;
   settings.screening.tilt_threshold = 180.0;
   const std::vector<Run> runs = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);
-  CHECK(runs[0].record.outcome.end_time == 1.0);
-  CHECK(runs[1].record.outcome.end_time == 76.0 / 240);
-  CHECK(runs[1].record.state_hash == run(ScriptedEngine({}), kOneBox, fast, settings).record.state_hash);
+  CHECK(runs[0].record.row.end_time == 1.0);
+  CHECK(runs[1].record.row.end_time == 76.0 / 240);
+  CHECK(runs[1].record.row.state_hash == run(ScriptedEngine({}), kOneBox, fast, settings).record.row.state_hash);
 }

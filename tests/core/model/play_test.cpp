@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "analyses/replicas/replica_draw.hpp"
 #include "core/model/layout_check.hpp"
-#include "core/model/replica_draw.hpp"
 #include "random.hpp"
 #include "scenes.hpp"
 

@@ -79,11 +79,12 @@ TEST_CASE("verdict: a world counts its boxes and has the largest of their values
   end.kinetic_energy = {1.5F, 2.0F, 0.0F};
   end.peak_displacement = {0.2F, 0.5F, 0.7F};
   end.settling_displacement[2] = {0, 0, -0.06F};
-  const WorldVerdict world = judge_world(Status::ok, StopReason::timeout, 4.0, end, kThresholds);
-  CHECK(world.fallen_boxes == 1);
-  CHECK(world.moved_boxes == 2);
-  CHECK(world.tilted_boxes == 1);
-  CHECK(world.unstable_boxes == 1);
+  const WorldVerdict world =
+      judge_world({.stop_reason = StopReason::timeout, .peak_total_kinetic_energy = 4.0}, end, kThresholds);
+  CHECK(world.fallen == 1);
+  CHECK(world.moved == 2);
+  CHECK(world.tilted == 1);
+  CHECK(world.unstable == 1);
   CHECK(world.total_kinetic_energy == 3.5);
   CHECK(world.peak_kinetic_energy == 4.0);
   CHECK(world.max_displacement == 0.5F);
@@ -92,7 +93,7 @@ TEST_CASE("verdict: a world counts its boxes and has the largest of their values
 
 TEST_CASE("verdict: a world is judged by the worst that happened in it", "[core][verdict]") {
   const auto verdict = [](const EndTable& end, Status status = Status::ok) {
-    return to_string(judge_world(status, StopReason::timeout, 0.0, end, kThresholds).verdict);
+    return to_string(judge_world({.status = status, .stop_reason = StopReason::timeout}, end, kThresholds).verdict);
   };
   EndTable end = ends({{}, {}});
   CHECK(verdict(end) == "stayed");
@@ -111,18 +112,18 @@ TEST_CASE("verdict: a world is judged by the worst that happened in it", "[core]
 TEST_CASE("verdict: a world that ended early gave way, whatever the thresholds", "[core][verdict]") {
   const EndTable end = ends({{0.2F, 0, 0}});
   const auto verdict = [&](Status status, const Thresholds& thresholds) {
-    return to_string(judge_world(status, StopReason::decided, 0.0, end, thresholds).verdict);
+    return to_string(judge_world({.status = status, .stop_reason = StopReason::decided}, end, thresholds).verdict);
   };
   CHECK(verdict(Status::ok, kThresholds) == "gave_way");
   CHECK(verdict(Status::ok, {.move = 0.5}) == "gave_way");
   CHECK(verdict(Status::not_converged, kThresholds) == "failed");
-  CHECK(judge_world(Status::ok, StopReason::decided, 0.0, end, kThresholds).moved_boxes == 1);
+  CHECK(judge_world({.stop_reason = StopReason::decided}, end, kThresholds).moved == 1);
 }
 
 TEST_CASE("verdict: a world that was not simulated has no counts", "[core][verdict]") {
-  const WorldVerdict world = judge_world(Status::bad_layout, StopReason::not_run, 0.0, {}, kThresholds);
+  const WorldVerdict world = judge_world({.status = Status::bad_layout}, {}, kThresholds);
   CHECK(world.verdict == Verdict::failed);
-  for (const std::uint32_t count : {world.fallen_boxes, world.moved_boxes, world.tilted_boxes, world.unstable_boxes})
+  for (const std::uint32_t count : {world.fallen, world.moved, world.tilted, world.unstable})
     CHECK(count == kNotCounted);
   CHECK(std::isnan(world.total_kinetic_energy));
   CHECK(std::isnan(world.peak_kinetic_energy));
@@ -131,8 +132,8 @@ TEST_CASE("verdict: a world that was not simulated has no counts", "[core][verdi
 }
 
 TEST_CASE("verdict: a world without boxes", "[core][verdict]") {
-  const WorldVerdict world = judge_world(Status::ok, StopReason::timeout, 0.0, {}, kThresholds);
-  CHECK(world.fallen_boxes == 0);
+  const WorldVerdict world = judge_world({.stop_reason = StopReason::timeout}, {}, kThresholds);
+  CHECK(world.fallen == 0);
   CHECK(world.max_displacement == 0.0F);
 }
 

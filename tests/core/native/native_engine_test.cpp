@@ -113,7 +113,7 @@ TEST_CASE("native_engine: a stack of ten stays below its limit and slides above 
       const Run below = native_run(layout, constant(share * limit, 1), settings);
       CAPTURE(static_cast<int>(accuracy), share, text(largest_displacement(below)));
       CHECK(stayed(below));
-      CHECK(below.record.outcome.status == Status::ok);
+      CHECK(below.record.row.status == Status::ok);
     }
   }
   // The stack goes as one: only its lowest box slides.
@@ -244,7 +244,7 @@ TEST_CASE("native_engine: a curve of samples far shorter than a step takes no mo
     samples.emplace_back(1e-3, Vec3(0, strength * std::sin(frequency * 1e-3 * (i + 0.5)), 0));
   const Settings settings = with(Accuracy::screening, open_floor(0.0));
   const Run run = native_run(one_box(kFlat), acceleration_of(samples), settings);
-  CHECK(run.record.outcome.counters.steps == 60);
+  CHECK(run.record.row.steps == 60);
   CHECK(run.displacement().y() == Approx(-strength / frequency).epsilon(1e-3));
 }
 
@@ -254,7 +254,7 @@ TEST_CASE("native_engine: steps follow the settings, and never straddle a change
   const Run run = native_run(one_box(kFlat), pulse, open_floor(0.0));
   CHECK(run.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-6));
   CHECK(run.displacement().x() == Approx(-3 * 0.4004 * (0.2002 + 0.3)).epsilon(1e-6));
-  CHECK(run.record.outcome.counters.steps == 25 + 97 + 72);
+  CHECK(run.record.row.steps == 25 + 97 + 72);
   // At rest until the pulse.
-  CHECK(run.record.outcome.counters.steps_skipped == 25);
+  CHECK(run.record.row.steps_skipped == 25);
 }

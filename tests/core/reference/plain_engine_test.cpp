@@ -129,9 +129,9 @@ TEST_CASE("plain_engine: a stack of three stays, below its slide limit too", "[c
   for (const double share : {0.0, 0.95}) {
     const Run run = plain_run(layout, constant(share * 0.4 * kGravity, 1), open_floor(0.4));
     const double moved = largest_displacement(run);
-    CAPTURE(share, moved, run.record.outcome.counters.solve_iterations);
+    CAPTURE(share, moved, run.record.row.solve_iterations);
     CHECK(moved < 1e-8);
-    CHECK(run.record.outcome.status == Status::ok);
+    CHECK(run.record.row.status == Status::ok);
   }
 }
 
@@ -300,10 +300,10 @@ TEST_CASE("plain_engine: steps follow the settings, and never cross a change of 
   const Run run = plain_run(one_box(kFlat), pulse, settings);
   CHECK(run.state.velocity[0].x() == Approx(-3 * 0.4004).epsilon(1e-9));
   CHECK(run.displacement().x() == Approx(-3 * 0.4004 * (0.2002 + 0.3)).epsilon(1e-9));
-  CHECK(run.record.outcome.counters.steps == 25 + 97 + 72);
-  CHECK(run.record.outcome.counters.max_residual < 1e-9);
+  CHECK(run.record.row.steps == 25 + 97 + 72);
+  CHECK(run.record.row.max_residual < 1e-9);
   settings.steps_per_second = 60;
-  CHECK(plain_run(one_box(kFlat), constant(0, 1), settings).record.outcome.counters.steps == 60);
+  CHECK(plain_run(one_box(kFlat), constant(0, 1), settings).record.row.steps == 60);
 }
 
 TEST_CASE("plain_engine: a free container is refused", "[core][plain_engine]") {

@@ -16,7 +16,7 @@ constexpr std::uint64_t kSeriesChunk = chunk_entries(Axis::rows);
 /// All chunks of a grid, by column and index, and the entries after them.
 struct Laid {
   std::map<std::pair<std::size_t, std::uint64_t>, std::vector<std::byte>> chunks;
-  LongEntries tail;
+  LongEntries tail = no_entries();
   bool operator==(const Laid&) const = default;
 };
 
@@ -55,7 +55,7 @@ TEST_CASE("chunk_grid: chunks and tail do not depend on the size of the pieces",
 
   // The values are the indices: the second chunk of ids begins with the index of its first entry.
   for (const auto& [place, bytes] : whole.chunks) {
-    const DatasetSpec& spec = kSchema[long_datasets()[place.first]];
+    const DatasetSpec& spec = schema()[long_datasets()[place.first]];
     REQUIRE(bytes.size() == chunk_entries(spec.axis) * size_of(spec.type));
     if (spec.path != "/boxes/id") continue;
     std::uint32_t first = 0;

@@ -7,6 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "analyses/analysis.hpp"
+#include "analyses/damage/damage.hpp"
+#include "analyses/indicators/indicators.hpp"
+#include "analyses/margins/margins.hpp"
+#include "analyses/replicas/replica_verdict.hpp"
+#include "analyses/walls/wall_forces.hpp"
 #include "io/results/results_assembler.hpp"
 #include "io/results/results_reader.hpp"
 #include "io/results/results_resume.hpp"
@@ -54,18 +60,24 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
   const auto number = [&] { return uniform(random); };
   const auto vector = [&] { return Float3{number(), number(), number()}; };
   WorldRecord world;
-  world.layout = layout;
-  world.acceleration = acceleration;
-  world.outcome.stop_reason = StopReason::timeout;
-  world.outcome.end_time = 0.1 * static_cast<double>(shape.samples);
-  world.outcome.counters = {1000 + layout, 10, 10000, 0.001, 0.04, 1e-6 * static_cast<double>(layout)};
-  world.cpu_seconds = 0.25;
-  world.peak_total_kinetic_energy = 5.0 + static_cast<double>(number());
-  world.state_hash = random() * 0x100000001ULL;
+  world.row.layout = layout;
+  world.row.acceleration = acceleration;
+  world.row.stop_reason = StopReason::timeout;
+  world.row.end_time = 0.1 * static_cast<double>(shape.samples);
+  world.row.boxes = static_cast<std::uint32_t>(shape.boxes);
+  world.row.steps = 1000 + layout;
+  world.row.steps_skipped = 10;
+  world.row.solve_iterations = 10000;
+  world.row.max_residual = 0.001;
+  world.row.residual_scale = 0.04;
+  world.row.max_penetration = 1e-6 * static_cast<double>(layout);
+  world.row.cpu_seconds = 0.25;
+  world.row.peak_total_kinetic_energy = 5.0 + static_cast<double>(number());
+  world.row.state_hash = random() * 0x100000001ULL;
   if (shape.boxes == 0) {
-    world.outcome.status = Status::bad_layout;
-    world.outcome.stop_reason = StopReason::not_run;
-    world.status_text = "überlappt: box 3 and box 7";
+    world.row.status = Status::bad_layout;
+    world.row.stop_reason = StopReason::not_run;
+    world.row.message = "überlappt: box 3 and box 7";
   }
   for (std::size_t box = 0; box < shape.boxes; ++box) {
     world.boxes.id.push_back(static_cast<std::uint32_t>(box + 1));
@@ -80,23 +92,24 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
     world.end.peak_kinetic_energy.push_back(2);
     world.end.settling_displacement.push_back(vector());
   }
-  world.replicas = {.count = 32,
-                    .failed = static_cast<std::uint32_t>(layout),
-                    .share = static_cast<double>(layout) / 32.0,
-                    .wilson_low = 0.125,
-                    .wilson_high = 0.25 * static_cast<double>(acceleration),
-                    .verdict = ReplicaVerdict::uncertain,
-                    .simulated = 33,
-                    .cpu_seconds = 0.5,
-                    .box_share = {}};
-  for (std::size_t box = 0; box < shape.boxes; ++box)
-    world.replicas.box_share.push_back(static_cast<float>(box) / 1024.0F);
-  world.damage.boxes_beyond = static_cast<std::uint32_t>(layout);
+  ReplicaOutcome replicas{.count = 32,
+                          .failed = static_cast<std::uint32_t>(layout),
+                          .share = static_cast<double>(layout) / 32.0,
+                          .wilson_low = 0.125,
+                          .wilson_high = 0.25 * static_cast<double>(acceleration),
+                          .verdict = ReplicaVerdict::uncertain,
+                          .simulated = 33,
+                          .cpu_seconds = 0.5,
+                          .box_share = {}};
+  for (std::size_t box = 0; box < shape.boxes; ++box) replicas.box_share.push_back(static_cast<float>(box) / 1024.0F);
+  WorldDamage damage{.boxes_beyond = static_cast<std::uint32_t>(layout)};
   for (std::size_t box = 0; box < shape.boxes; ++box) {
-    world.damage.boxes.peak_acceleration.push_back(static_cast<float>(box) / 8.0F);
-    world.damage.boxes.velocity_change.push_back(static_cast<float>(layout + box) / 16.0F);
-    world.damage.boxes.beyond.push_back(box % 2);
+    damage.peak_acceleration.push_back(static_cast<float>(box) / 8.0F);
+    damage.velocity_change.push_back(static_cast<float>(layout + box) / 16.0F);
+    damage.beyond.push_back(box % 2);
   }
+  world.found.put(std::move(replicas));
+  world.found.put(std::move(damage));
   Series& series = world.series;
   for (std::size_t sample = 0; sample < shape.samples; ++sample) {
     series.time.push_back(0.1 * static_cast<double>(sample));
@@ -119,21 +132,22 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
 /// Adds forces on the walls, and their series.
 inline void add_walls(std::mt19937& random, WorldRecord& world) {
   std::uniform_real_distribution<double> uniform(0, 1e5);
+  WallForces walls;
   for (std::size_t side = 0; side < kSideCount; ++side) {
-    world.walls.peak_force.at(side) = uniform(random);
-    world.walls.peak_time.at(side) = uniform(random);
-    world.walls.peak_point.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
-    world.walls.lasting_force.at(side) = uniform(random);
-    world.walls.limit.at(side) = uniform(random);
-    world.walls.impulse.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
+    walls.peak_force.at(side) = uniform(random);
+    walls.peak_time.at(side) = uniform(random);
+    walls.peak_point.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
+    walls.lasting_force.at(side) = uniform(random);
+    walls.limit.at(side) = uniform(random);
+    walls.impulse.at(side) = Vec3(uniform(random), uniform(random), uniform(random));
   }
   for (std::size_t sample = 0; sample < world.series.time.size(); ++sample)
-    for (float& force : world.series.side_force.emplace_back()) force = static_cast<float>(uniform(random));
+    for (float& force : walls.force.emplace_back()) force = static_cast<float>(uniform(random));
+  world.found.put(std::move(walls));
 }
 
 /// A run with one unit per layout, each with two accelerations.
-inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
-                    std::vector<Analysis> analyses = {Analysis::verdicts}) {
+inline Run make_run(const std::vector<Shape>& shapes, bool series = true, RunTables analyses = {}) {
   std::mt19937 random(7);
   Run run;
   RunDescription& about = run.description;
@@ -163,8 +177,9 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
     LayoutMargins margins;
     margins.margin = {0.5, 0.25, 1.5, 0.125 * static_cast<double>(layout)};
     margins.critical_box = {1, 2, 0, static_cast<std::uint32_t>(layout)};
-    margins.spread.low = {0.375, 0.125, 1.5, 0.0625 * static_cast<double>(layout)};
-    margins.spread.high = {0.625, 0.375, 1.5, 0.25 * static_cast<double>(layout)};
+    MarginSpread spread;
+    spread.low = {0.375, 0.125, 1.5, 0.0625 * static_cast<double>(layout)};
+    spread.high = {0.625, 0.375, 1.5, 0.25 * static_cast<double>(layout)};
     LayoutIndicators indicators;
     indicators.centre_of_gravity = Vec3(1, 2, 0.25 * static_cast<double>(layout));
     indicators.centre_offset = Vec3(0.5, -0.25, 0.125);
@@ -175,10 +190,15 @@ inline Run make_run(const std::vector<Shape>& shapes, bool series = true,
       indicators.base_support.push_back(static_cast<float>(box) / 1024.0F);
       indicators.supported_sides.push_back(static_cast<std::uint8_t>(box % 5));
     }
-    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), margins, indicators});
+    unit.layouts.push_back({layout, std::make_shared<const Layout>(std::move(loading)), {}});
+    Findings& found = unit.layouts.back().found;
+    found.put(std::move(margins));
+    found.put(std::move(spread));
+    found.put(std::move(indicators));
     for (std::uint64_t acceleration = 0; acceleration < 2; ++acceleration) {
       unit.worlds.push_back(make_world(random, layout, acceleration, shape));
-      if (includes(about.analyses, Analysis::wall_forces)) add_walls(random, unit.worlds.back());
+      if (about.analyses == RunTables{&kWalls.tables} || about.analyses == all_tables())
+        add_walls(random, unit.worlds.back());
       if (!series) unit.worlds.back().series = {};
     }
     run.units.push_back(unit);

@@ -1,6 +1,6 @@
 #include "io/results/results_page.hpp"
 
-#include "core/model/status.hpp"
+#include "core/model/outcome.hpp"
 #include "io/results/results_fixture.hpp"
 
 using namespace results_fixture;

@@ -1,5 +1,7 @@
 #include "io/results/results_reader.hpp"
 
+#include "io/results/found_tables.hpp"
+
 #include <fstream>
 
 #include "io/results/hdf5_file.hpp"
@@ -77,103 +79,52 @@ TEST_CASE("results_reader: entries beyond the end are an error", "[io][results]"
   CHECK(reader.worlds(2, 0));
 }
 
-TEST_CASE("results_reader: margins are read as they were found, over parts too", "[io][results]") {
-  const Run run =
-      make_run({{3, 4}, {2, 2}, {1, 1}}, true, {Analysis::verdicts, Analysis::margins, Analysis::margin_spread});
-  const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, run, every_unit());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  REQUIRE(results.info().has_margins);
-  const std::vector<LayoutMargins> margins = require_value(results.margins(0, 3));
-  for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(margins[i].margin == run.units[i].layouts.front().margins.margin);
-    CHECK(margins[i].critical_box == run.units[i].layouts.front().margins.critical_box);
-    CHECK(margins[i].spread.low == run.units[i].layouts.front().margins.spread.low);
-    CHECK(margins[i].spread.high == run.units[i].layouts.front().margins.spread.high);
-  }
+namespace {
+
+/// Whether everything that is described of two values has the same bits.
+template <class Found>
+void check_same(const Found& a, const Found& b) {
+  Found::describe([&](const DatasetContent& content, auto member) {
+    Column of_a(dataset_spec(content.path));
+    Column of_b(dataset_spec(content.path));
+    of_a.append(a.*member);
+    of_b.append(b.*member);
+    CAPTURE(content.path);
+    CHECK((of_a.take() == of_b.take()));
+  });
 }
 
-TEST_CASE("results_reader: wall forces are read as they were found, over parts too", "[io][results]") {
-  const Run run = make_run({{3, 4}, {2, 20000}, {1, 1}}, true, {Analysis::verdicts, Analysis::wall_forces});
+const WorldRecord& world_of(const Run& run, std::size_t i) { return run.units[i / 2].worlds[i % 2]; }
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("results_reader: what is found of layouts is read as it was, over parts too", "[io][results]",
+                   LayoutMargins, MarginSpread, LayoutIndicators) {
+  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}, {5, 1}}, true, all_tables());
   const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, run, every_unit());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  REQUIRE(results.info().has_walls);
-  const std::vector<WorldRow> rows = require_value(results.worlds(0, 6));
-  const std::vector<WallForces> walls = require_value(results.walls(0, 6));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const WorldRecord& world = run.units[i / 2].worlds[i % 2];
-    CHECK(walls[i].peak_force == world.walls.peak_force);
-    CHECK(walls[i].peak_point == world.walls.peak_point);
-    CHECK(walls[i].lasting_force == world.walls.lasting_force);
-    CHECK(walls[i].impulse == world.walls.impulse);
-    CHECK(require_value(results.series(rows[i])).side_force == world.series.side_force);
-  }
+  write_run_to(folder / "results.h5", run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(folder / "results.h5"));
+  CHECK(results.info().analyses == all_tables());
+  const std::vector<TestType> found = require_value(read_layouts<TestType>(results, 0, 4, Depth::boxes));
+  for (std::size_t i = 0; i < found.size(); ++i)
+    check_same(found[i], run.units[i].layouts.front().found.value<TestType>());
 }
 
-TEST_CASE("results_reader: a series is read without wall forces where they were not asked for", "[io][results]") {
+TEMPLATE_TEST_CASE("results_reader: what is found of worlds is read as it was, over parts too", "[io][results]",
+                   WallForces, ReplicaOutcome, WorldDamage) {
+  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}, {2, 20000}}, true, all_tables());
   const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, make_run({{3, 4}}), never());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  CHECK_FALSE(results.info().has_walls);
-  const Series series = require_value(results.series(require_value(results.worlds(0, 1)).front()));
-  CHECK(series.time.size() == 4);
-  CHECK(series.side_force.empty());
+  write_run_to(folder / "results.h5", run, every_unit());
+  ResultsReader results = require_value(ResultsReader::open(folder / "results.h5"));
+  const std::vector<WorldRow> rows = require_value(results.worlds(0, 8));
+  const std::vector<TestType> found = require_value(read_worlds<TestType>(results, 0, rows, Depth::samples));
+  for (std::size_t i = 0; i < found.size(); ++i) check_same(found[i], world_of(run, i).found.value<TestType>());
 }
 
-TEST_CASE("results_reader: replicas are read as they were found, over parts too", "[io][results]") {
-  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}}, true, {Analysis::verdicts, Analysis::replicas});
+TEST_CASE("results_reader: a file has no analyses that were not asked for", "[io][results]") {
   const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, run, every_unit());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  REQUIRE(results.info().has_replicas);
-  const std::vector<ReplicaOutcome> replicas = require_value(results.replicas(0, 6));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const ReplicaOutcome& expected = run.units[i / 2].worlds[i % 2].replicas;
-    CHECK(replicas[i].failed == expected.failed);
-    CHECK(replicas[i].share == expected.share);
-    CHECK(replicas[i].wilson_high == expected.wilson_high);
-    CHECK(replicas[i].verdict == expected.verdict);
-  }
-}
-
-TEST_CASE("results_reader: damage is read as it was found, over parts too", "[io][results]") {
-  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}}, true, {Analysis::verdicts, Analysis::damage});
-  const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, run, every_unit());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  REQUIRE(results.info().has_damage);
-  const std::vector<WorldRow> rows = require_value(results.worlds(0, 6));
-  const std::vector<std::uint32_t> beyond = require_value(results.boxes_beyond(0, 6));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const WorldDamage& expected = run.units[i / 2].worlds[i % 2].damage;
-    const BoxDamage found = require_value(results.box_damage(rows[i].box_begin, rows[i].box_count));
-    CHECK(beyond[i] == expected.boxes_beyond);
-    CHECK(found.peak_acceleration == expected.boxes.peak_acceleration);
-    CHECK(found.velocity_change == expected.boxes.velocity_change);
-    CHECK(found.beyond == expected.boxes.beyond);
-  }
-}
-
-TEST_CASE("results_reader: indicators are read as they were found, over parts too", "[io][results]") {
-  const Run run = make_run({{3, 4}, {600, 2}, {0, 0}, {5, 1}}, true, {Analysis::verdicts, Analysis::indicators});
-  const Folder folder;
-  const std::string path = folder / "results.h5";
-  write_run_to(path, run, every_unit());
-  ResultsReader results = require_value(ResultsReader::open(path));
-  REQUIRE(results.info().has_indicators);
-  const std::vector<LayoutIndicators> indicators = require_value(results.indicators(0, 4));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const LayoutIndicators& expected = run.units[i].layouts.front().indicators;
-    CHECK(indicators[i].centre_of_gravity == expected.centre_of_gravity);
-    CHECK(indicators[i].badly_braced == expected.badly_braced);
-    const LayoutIndicators boxes = require_value(results.box_indicators(i));
-    CHECK(boxes.base_support == expected.base_support);
-    CHECK(boxes.supported_sides == expected.supported_sides);
-  }
+  write_run_to(folder / "results.h5", make_run({{3, 4}}), never());
+  ResultsReader results = require_value(ResultsReader::open(folder / "results.h5"));
+  CHECK(results.info().analyses.empty());
+  CHECK_FALSE(read_worlds<WallForces>(results, 0, require_value(results.worlds(0, 1))));
 }

@@ -9,21 +9,13 @@
 
 using namespace results_fixture;
 
-namespace {
-
-const std::vector<Analysis> kAll = {Analysis::verdicts,    Analysis::margins,  Analysis::margin_spread,
-                                    Analysis::wall_forces, Analysis::replicas, Analysis::damage,
-                                    Analysis::indicators};
-
-}  // namespace
-
 TEST_CASE("results_schema: every dataset of the table is in the file with its type and shape", "[io][results]") {
   const Folder folder;
   const std::string path = folder / "results.h5";
-  write_run_to(path, make_run(mixed_shapes(), GENERATE(true, false), kAll), never());
+  write_run_to(path, make_run(mixed_shapes(), GENERATE(true, false), all_tables()), never());
   const h5::File file = h5::File::open(path);
   std::array<std::set<std::uint64_t>, kAxisCount> lengths;
-  for (const DatasetSpec& spec : kSchema) {
+  for (const DatasetSpec& spec : schema()) {
     const std::string name(spec.path);
     CAPTURE(name);
     lengths[static_cast<std::size_t>(spec.axis)].insert(h5::Dataset::open(file, spec).length());
@@ -36,7 +28,7 @@ TEST_CASE("results_schema: every dataset of the table is in the file with its ty
 }
 
 TEST_CASE("results_schema: the file has the datasets of what was asked for, and no others", "[io][results]") {
-  const std::vector<Analysis> analyses = GENERATE(std::vector{Analysis::verdicts}, kAll);
+  const RunTables analyses = GENERATE(RunTables(), all_tables());
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, make_run({{2, 3}}, true, analyses), never());
@@ -48,16 +40,16 @@ TEST_CASE("results_schema: the file has the datasets of what was asked for, and 
   };
   REQUIRE(H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, collect, &found, H5O_INFO_BASIC) >= 0);
   std::set<std::string> expected = {"/inputs/config"};
-  for (const DatasetSpec& spec : kSchema)
-    if (includes(analyses, spec.analysis)) expected.insert(std::string(spec.path));
+  for (const DatasetSpec& spec : schema())
+    if (includes(analyses, spec)) expected.insert(std::string(spec.path));
   CHECK(found == expected);
 }
 
 TEST_CASE("results_schema: long datasets are those of boxes and samples, and hold numbers", "[io][results]") {
   const auto& places = long_datasets();
   CHECK(std::is_sorted(places.begin(), places.end()));
-  for (std::size_t i = 0; i < kSchema.size(); ++i) {
-    const std::string_view path = kSchema[i].path;
+  for (std::size_t i = 0; i < schema().size(); ++i) {
+    const std::string_view path = schema()[i].path;
     CAPTURE(path);
     const bool of_layout_boxes = path.ends_with("/corner_min") || path.ends_with("/corner_max") ||
                                  path == "/inputs/layouts/material" || path == "/indicators/base_support" ||
@@ -66,8 +58,8 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
                           path == "/replicas/box_share" || path.starts_with("/summary/boxes/") ||
                           (path.starts_with("/damage/") && path != "/damage/boxes_beyond") || path == "/walls/force" ||
                           of_layout_boxes;
-    CHECK(is_long(kSchema[i]) == expected);
+    CHECK(is_long(schema()[i]) == expected);
     CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
-    CHECK_FALSE((expected && kSchema[i].type == ElementType::text));
+    CHECK_FALSE((expected && schema()[i].type == ElementType::text));
   }
 }

@@ -30,32 +30,32 @@ void check_series(const Series& got, const Series& put) {
 }
 
 void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& put) {
-  CHECK(row.layout == put.layout);
-  CHECK(row.acceleration == put.acceleration);
-  CHECK(row.status == put.outcome.status);
-  CHECK(row.status_text == put.status_text);
-  CHECK(row.stop_reason == put.outcome.stop_reason);
-  CHECK(row.end_time == put.outcome.end_time);
-  CHECK(row.steps == put.outcome.counters.steps);
-  CHECK(row.steps_skipped == put.outcome.counters.steps_skipped);
-  CHECK(row.solve_iterations == put.outcome.counters.solve_iterations);
-  CHECK(row.cpu_seconds == put.cpu_seconds);
-  CHECK(row.max_residual == put.outcome.counters.max_residual);
-  CHECK(row.residual_scale == put.outcome.counters.residual_scale);
-  CHECK(row.max_penetration == put.outcome.counters.max_penetration);
-  CHECK(row.state_hash == put.state_hash);
-  CHECK(row.peak_total_kinetic_energy == put.peak_total_kinetic_energy);
+  CHECK(row.layout == put.row.layout);
+  CHECK(row.acceleration == put.row.acceleration);
+  CHECK(row.status == put.row.status);
+  CHECK(row.message == put.row.message);
+  CHECK(row.stop_reason == put.row.stop_reason);
+  CHECK(row.end_time == put.row.end_time);
+  CHECK(row.steps == put.row.steps);
+  CHECK(row.steps_skipped == put.row.steps_skipped);
+  CHECK(row.solve_iterations == put.row.solve_iterations);
+  CHECK(row.cpu_seconds == put.row.cpu_seconds);
+  CHECK(row.max_residual == put.row.max_residual);
+  CHECK(row.residual_scale == put.row.residual_scale);
+  CHECK(row.max_penetration == put.row.max_penetration);
+  CHECK(row.state_hash == put.row.state_hash);
+  CHECK(row.peak_total_kinetic_energy == put.row.peak_total_kinetic_energy);
   CHECK(row.engine == "bullet");
-  REQUIRE(row.box_count == put.boxes.id.size());
+  REQUIRE(row.boxes == put.boxes.id.size());
   REQUIRE(row.sample_count == put.series.time.size());
 
-  const BoxTable boxes = require_value(reader.boxes(row.box_begin, row.box_count));
+  const BoxTable boxes = require_value(reader.boxes(row.box_begin, row.boxes));
   CHECK(same_bits(boxes.id, put.boxes.id));
   CHECK(same_bits(boxes.material, put.boxes.material));
   CHECK(same_bits(boxes.mass, put.boxes.mass));
   CHECK(same_bits(boxes.size, put.boxes.size));
   CHECK(same_bits(boxes.initial_position, put.boxes.initial_position));
-  const EndTable ends = require_value(reader.ends(row.box_begin, row.box_count));
+  const EndTable ends = require_value(reader.ends(row.box_begin, row.boxes));
   CHECK(same_bits(ends.displacement, put.end.displacement));
   CHECK(same_bits(ends.tilt, put.end.tilt));
   CHECK(same_bits(ends.settling_displacement, put.end.settling_displacement));
@@ -178,7 +178,7 @@ TEST_CASE("results_writer: the summary in the file agrees with its records", "[i
   require_ok(write_summary(path, run.description.thresholds, folder / "again.h5"));
   const h5::File file = h5::File::open(path);
   const h5::File again = h5::File::open(folder / "again.h5");
-  for (const DatasetSpec& spec : kSchema) {
+  for (const DatasetSpec& spec : schema()) {
     if (spec.origin != Origin::derived) continue;
     CAPTURE(spec.path);
     const auto in = h5::Dataset::open(file, spec);

@@ -23,7 +23,7 @@ std::vector<std::uint32_t> count_fallen(const Run& run, double drop) {
   std::vector<std::uint32_t> counts;
   for (const UnitRecord& unit : run.units)
     for (const WorldRecord& world : unit.worlds) {
-      counts.push_back(world.outcome.stop_reason == StopReason::not_run ? kNotCounted : 0);
+      counts.push_back(world.row.stop_reason == StopReason::not_run ? kNotCounted : 0);
       for (const Float3& d : world.end.displacement) counts.back() += -static_cast<double>(d.z) > drop ? 1 : 0;
     }
   return counts;
@@ -104,9 +104,9 @@ TEST_CASE("summary: CSV has one line per world and per box, quoted where needed"
   CHECK(std::count(worlds.begin(), worlds.end(), '\n') == 1 + 4);
   CHECK(std::count(boxes.begin(), boxes.end(), '\n') == 1 + 6);
   const WorldRecord& first = run.units[0].worlds[0];
-  const std::string verdict = to_string(judge_world(Status::ok, StopReason::timeout, 0.0, first.end, {}).verdict);
+  const std::string verdict = to_string(judge_world(first.row, first.end, {}).verdict);
   CHECK(worlds.find("\r\n0,\"loading, \"\"0\"\".txt\",braking.txt," + verdict + ",ok,,timeout,") != std::string::npos);
-  CHECK(worlds.find(",failed,bad_layout,überlappt: box 3 and box 7,not_run,0,0,,,,,,,,,0.001,") != std::string::npos);
+  CHECK(worlds.find(",failed,bad_layout,überlappt: box 3 and box 7,not_run,0,,,,,,,,,0,") != std::string::npos);
 }
 
 TEST_CASE("summary: the results of a missing file are an error", "[io][results]") {

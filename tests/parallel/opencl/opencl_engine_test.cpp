@@ -59,8 +59,8 @@ TEST_CASE("opencl_engine: worlds of one batch feel their own accelerations", "[p
     const double moved = -runs[i].displacement().x();
     CAPTURE(i, moved, expected);
     CHECK(std::abs(moved - expected) < 0.5e-3);
-    CHECK(runs[i].record.outcome.end_time == time);
-    CHECK(runs[i].record.outcome.status == Status::ok);
+    CHECK(runs[i].record.row.end_time == time);
+    CHECK(runs[i].record.row.status == Status::ok);
   }
 }
 
@@ -74,8 +74,8 @@ TEST_CASE("opencl_engine: a world's result is the same alone and in company", "[
   const Acceleration* const both[] = {&push, &pull};
   const std::vector<Run> together = run_all(*engine, layouts, both, settings);
   REQUIRE(together.size() == 4);
-  CHECK(run(*engine, layouts[0], push, settings).record.state_hash == together[0].record.state_hash);
-  CHECK(run(*engine, layouts[1], pull, settings).record.state_hash == together[3].record.state_hash);
+  CHECK(run(*engine, layouts[0], push, settings).record.row.state_hash == together[0].record.row.state_hash);
+  CHECK(run(*engine, layouts[1], pull, settings).record.row.state_hash == together[3].record.row.state_hash);
 }
 
 TEST_CASE("opencl_engine: a stack of ten sinks by millimetres and stands", "[parallel][opencl_engine]") {
@@ -143,10 +143,11 @@ TEST_CASE("opencl_engine: a world's result is the same in a batch of more worlds
   const Layout layout = stack(2, {10, 10, 0}, {0.6, 0.5, 0.4});
   const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), pointers, settings);
   REQUIRE(runs.size() == 300);
-  for (const Run& each : runs) CHECK(each.record.outcome.status == Status::ok);
+  for (const Run& each : runs) CHECK(each.record.row.status == Status::ok);
   for (const std::size_t world : {0U, 44U, 255U, 256U, 299U}) {
     CAPTURE(world);
-    CHECK(run(*engine, layout, accelerations[world], settings).record.state_hash == runs[world].record.state_hash);
+    CHECK(run(*engine, layout, accelerations[world], settings).record.row.state_hash ==
+          runs[world].record.row.state_hash);
   }
 }
 
@@ -170,11 +171,11 @@ TEST_CASE("opencl_engine: worlds that overflow the room for pairs together are s
   const std::vector<Run> runs = run_all(*engine, std::span(&rods, 1), pointers, settings, across);
   for (const std::size_t world : {0U, 19U, 20U, 39U}) {
     CAPTURE(world, runs[world].displacement().x());
-    CHECK(runs[world].record.outcome.status == Status::ok);
+    CHECK(runs[world].record.row.status == Status::ok);
     const double expected = slide(accelerations[world].segments[0].acceleration.x(), 0.4, 0.05, 1.0 / 240);
     CHECK(-runs[world].displacement().x() == Approx(expected).margin(1e-4));
     const Run alone = run(*engine, rods, accelerations[world], settings, across);
-    CHECK(alone.record.state_hash == runs[world].record.state_hash);
+    CHECK(alone.record.row.state_hash == runs[world].record.row.state_hash);
   }
 }
 
@@ -189,12 +190,12 @@ TEST_CASE("opencl_engine: a world beyond the room for pairs fails alone, and the
   const Acceleration acceleration = constant(6.0, 0.05);
   const Acceleration* const accelerations[] = {&acceleration};
   const std::vector<Run> runs = run_all(*engine, layouts, accelerations, settings);
-  CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
-  CHECK(has(runs[1].record.outcome.status, Status::capacity));
-  CHECK(runs[0].record.outcome.status == Status::ok);
+  CHECK(runs[1].record.row.stop_reason == StopReason::failed);
+  CHECK(has(runs[1].record.row.status, Status::capacity));
+  CHECK(runs[0].record.row.status == Status::ok);
   const Run next = run(*engine, layouts[0], acceleration, settings);
-  CHECK(next.record.outcome.status == Status::ok);
-  CHECK(next.record.state_hash == runs[0].record.state_hash);
+  CHECK(next.record.row.status == Status::ok);
+  CHECK(next.record.row.state_hash == runs[0].record.row.state_hash);
 }
 
 TEST_CASE("opencl_engine: a state that is not finite ends its world and no other", "[parallel][opencl_engine]") {
@@ -206,11 +207,11 @@ TEST_CASE("opencl_engine: a state that is not finite ends its world and no other
   const Acceleration* const accelerations[] = {&acceleration, &acceleration, &acceleration};
   const auto hurl = [&](StateColumns& state) { state.velocity[layout.boxes.size() + 1] = Vec3(3e38, -3e38, 3e38); };
   const std::vector<Run> runs = run_all(*engine, std::span(&layout, 1), accelerations, settings, hurl);
-  CHECK(runs[1].record.outcome.stop_reason == StopReason::failed);
-  CHECK(has(runs[1].record.outcome.status, Status::non_finite));
+  CHECK(runs[1].record.row.stop_reason == StopReason::failed);
+  CHECK(has(runs[1].record.row.status, Status::non_finite));
   const Run alone = run(*engine, layout, acceleration, settings);
   for (const std::size_t world : {0U, 2U}) {
-    CHECK(runs[world].record.outcome.status == Status::ok);
-    CHECK(runs[world].record.state_hash == alone.record.state_hash);
+    CHECK(runs[world].record.row.status == Status::ok);
+    CHECK(runs[world].record.row.state_hash == alone.record.row.state_hash);
   }
 }

@@ -9,9 +9,9 @@ namespace {
 /// A world whose only box is displaced by so much, m.
 WorldRecord world_of(std::size_t acceleration, float displacement, Status status = Status::ok) {
   WorldRecord world;
-  world.acceleration = acceleration;
-  world.outcome.status = status;
-  world.outcome.stop_reason = StopReason::timeout;
+  world.row.acceleration = acceleration;
+  world.row.status = status;
+  world.row.stop_reason = StopReason::timeout;
   world.end.displacement = {{displacement, 0, 0}};
   world.end.tilt = world.end.kinetic_energy = world.end.peak_displacement = world.end.peak_kinetic_energy = {0};
   world.end.settling_displacement = {{}};
@@ -70,7 +70,7 @@ TEST_CASE("failure_order: only what neither stayed nor failed rejects a layout",
   CHECK_FALSE(rejects(world_of(0, 0.05F), {}));
   CHECK_FALSE(rejects(world_of(0, 0.2F, Status::not_converged), {}));
   WorldRecord spared;
-  spared.outcome.status = Status::not_needed;
+  spared.row.status = Status::not_needed;
   CHECK_FALSE(rejects(spared, {}));
   WorldRecord unstable = world_of(0, 0.0F);
   unstable.end.settling_displacement = {{0.2F, 0, 0}};

@@ -36,20 +36,20 @@ TEST_CASE(
   const std::vector<WorldRecord> calm = worlds_of({});
   const std::vector<WorldRecord> worlds = worlds_of({.breaks_at = 0.2, .breaking_world = 1});
 
-  CHECK(worlds[2].outcome.status == Status::non_finite);
-  CHECK(worlds[2].outcome.stop_reason == StopReason::failed);
-  CHECK(worlds[2].outcome.end_time <= 0.2);
-  CHECK(worlds[2].status_text == "a state became infinite or undefined; try a smaller step");
-  CHECK(worlds[1].outcome.status == Status::bad_acceleration);
-  CHECK(worlds[1].outcome.stop_reason == StopReason::not_run);
-  CHECK(worlds[1].status_text == "b.txt: is empty");
+  CHECK(worlds[2].row.status == Status::non_finite);
+  CHECK(worlds[2].row.stop_reason == StopReason::failed);
+  CHECK(worlds[2].row.end_time <= 0.2);
+  CHECK(worlds[2].row.message == "a state became infinite or undefined; try a smaller step");
+  CHECK(worlds[1].row.status == Status::bad_acceleration);
+  CHECK(worlds[1].row.stop_reason == StopReason::not_run);
+  CHECK(worlds[1].row.message == "b.txt: is empty");
   for (const std::size_t i : {0U, 3U}) {
-    CHECK(worlds[i].acceleration == i);
-    CHECK(worlds[i].outcome.status == Status::ok);
-    CHECK(worlds[i].status_text.empty());
-    CHECK(worlds[i].state_hash == calm[i].state_hash);
+    CHECK(worlds[i].row.acceleration == i);
+    CHECK(worlds[i].row.status == Status::ok);
+    CHECK(worlds[i].row.message.empty());
+    CHECK(worlds[i].row.state_hash == calm[i].row.state_hash);
   }
-  CHECK(worlds[2].state_hash != calm[2].state_hash);
+  CHECK(worlds[2].row.state_hash != calm[2].row.state_hash);
 }
 
 TEST_CASE("unit_runner: a series that would be too large is not begun, and the others are as they are alone",
@@ -75,13 +75,13 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   REQUIRE(unit->worlds.size() == 4);
   const std::vector<std::size_t> boxes = {1, 1, 201, 0};
   for (std::size_t i = 0; i < 4; ++i) {
-    CHECK(unit->worlds[i].layout == i / 2);
-    CHECK(unit->worlds[i].acceleration == i % 2);
-    CHECK(unit->worlds[i].outcome.status == (i == 3 ? Status::too_large : Status::ok));
+    CHECK(unit->worlds[i].row.layout == i / 2);
+    CHECK(unit->worlds[i].row.acceleration == i % 2);
+    CHECK(unit->worlds[i].row.status == (i == 3 ? Status::too_large : Status::ok));
     CHECK(unit->worlds[i].boxes.id.size() == boxes[i]);
   }
-  CHECK(unit->worlds[3].outcome.stop_reason == StopReason::not_run);
-  CHECK(unit->worlds[3].status_text.find("samples of 201 boxes: 2010") != std::string::npos);
+  CHECK(unit->worlds[3].row.stop_reason == StopReason::not_run);
+  CHECK(unit->worlds[3].row.message.find("samples of 201 boxes: 2010") != std::string::npos);
   UnitRunner without(engine, settings, false, layouts, accelerations, abort, costs);
-  CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].outcome.status == Status::ok);
+  CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].row.status == Status::ok);
 }

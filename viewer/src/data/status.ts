@@ -1,47 +1,52 @@
-/** Bits of /worlds/status: what went wrong, and what to do about it. */
-const BITS: readonly { bit: number; name: string; meaning: string; cure: string }[] = [
-  {
-    bit: 1,
+import { STATUS_BITS, type StatusName } from "./outcome";
+
+/** What went wrong with a world, and what to do about it. */
+interface Cause {
+  name: string;
+  meaning: string;
+  cure: string;
+}
+
+const SHOWN: Record<StatusName, Cause> = {
+  bad_layout: {
     name: "bad layout",
     meaning: "The layout could not be used; it was not simulated.",
     cure: "Mend the layout file.",
   },
-  {
-    bit: 2,
+  bad_acceleration: {
     name: "bad acceleration",
     meaning: "The acceleration could not be used; the world was not simulated.",
     cure: "Mend the acceleration file.",
   },
-  {
-    bit: 4,
+  non_finite: {
     name: "not finite",
     meaning: "A state became infinite or NaN; the samples end before that.",
     cure: "Use a smaller step: --accuracy reference.",
   },
-  {
-    bit: 8,
+  not_converged: {
     name: "not converged",
     meaning: "The solver's residual stayed above its limit.",
     cure: "Allow more iterations or accuracy: --accuracy reference.",
   },
-  {
-    bit: 16,
+  capacity: {
     name: "capacity",
     meaning: "A device had too little memory for all contacts, or failed.",
     cure: "Use another engine: --engine native.",
   },
-  {
-    bit: 32,
+  too_large: {
     name: "too large",
     meaning: "The series would take more than 20 million rows; the world was not simulated.",
     cure: "Use a longer ResultsIntervallInSeconds, or --no-series.",
   },
-  {
-    bit: 64,
+  not_needed: {
     name: "not needed",
     meaning: "The layout does not hold another acceleration; this one was left out.",
     cure: "Run without --first-failure to simulate it.",
   },
-];
+};
 
-export const causes = (status: number) => BITS.filter(({ bit }) => (status & bit) !== 0);
+/** The causes whose bits are set in /worlds/status. */
+export const causes = (status: number): Cause[] =>
+  Object.entries(STATUS_BITS)
+    .filter(([, bit]) => (status & bit) !== 0)
+    .map(([name]) => SHOWN[name as StatusName]);

@@ -1,3 +1,4 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { Results } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 import { colour, isDark, verdictColour } from "../ui/theme";
@@ -30,11 +31,11 @@ function verdictCell(results: Results, world: number): Cell {
   const { worlds } = results;
   const verdict = worlds.verdict[world];
   const number =
-    verdict === 2
+    verdict === VERDICT_CODES.fell
       ? worlds.fallen[world]
-      : verdict === 3
+      : verdict === VERDICT_CODES.unstable
         ? worlds.unstable[world]
-        : verdict === 1
+        : verdict === VERDICT_CODES.moved
           ? Math.max(worlds.moved[world], worlds.tilted[world])
           : 0;
   const glyph = VERDICTS[verdict].glyph;

@@ -1,3 +1,4 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { BoxColumns, Results, Series, World, WorldColumns } from "../data/results";
 import type { Frame } from "./messages";
 
@@ -104,7 +105,7 @@ export class LiveRecord {
       engine: "live",
       status: 0,
       statusText: "",
-      verdict: 0,
+      verdict: VERDICT_CODES.stayed,
       boxes: columns,
       series: null,
       walls: null,
@@ -201,7 +202,14 @@ export class LiveRecord {
     worlds.peakDisplacement[0] = Math.max(worlds.peakDisplacement[0], far);
     worlds.peakEnergy[0] = Math.max(worlds.peakEnergy[0], energy);
     worlds.endTime[0] = this.time;
-    this.world.verdict = fallen > 0 ? 2 : moved + tilted > 0 ? 1 : unstable > 0 ? 3 : 0;
+    this.world.verdict =
+      fallen > 0
+        ? VERDICT_CODES.fell
+        : moved + tilted > 0
+          ? VERDICT_CODES.moved
+          : unstable > 0
+            ? VERDICT_CODES.unstable
+            : VERDICT_CODES.stayed;
     worlds.verdict[0] = this.world.verdict;
   }
 

@@ -1,3 +1,4 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { engineCarried } from "./engine_client";
 
@@ -21,7 +22,8 @@ export function bitsSentence(
   if (hash === world.stateHash) return { same: true, text: "The same bits as the file" };
   if (file.software !== `holdfast ${version}`)
     return { same: false, text: `Other bits than the file's: it is of ${file.software}, this page of ${version}.` };
-  if (world.verdict === 4) return { same: false, text: "Other bits than the file's, whose world failed." };
+  if (world.verdict === VERDICT_CODES.failed)
+    return { same: false, text: "Other bits than the file's, whose world failed." };
   return { same: false, text: `Other bits than the file's, whose hash is ${world.stateHash}.` };
 }
 

@@ -1,12 +1,10 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 import { download } from "../ui/dom";
 import type { EngineClient } from "./engine_client";
 import type { LiveDriver } from "./live_driver";
 import { accelerationText, layoutText, settingsText } from "./saved_files";
-
-/** Index of a verdict by the name that the engine has for it. */
-const named = (verdict: string) => VERDICTS.find(({ name }) => name === verdict.replace("_", " "))?.name ?? verdict;
 
 /** Gives the user a file of what was driven; what the program makes of such files, as a sentence. */
 export async function saveFile(
@@ -35,7 +33,7 @@ export async function saveFile(
       const { outcome, same } = await client.ask("screen", { layout, acceleration, boxes, settings });
       if (!same) throw new Error("The layout cannot be written as a layout file.");
       download(saved, new Blob([text], { type: "text/plain" }));
-      return `${saved}: holdfast screen says ${named(outcome.verdict)}, hash ${outcome.stateHash}. Pulls, and changes of friction on the way, are in no file.`;
+      return `${saved}: holdfast screen says ${VERDICTS[VERDICT_CODES[outcome.verdict]].name}, hash ${outcome.stateHash}. Pulls, and changes of friction on the way, are in no file.`;
     }
     download(saved, new Blob([text], { type: "text/plain" }));
     return `${saved} is saved.`;

@@ -1,3 +1,4 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 import { DIRECTIONS } from "../fleet/rows";
@@ -39,8 +40,9 @@ export function colouringsOf(results: Results, world: World): { value: Colouring
 export const calm = () => (isDark() ? "#47505a" : "#dcdfdd");
 
 const paintVerdict = (derived: Derived): Painted => {
-  const shown = [0, 3, 2, 1].filter((code) => derived.verdict.includes(code));
-  const fill = (code: number) => (code === 0 ? calm() : colour(`verdict-${code}`));
+  const { stayed, unstable, fell, moved } = VERDICT_CODES;
+  const shown = [stayed, unstable, fell, moved].filter((code) => derived.verdict.includes(code));
+  const fill = (code: number) => (code === stayed ? calm() : colour(`verdict-${code}`));
   return {
     fills: Array.from(derived.verdict, fill),
     legend: shown.map((code) => ({ fill: fill(code), label: VERDICTS[code].name })),

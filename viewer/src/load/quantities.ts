@@ -1,3 +1,4 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { firstMoves, orderOfMoves, tiltOf } from "../time/first_moves";
 import { between, times } from "../time/poses";
@@ -21,9 +22,9 @@ export function derive(results: Results, world: World): Derived {
   for (let box = 0; box < count; ++box) {
     endDistance[box] = Math.hypot(...boxes.endDisplacement.subarray(3 * box, 3 * box + 3));
     const settling = boxes.settling.subarray(3 * box, 3 * box + 3);
-    if (boxes.fallen[box]) verdict[box] = 2;
-    else if (Math.hypot(...settling) > move || -settling[2] > drop) verdict[box] = 3;
-    else if (boxes.moved[box] || boxes.endTilt[box] > tilt) verdict[box] = 1;
+    if (boxes.fallen[box]) verdict[box] = VERDICT_CODES.fell;
+    else if (Math.hypot(...settling) > move || -settling[2] > drop) verdict[box] = VERDICT_CODES.unstable;
+    else if (boxes.moved[box] || boxes.endTilt[box] > tilt) verdict[box] = VERDICT_CODES.moved;
   }
   const firstMove = firstMoves(world, results.thresholds);
   return { verdict, firstMove, moveOrder: orderOfMoves(world, firstMove), endDistance };

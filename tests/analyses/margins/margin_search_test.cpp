@@ -1,0 +1,129 @@
+#include "analyses/margins/margin_search.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+
+#include "core/native/native_engine.hpp"
+#include "same_bits.hpp"
+#include "scenes.hpp"
+
+using namespace holdfast::internal;
+using namespace holdfast::internal::scenes;
+
+namespace {
+
+LayoutMargins margins_of(const Layout& layout, const Settings& settings) {
+  const std::atomic<bool> abort = false;
+  const auto margins = find_margins(NativeEngine(settings), layout, settings, abort);
+  REQUIRE(margins.has_value());
+  return *margins;
+}
+
+/// A margin is what the layout holds, and it does not hold `kMarginWidth` more.
+void check_margin(double margin, double exact) {
+  CHECK(margin <= exact + 1e-4);
+  CHECK(margin >= exact - kMarginWidth - 1e-4);
+}
+
+}  // namespace
+
+TEST_CASE("margin_search: a box slides at its friction and tips at its width over its height", "[margin_search]") {
+  const auto accuracy = GENERATE(Accuracy::screening, Accuracy::standard);
+  for (const double friction : {0.2, 0.5, 0.9}) {
+    Settings settings = open_floor(friction);
+    settings.native.accuracy = accuracy;
+    // 0.8 m along x, 0.3 m across, 1 m high.
+    const LayoutMargins margins = margins_of(layout_of({box({9, 9, 0}, {0.8, 0.3, 1.0})}), settings);
+    CAPTURE(friction);
+    for (const std::size_t direction : {0U, 1U}) check_margin(margins.margin.at(direction), std::min(friction, 0.8));
+    for (const std::size_t direction : {2U, 3U}) check_margin(margins.margin.at(direction), std::min(friction, 0.3));
+    CHECK(margins.critical_box == std::array<std::uint32_t, 4>{1, 1, 1, 1});
+  }
+}
+
+TEST_CASE("margin_search: the box that goes first is named", "[margin_search]") {
+  // A stack that tips as a whole above 0.4/2, and beside it a box that slides above 0.5.
+  Layout layout = stack(4, {9, 9, 0}, {0.4, 1.0, 0.5});
+  layout.boxes.push_back(box({12, 9, 0}, {1.0, 1.0, 0.2}));
+  const LayoutMargins margins = margins_of(layout, open_floor(0.5));
+  check_margin(margins.margin[0], 0.2);
+  CHECK(margins.critical_box[0] == 4);
+  check_margin(margins.margin[2], 0.5);
+}
+
+TEST_CASE("margin_search: walls hold a load in their direction alone", "[margin_search]") {
+  Settings settings = open_floor(0.3);
+  settings.container.size = {3, 20, 2};
+  // A row of three from the front wall; behind it is a gap of 4 mm, or of 8 mm.
+  for (const double gap : {0.004, 0.008}) {
+    const double length = (3.0 - gap) / 3.0;
+    Layout layout;
+    for (int i = 0; i < 3; ++i) layout.boxes.push_back(box({i * length, 9, 0}, {length, 1.0, 0.5}));
+    const LayoutMargins margins = margins_of(layout, settings);
+    CAPTURE(gap);
+    CHECK(margins.margin[0] == kLargestMargin);
+    CHECK(margins.critical_box[0] == 0);
+    if (gap < kMarginDisplacement) {
+      CHECK(margins.margin[1] == kLargestMargin);
+    } else {
+      check_margin(margins.margin[1], 0.3);
+    }
+    check_margin(margins.margin[2], 0.3);
+  }
+}
+
+TEST_CASE("margin_search: the seed's example", "[margin_search]") {
+  Settings settings;
+  const LayoutMargins margins =
+      margins_of(layout_of({box({0, 0, 0}, {0.80, 0.59, 1.06}), box({0.80, 0, 0}, {0.80, 0.59, 1.06}),
+                            box({0.80, 0, 1.06}, {0.80, 0.59, 1.06})}),
+                 settings);
+  check_margin(margins.margin[1], 80.0 / 212.0);
+  check_margin(margins.margin[3], 59.0 / 212.0);
+  CHECK(margins.margin[2] == kLargestMargin);
+}
+
+TEST_CASE("margin_search: what does not stand has a negative margin", "[margin_search]") {
+  const Settings settings = open_floor(0.5);
+  const LayoutMargins falling = margins_of(layout_of({box({9, 9, 0.5}, {1, 1, 1})}), settings);
+  for (const double margin : falling.margin) CHECK(margin == Approx(-1.0).margin(0.05));
+  CHECK(falling.critical_box == std::array<std::uint32_t, 4>{1, 1, 1, 1});
+  // Nearly half of it is supported: it tips slowly.
+  const Layout tipping = layout_of({box({9, 9, 0}, {0.49, 1, 1}), box({9, 9, 1}, {1, 1, 0.4})});
+  const LayoutMargins margins = margins_of(tipping, settings);
+  CHECK(margins.margin[0] < 0.0);
+  CHECK(margins.margin[0] > -0.5);
+  CHECK(margins.critical_box[0] == 2);
+}
+
+TEST_CASE("margin_search: nothing comes of a search that is aborted", "[margin_search]") {
+  const Settings settings = open_floor(0.5);
+  const std::atomic<bool> abort = true;
+  CHECK_FALSE(find_margins(NativeEngine(settings), stack(2, {9, 9, 0}, {1, 1, 1}), settings, abort).has_value());
+}
+
+TEST_CASE("margin_search: a world that is rewound goes on as if it had not gone on before", "[margin_search]") {
+  const Settings settings = open_floor(0.5);
+  const NativeEngine engine(settings);
+  REQUIRE(engine.traits().rewinds);
+  Layout layout = stack(4, {9, 9, 0}, {0.4, 1.0, 0.5});
+  layout.boxes.push_back(box({8.5, 9, 0}, {0.49, 1.0, 0.7}));
+  const Acceleration acceleration = constant(8.0, 1.0);
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = batch_of(std::span(&layout, 1), accelerations, settings);
+  const auto simulation = engine.build(batch);
+  const auto run = [&](double end, const Vec3& value) {
+    const Phase phase{0.0, end, value};
+    for (double time = 0.0; time < end;) time = advance(*simulation, 0, phase);
+    simulation->read_back(0, batch.state);
+    return batch.state;
+  };
+  // Marked while boxes fall against each other.
+  run(0.3, Vec3(4.0, 0, 0));
+  simulation->mark(0);
+  const StateColumns first = run(0.7, Vec3(-6.0, 3.0, 0));
+  simulation->rewind(0);
+  run(0.5, Vec3(0, -8.0, 0));
+  simulation->rewind(0);
+  CHECK(same_bits(run(0.7, Vec3(-6.0, 3.0, 0)), first));
+}
