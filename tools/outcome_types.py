@@ -98,6 +98,10 @@ class Rows:
         """The fields of a world that a program gets as a number."""
         return [field for field in self.fields["WORLD_FIELDS"] if field.scope in PUBLIC]
 
+    def box(self):
+        """The same of a box."""
+        return [field for name in ("BOX_FIELDS", "BOX_VERDICT_FIELDS") for field in self.fields[name] if field.scope in PUBLIC]
+
 
 def refuse(line, number):
     sys.exit(f"{ROWS}:{number}: this line is not understood: {line.strip()}")
@@ -159,7 +163,10 @@ def python_columns(rows):
             lines += [f"    {field.name} = Column(", *(f'        "{part}"' for part in parts), "    )"]
         else:
             lines.append(line)
-    return lines
+    lines += ["", "", "#: What the columns of :meth:`Verdicts.box_outcomes` say, by their names.", "BOX_COLUMNS = {"]
+    for field in rows.box():
+        lines.append(f'    "{field.name}": "{for_python(field.described())}",')
+    return [*lines, "}"]
 
 
 def documented(sentence, indent):

@@ -106,6 +106,7 @@
   X(copied, f32,  kinetic_energy,        "/boxes/end_kinetic_energy",    "kinetic_energy_J",      1, "J", "kinetic energy in the container's frame, at the end") \
   X(copied, f32,  peak_displacement,     "/boxes/peak_displacement",     "peak_displacement_m",   1, "m", "largest length of the displacement, over all steps") \
   X(copied, f32,  peak_kinetic_energy,   "/boxes/peak_kinetic_energy",   "peak_kinetic_energy_J", 1, "J", "largest kinetic energy, over all steps") \
+  X(recorded, f32, peak_speed,           "/boxes/peak_speed",            "peak_speed_m_s",        3, "m/s", "largest speed of the centre of mass in the container, over all steps; NaN in a file of an earlier version") \
   X(stored, vec3, settling_displacement, "/boxes/settling_displacement", "",                      1, "m", "displacement x, y, z while settling under gravity alone, before t = 0")
 
 /* A box: the judgement by the thresholds, and what it rests on. */

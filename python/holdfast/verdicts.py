@@ -14,7 +14,7 @@ from . import _core
 from .codes import Verdict
 from .column import Column
 from .errors import Problem
-from .world_columns import WorldColumns
+from .world_columns import BOX_COLUMNS, WorldColumns
 
 if TYPE_CHECKING:
     import pandas
@@ -87,10 +87,8 @@ class Verdicts(WorldColumns):
     def box_outcomes(self, layout: int) -> npt.NDArray[Any]:
         """How the boxes of a layout ended: a structured array of shape (accelerations, boxes).
 
-        Its columns are displacement (3, of the centre of mass from the reference pose, m), tilt (degrees), kinetic_energy
-        (J), peak_displacement (m), peak_kinetic_energy (J), fallen, moved, tilted, unstable; with ``Damage``,
-        peak_acceleration (m/s²), velocity_change (m/s) and beyond, whether both are above the damage boundary. Of a layout that was not
-        simulated there are no boxes.
+        With ``Damage`` there are also peak_acceleration (m/s²), velocity_change (m/s) and beyond, whether both are above the
+        damage boundary. Of a layout that was not simulated there are no boxes. Its columns:
 
         :param layout: index of the layout in the call
         :raises ValueError: the screen was made without ``keep_boxes=True``
@@ -148,5 +146,7 @@ class Verdicts(WorldColumns):
         return "\n".join(lines) + "</table>"
 
 
+Verdicts.box_outcomes.__doc__ = str(Verdicts.box_outcomes.__doc__).replace(
+    "Its columns:\n", "Its columns:\n" + "".join(f"\n        - {name}: {sentence}" for name, sentence in BOX_COLUMNS.items()) + "\n")
 for _name, _sentence in _core.analysis_numbers():
     setattr(Verdicts, _name, Column(_sentence, _name))

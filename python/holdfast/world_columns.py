@@ -48,3 +48,18 @@ class WorldColumns:
     )
     cpu_seconds = Column("Processor time to build and simulate the world, s.")
     state_hash = Column("Hash of the bits of the final state: equal results have equal hashes.")
+
+
+#: What the columns of :meth:`Verdicts.box_outcomes` say, by their names.
+BOX_COLUMNS = {
+    "displacement": "displacement x, y, z of the centre of mass from the reference pose, at the end, m",
+    "tilt": "angle of the rotation from the reference pose, at the end, degree",
+    "kinetic_energy": "kinetic energy in the container's frame, at the end, J",
+    "peak_displacement": "largest length of the displacement, over all steps, m",
+    "peak_kinetic_energy": "largest kinetic energy, over all steps, J",
+    "peak_speed": "largest speed of the centre of mass in the container, over all steps, m/s; NaN in a file of an earlier version",
+    "fallen": "1 when drop exceeds the drop threshold, else 0",
+    "moved": "1 when the displacement at the end is longer than the move threshold, else 0",
+    "tilted": "1 when tilt exceeds the tilt threshold, else 0",
+    "unstable": "1 when the box fell or moved while settling, else 0",
+}

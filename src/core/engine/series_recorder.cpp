@@ -58,6 +58,7 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const 
   if (plan_.series) reserve_series(plan_.samples, count);
   end.peak_displacement.assign(count, 0.0F);
   end.peak_kinetic_energy.assign(count, 0.0F);
+  end.peak_speed.assign(count, 0.0F);
   update_peaks(settled);
   add_sample({0.0, 1.0, {0.0, 0.0, Vec3::Zero(), settled, settled}});
 }
@@ -159,6 +160,7 @@ void SeriesRecorder::update_peaks(const StateView& state) {
     const double energy = kinetic_energy(box, state.velocity[box], state.angular_velocity[box], state.orientation[box]);
     total_energy += energy;
     end.peak_kinetic_energy[box] = std::max(end.peak_kinetic_energy[box], static_cast<float>(energy));
+    end.peak_speed[box] = std::max(end.peak_speed[box], static_cast<float>(state.velocity[box].norm()));
     end.peak_displacement[box] = std::max(end.peak_displacement[box], length(displacement(state.position[box], box)));
   }
   record_.row.peak_total_kinetic_energy = std::max(record_.row.peak_total_kinetic_energy, total_energy);

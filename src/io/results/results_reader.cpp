@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 #include "io/results/hdf5_file.hpp"
@@ -37,6 +39,16 @@ std::uint64_t check_format(const h5::File& file) {
                             .accepted = fmt::format("up to {}", kFormatVersion)});
   }
   return version;
+}
+
+/// What an earlier version of the file does not say.
+template <class Entry>
+Entry unknown() {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  if constexpr (std::is_same_v<Entry, Float3>)
+    return {kNan, kNan, kNan};
+  else
+    return kNan;
 }
 
 }  // namespace
@@ -190,8 +202,12 @@ Result<BoxTable> ResultsReader::boxes(std::uint64_t begin, std::uint64_t count) 
 Result<EndTable> ResultsReader::ends(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     EndTable table;
-    visit_ends<EndTable>(
-        [&](const OutcomeField& field, auto member) { state_->read(field.dataset, begin, count, table.*member); });
+    visit_ends<EndTable>([&](const OutcomeField& field, auto member) {
+      if (field.since <= state_->version)
+        state_->read(field.dataset, begin, count, table.*member);
+      else
+        (table.*member).assign(count, unknown<EntryOf<std::decay_t<decltype(table.*member)>>>());
+    });
     return table;
   });
 }

@@ -87,8 +87,9 @@ inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
 inline constexpr std::size_t kWholeTableBytes = 1024;
 
 /// Version of the layout of the file; it is raised when a reader of the old layout would misread the new one.
-/// Version 2 has max_residual in m/s, and its scale beside it; version 1 has the ratio of the two.
-inline constexpr std::uint64_t kFormatVersion = 2;
+/// Version 2 has max_residual in m/s, and its scale beside it; version 1 has the ratio of the two. Version 3 has
+/// peak speeds of boxes.
+inline constexpr std::uint64_t kFormatVersion = 3;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,

@@ -224,6 +224,7 @@ TEST_CASE("series_recorder: peaks are over all steps, also between samples", "[c
   CHECK(record.end.displacement[0].y == 0.0F);
   CHECK(record.end.peak_displacement[0] == 0.5F);
   CHECK(record.end.peak_kinetic_energy[0] == 3000.0F);
+  CHECK(record.end.peak_speed[0] == 2.0F);
   CHECK(record.end.kinetic_energy[0] == 0.0F);
   CHECK(record.row.peak_total_kinetic_energy == 3000.0);
 }

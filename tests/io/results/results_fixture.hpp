@@ -90,6 +90,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
     world.end.kinetic_energy.push_back(number() + 1);
     world.end.peak_displacement.push_back(length(world.end.displacement.back()) + 0.01F);
     world.end.peak_kinetic_energy.push_back(2);
+    world.end.peak_speed.push_back(number() + 3);
     world.end.settling_displacement.push_back(vector());
   }
   ReplicaOutcome replicas{.count = 32,

@@ -56,12 +56,10 @@ void check_world(ResultsReader& reader, const WorldRow& row, const WorldRecord& 
   CHECK(same_bits(boxes.size, put.boxes.size));
   CHECK(same_bits(boxes.initial_position, put.boxes.initial_position));
   const EndTable ends = require_value(reader.ends(row.box_begin, row.boxes));
-  CHECK(same_bits(ends.displacement, put.end.displacement));
-  CHECK(same_bits(ends.tilt, put.end.tilt));
-  CHECK(same_bits(ends.settling_displacement, put.end.settling_displacement));
-  CHECK(same_bits(ends.kinetic_energy, put.end.kinetic_energy));
-  CHECK(same_bits(ends.peak_displacement, put.end.peak_displacement));
-  CHECK(same_bits(ends.peak_kinetic_energy, put.end.peak_kinetic_energy));
+  visit_ends<EndTable>([&](const OutcomeField& field, auto member) {
+    CAPTURE(field.name);
+    CHECK(same_bits(ends.*member, put.end.*member));
+  });
   check_series(require_value(reader.series(row)), put.series);
 }
 
