@@ -5,6 +5,7 @@
 #include "analyses/analysis.hpp"
 #include "analyses/damage/damage.hpp"
 #include "analyses/indicators/indicators.hpp"
+#include "analyses/load_shift/load_shift.hpp"
 #include "analyses/margins/margins.hpp"
 #include "analyses/replicas/replica_verdict.hpp"
 #include "analyses/walls/wall_forces.hpp"
@@ -14,8 +15,7 @@ namespace holdfast::internal {
 
 namespace {
 
-constexpr std::array<const Analysis*, 6> kAnalyses = {&kReplicas, &kMargins, &kMarginSpread,
-                                                      &kWalls,    &kDamage,  &kIndicators};
+constexpr std::array kAnalyses = {&kReplicas, &kMargins, &kMarginSpread, &kWalls, &kDamage, &kLoadShift, &kIndicators};
 
 }  // namespace
 
@@ -33,6 +33,13 @@ std::vector<WorldNumber> world_numbers() {
   for (const Analysis* analysis : kAnalyses)
     numbers.insert(numbers.end(), analysis->numbers.begin(), analysis->numbers.end());
   return numbers;
+}
+
+std::vector<double> numbers_of(const Findings& found) {
+  std::vector<double> values;
+  for (const Analysis* analysis : kAnalyses)
+    for (const WorldNumber& number : analysis->numbers) values.push_back(number.value(found));
+  return values;
 }
 
 RunTables tables_of(std::span<const Analysis* const> analyses) {

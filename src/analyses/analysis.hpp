@@ -22,6 +22,7 @@ struct WorldNumber {
   std::string_view type;      ///< as numpy names it
   std::string_view sentence;  ///< its meaning and unit, and what it is where nothing was found
   double (*value)(const Findings& found);
+  std::string_view label = "";  ///< in JSON, with the unit; where the analysis has no `world_json`
 };
 
 /// Something that a run finds out beside the verdicts, where it is asked for. An analysis is a folder of src/analyses
@@ -37,7 +38,7 @@ struct Analysis {
   AnalysisTables tables;
   /// Lines for the terminal, of a file that has the analysis; absent where another one shows it.
   Result<std::string> (*table)(ResultsReader& results) = nullptr;
-  /// Adds to the object of a world, or of a layout.
+  /// Adds to the object of a world, or of a layout. Without the first, a world has an object of the `numbers`.
   void (*world_json)(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world) = nullptr;
   void (*layout_json)(nlohmann::ordered_json& json, const LayoutRecord& layout) = nullptr;
   std::span<const WorldNumber> numbers = {};
@@ -51,6 +52,7 @@ std::vector<const Analysis*> analyses_of(const Settings& settings);
 
 /// The numbers of a world that all analyses have, in the order of the table.
 std::vector<WorldNumber> world_numbers();
+std::vector<double> numbers_of(const Findings& found);
 
 RunTables tables_of(std::span<const Analysis* const> analyses);
 AnalysisMethods methods_of(std::span<const Analysis* const> analyses);

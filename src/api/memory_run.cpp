@@ -6,13 +6,9 @@
 
 namespace holdfast::internal {
 
-WorldTaker::WorldTaker(const Thresholds& thresholds, bool keep_boxes)
-    : thresholds_(thresholds), keep_boxes_(keep_boxes), numbers_(world_numbers()) {}
-
 void WorldTaker::take(WorldRecord&& record, holdfast::WorldOutcome& world) const {
   fill_world(record, thresholds_, keep_boxes_, world);
-  world.numbers.clear();
-  for (const WorldNumber& number : numbers_) world.numbers.push_back(number.value(record.found));
+  world.numbers = numbers_of(record.found);
   move_series(std::move(record.series), world.series);
 }
 

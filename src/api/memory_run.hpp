@@ -38,14 +38,13 @@ class DoneUnit final : public SinkUnit {
 /// Writes what became of a world into memory of the caller, which is used again.
 class WorldTaker {
  public:
-  WorldTaker(const Thresholds& thresholds, bool keep_boxes);
+  WorldTaker(const Thresholds& thresholds, bool keep_boxes) : thresholds_(thresholds), keep_boxes_(keep_boxes) {}
   /// Moves the series out of the record.
   void take(WorldRecord&& record, holdfast::WorldOutcome& world) const;
 
  private:
   Thresholds thresholds_;
   bool keep_boxes_;
-  std::vector<WorldNumber> numbers_;
 };
 
 /// Writes the results of worlds into memory of the caller.

@@ -1,6 +1,9 @@
 #include "app/world_json.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -39,8 +42,19 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
     const bool known = was_run || field.scope != FieldScope::derived || field.type == "verdict";
     json[std::string(field.label)] = known ? json_value(field, world.*member) : Json();
   });
-  for (const Analysis* analysis : all_analyses())
-    if (analysis->world_json != nullptr) analysis->world_json(json, world);
+  std::size_t next = 0;  // of the numbers of all analyses
+  for (const Analysis* analysis : all_analyses()) {
+    const std::span<const double> numbers = std::span(world.numbers).subspan(next, analysis->numbers.size());
+    next += numbers.size();
+    if (analysis->world_json != nullptr) {
+      analysis->world_json(json, world);
+      continue;
+    }
+    // What was not asked for has no numbers.
+    if (std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isnan(number); })) continue;
+    Json& of_analysis = json[std::string(analysis->tables.name)];
+    for (std::size_t i = 0; i < numbers.size(); ++i) of_analysis[std::string(analysis->numbers[i].label)] = numbers[i];
+  }
 }
 
 void append_box(nlohmann::ordered_json& json, const holdfast::BoxOutcome& box) {
@@ -56,6 +70,7 @@ std::string world_json(const WorldRecord& world, const std::string& layout, cons
                        std::size_t index, const Thresholds& thresholds, double time_saved) {
   holdfast::WorldOutcome outcome;
   fill_world(world, thresholds, false, outcome);
+  outcome.numbers = numbers_of(world.found);
   nlohmann::ordered_json json;
   json["world"] = index;
   json["layout"] = layout;

@@ -185,6 +185,8 @@ std::vector<SettingKey> make_table() {
       "Whether the forces of the boxes on the sides of the container are recorded; docs/walls.md says what they mean.");
   add(OneOf<WallNorms>{}, "Walls", "", "", MEMBER(screening.walls),
       "The norm whose test forces the forces on the sides are compared with; they are then recorded as well.");
+  add(Truth{}, "LoadShift", "", "false", MEMBER(screening.load_shift),
+      "Whether the displacement of the load's centre of gravity is recorded; docs/load_shift.md says what it means.");
   add(Truth{}, "Damage", "", "false", MEMBER(screening.damage),
       "Whether the accelerations and the impacts of boxes are recorded and compared with a damage boundary; "
       "docs/damage.md says what they mean.");

@@ -95,6 +95,7 @@ struct ScreeningSettings {
   bool wall_forces = false;               ///< also record the forces on the sides of the container
   std::optional<WallNorm> walls;          ///< the same, and compare them with the limits of a norm
   bool indicators = false;                ///< also tell what geometry alone says of layouts
+  bool load_shift = false;                ///< also record how far the load's centre of gravity moves
   bool damage = false;                    ///< also record what impacts do to boxes
   double damage_window = 0.02;            ///< over which accelerations are averaged, s
   double critical_acceleration = 15.0;    ///< of the damage boundary, g
