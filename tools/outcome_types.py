@@ -150,7 +150,7 @@ def python_columns(rows):
     classes = {type_of(enumeration) for enumeration in rows.codes}
     lines = [f"# {WRITTEN_BY}", '"""The columns of a table of verdicts that say what became of a world."""', "",
              "from .column import Column", "", "", "class WorldColumns:",
-             '    """What became of a world, one column per field. In a world that was not simulated, all numbers are 0."""', "",
+             '    """What became of a world, one column per field. In a world that was not simulated, counts and measures are 0."""', "",
              "    __slots__ = ()", ""]
     for field in rows.world():
         sentence = for_python(field.described())

@@ -49,6 +49,7 @@ SCREENINGS = {
     "wall_norm": f"{QUICK} {LAYOUTS} --norm road --walls en12642-xl",
     "damage": f"{QUICK} {LAYOUTS} --norm road --damage",
     "indicators": f"{QUICK} {LAYOUTS} --norm road --indicators",
+    "load_shift": f"{QUICK} {LAYOUTS} --norm road --load-shift",
     "everything": f"{QUICK} {FEW_LAYOUTS} --norm road {EVERYTHING}",
     "everything_without_series": f"{QUICK} {FEW_LAYOUTS} --norm road {EVERYTHING} --no-series --stop-when moved",
     "stop_when_moved": f"{QUICK} {LAYOUTS} --norm road --stop-when moved",

@@ -175,7 +175,7 @@ enum { HOLDFAST_STOP_REASONS(HOLDFAST_C_NAME) };
 
 /* What became of a world, one layout under one acceleration: HOLDFAST_WORLD_FIELDS. `layout` is an index into the
  * layouts of the call, or the ticket of a layout that was submitted; `acceleration` one into those of the screen. In a
- * world that was not simulated, all numbers are 0. */
+ * world that was not simulated, counts and measures are 0. */
 typedef struct holdfast_outcome {
   HOLDFAST_WORLD_FIELDS(HOLDFAST_C_MEMBER)
 } holdfast_outcome;
@@ -252,6 +252,13 @@ typedef struct holdfast_damage {
  * damage: set to it
  * HOLDFAST_BAD_ARGUMENT also where it was not asked for, or the world was not simulated. */
 HOLDFAST_API int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damage* damage);
+
+/* A number that an analysis of [Screening] finds of a world, such as "boxes_beyond" or "load_shift": those of
+ * `analysis_numbers` of holdfast.hpp, by their names. What was not asked for is not a number, or 0.
+ * index:  into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll
+ * number: set to it
+ * HOLDFAST_BAD_ARGUMENT also where no analysis has a number of that name. */
+HOLDFAST_API int holdfast_screen_number(holdfast_screen* screen, size_t index, const char* name, double* number);
 
 /* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
  * the right. */

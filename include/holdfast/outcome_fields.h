@@ -3,7 +3,8 @@
 
 /* What an outcome consists of, one row per field and per name: the only place that spells them. The structures of
  * holdfast.h and outcomes.hpp, the datasets of the results file, JSON, CSV, the columns of the Python package and the
- * types of the page are made of these rows; to add a field is to add a row. Part of both headers, which include it.
+ * types of the page are made of these rows. To add a field is to add a row, and to set it where it is found. Part of
+ * both headers, which include it. "The message" of a status is `status_text` of the results file.
  *
  * A row of a field is X(scope, type, name, dataset, label, since, unit, sentence):
  *
@@ -46,13 +47,13 @@
 
 /* Bits of a status: what went wrong with a world, and what to do. */
 #define HOLDFAST_STATUS_BITS(X) \
-  X(bad_layout,       BAD_LAYOUT,        1, "the layout could not be used; not simulated, no boxes. See `status_text`") \
-  X(bad_acceleration, BAD_ACCELERATION,  2, "the acceleration could not be used; not simulated. See `status_text`") \
+  X(bad_layout,       BAD_LAYOUT,        1, "the layout could not be used; not simulated, no boxes. The message says why") \
+  X(bad_acceleration, BAD_ACCELERATION,  2, "the acceleration could not be used; not simulated. The message says why") \
   X(non_finite,       NON_FINITE,        4, "a state became infinite or NaN; the samples end before that. Use a smaller step") \
   X(not_converged,    NOT_CONVERGED,     8, "the solver's residual stayed above its limit. Allow more iterations or accuracy") \
   X(capacity,         CAPACITY,         16, "a device had too little memory for all contacts of the world, or failed. Use another engine") \
   X(too_large,        TOO_LARGE,        32, "the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none") \
-  X(not_needed,       NOT_NEEDED,       64, "with `FirstFailure`: the layout does not hold another acceleration, which `status_text` names; not simulated. This is no problem, and `verdict` is 6 (not_needed)")
+  X(not_needed,       NOT_NEEDED,       64, "with `FirstFailure`: the layout does not hold another acceleration, which the message names; not simulated. This is no problem, and the verdict is not_needed")
 
 /* What the replicas of a world say of it: docs/confidence.md. */
 #define HOLDFAST_REPLICA_VERDICTS(X) \

@@ -102,7 +102,7 @@ struct AnalysisNumber {
 
 /// What became of a world, one layout under one acceleration: HOLDFAST_WORLD_FIELDS, and what the screen was asked for.
 /// `layout` and `acceleration` are indices into the layouts of the call and the accelerations of the screen. In a world
-/// that was not simulated, all numbers are 0.
+/// that was not simulated, counts and measures are 0.
 struct WorldOutcome {
   HOLDFAST_WORLD_FIELDS(HOLDFAST_CPP_MEMBER)
   std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty

@@ -30,15 +30,15 @@ class Status(enum.IntFlag):
     """Bits of a status: what went wrong with a world, and what to do."""
 
     OK = 0
-    BAD_LAYOUT = 1  #: the layout could not be used; not simulated, no boxes. See ``status_text``
-    BAD_ACCELERATION = 2  #: the acceleration could not be used; not simulated. See ``status_text``
+    BAD_LAYOUT = 1  #: the layout could not be used; not simulated, no boxes. The message says why
+    BAD_ACCELERATION = 2  #: the acceleration could not be used; not simulated. The message says why
     NON_FINITE = 4  #: a state became infinite or NaN; the samples end before that. Use a smaller step
     NOT_CONVERGED = 8  #: the solver's residual stayed above its limit. Allow more iterations or accuracy
     CAPACITY = 16  #: a device had too little memory for all contacts of the world, or failed. Use another engine
     #: the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none
     TOO_LARGE = 32
-    #: with ``FirstFailure``: the layout does not hold another acceleration, which ``status_text`` names; not simulated.
-    #: This is no problem, and ``verdict`` is 6 (not_needed)
+    #: with ``FirstFailure``: the layout does not hold another acceleration, which the message names; not simulated.
+    #: This is no problem, and the verdict is not_needed
     NOT_NEEDED = 64
 
 

@@ -5,7 +5,7 @@ from .column import Column
 
 
 class WorldColumns:
-    """What became of a world, one column per field. In a world that was not simulated, all numbers are 0."""
+    """What became of a world, one column per field. In a world that was not simulated, counts and measures are 0."""
 
     __slots__ = ()
 

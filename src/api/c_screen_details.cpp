@@ -94,6 +94,20 @@ int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damag
   });
 }
 
+int holdfast_screen_number(holdfast_screen* screen, size_t index, const char* name, double* number) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const holdfast::WorldOutcome& world = outcome_at(object, index);
+    required(name, "name");
+    required(number, "number");
+    const std::vector<holdfast::AnalysisNumber> numbers = holdfast::analysis_numbers();
+    const auto found = std::find_if(numbers.begin(), numbers.end(),
+                                    [&](const holdfast::AnalysisNumber& known) { return known.name == name; });
+    if (found == numbers.end()) throw BadArgument{"no analysis has the number " + std::string(name)};
+    *number = world.numbers.at(static_cast<std::size_t>(found - numbers.begin()));
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_outcome* boxes, size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
     const holdfast::WorldOutcome& world = outcome_at(object, index);

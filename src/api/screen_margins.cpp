@@ -22,8 +22,8 @@ class MarginSink final : public internal::ResultSink {
   }
 
   static LayoutMargins public_margins(const internal::Findings& findings) {
-    const auto found = findings.value<internal::LayoutMargins>();
-    const auto spread = findings.value<internal::MarginSpread>();
+    const auto& found = findings.value<internal::LayoutMargins>();
+    const auto& spread = findings.value<internal::MarginSpread>();
     LayoutMargins margins{.margin = found.margin,
                           .trials = found.trials,
                           .cpu_seconds = found.cpu_seconds + spread.cpu_seconds,

@@ -46,9 +46,8 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--tilt-threshold", options->tilt, "Tilted when rotated by more, degrees")
       ->check(as_in_config("Screening", "TiltThreshold"));
   command
-      ->add_option(
-          "--csv", options->csv_folder,
-          "Write worlds.csv and boxes.csv, and margins.csv and walls.csv where there are such, into this folder")
+      ->add_option("--csv", options->csv_folder,
+                   "Write worlds.csv and boxes.csv, and files of analyses such as margins.csv, into this folder")
       ->type_name("DIR");
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
       ->type_name("FILE");

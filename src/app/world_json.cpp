@@ -44,8 +44,9 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
   });
   std::size_t next = 0;  // of the numbers of all analyses
   for (const Analysis* analysis : all_analyses()) {
-    const std::span<const double> numbers = std::span(world.numbers).subspan(next, analysis->numbers.size());
-    next += numbers.size();
+    const std::size_t count = std::min(analysis->numbers.size(), world.numbers.size() - next);
+    const std::span<const double> numbers = std::span(world.numbers).subspan(next, count);
+    next += count;
     if (analysis->world_json != nullptr) {
       analysis->world_json(json, world);
       continue;

@@ -130,6 +130,7 @@ static void tells_what_impacts_did(void) {
   const holdfast_layouts all = layouts();
   holdfast_outcome outcomes[world_count];
   holdfast_damage damage;
+  double number;
   holdfast_settings* settings = holdfast_settings_new();
   holdfast_screen* screen = screen_with(NULL);
   CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
@@ -147,6 +148,12 @@ static void tells_what_impacts_did(void) {
   CHECK(damage.peak_acceleration > 2.001F);
   CHECK(holdfast_screen_damage(screen, world_count, &damage) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_screen_damage(screen, 0, NULL) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_number(screen, 1, "peak_acceleration", &number) == HOLDFAST_OK);
+  CHECK((float)number == damage.peak_acceleration);
+  CHECK(holdfast_screen_number(screen, 1, "load_shift", &number) == HOLDFAST_OK && isnan(number)); /* not asked for */
+  CHECK(holdfast_screen_number(screen, 1, "peak", &number) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_number(screen, world_count, "load_shift", &number) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_screen_number(screen, 1, NULL, &number) == HOLDFAST_BAD_ARGUMENT);
   holdfast_screen_free(screen);
   holdfast_settings_free(settings);
 }

@@ -14,7 +14,7 @@ namespace holdfast::internal {
 namespace {
 
 void indicator_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
-  const auto found = layout.found.value<LayoutIndicators>();
+  const auto& found = layout.found.value<LayoutIndicators>();
   const auto array = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
   json["indicators"] = {{"fill", found.fill},
                         {"centre_of_gravity_m", array(found.centre_of_gravity)},
@@ -40,14 +40,18 @@ std::string box_fields(const LayoutIndicators& found, std::size_t box) {
 Result<CsvFields> indicator_fields(ResultsReader& results, const SummarySlice& slice) {
   const ResultsInfo& info = results.info();
   CsvFields fields;
+  LayoutIndicators found;
+  std::optional<std::uint64_t> found_of;  // consecutive worlds have one layout
   for (const WorldRow& row : slice.rows) {
-    LayoutIndicators found;
     const std::uint64_t layout = row.layout - info.layout_begin;
-    if (row.layout >= info.layout_begin && layout < info.layouts.size()) {
+    const bool known = row.layout >= info.layout_begin && layout < info.layouts.size();
+    if (!known) found = {};
+    if (known && found_of != row.layout) {
       Result<std::vector<LayoutIndicators>> read = read_layouts<LayoutIndicators>(results, layout, 1, Depth::boxes);
       if (!read) return read.errors();
       found = std::move(read->front());
     }
+    found_of = row.layout;
     fields.worlds.push_back(world_fields(found));
     for (std::size_t box = 0; box < row.boxes; ++box) fields.boxes.push_back(box_fields(found, box));
   }

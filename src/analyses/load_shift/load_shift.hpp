@@ -23,9 +23,12 @@ struct LoadShift {
 
   template <class Visit>
   static void describe(Visit&& visit) {
-    visit(DatasetContent{"/load_shift/end", Axis::worlds, "m",
-                         "displacement x, y, z of the load's centre of gravity at the end, from where it is at t = 0"},
-          &LoadShift::end);
+    visit(
+        DatasetContent{
+            "/load_shift/end", Axis::worlds, "m",
+            "displacement x, y, z of the load's centre of gravity at the end, from where it is at t = 0; NaN in a "
+            "world that was not simulated, as the next two"},
+        &LoadShift::end);
     visit(DatasetContent{"/load_shift/peak", Axis::worlds, "m", "the same where it is farthest, over all steps"},
           &LoadShift::peak);
     visit(DatasetContent{"/load_shift/peak_time", Axis::worlds, "s", "time at which it is farthest"},

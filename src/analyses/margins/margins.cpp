@@ -35,7 +35,7 @@ bool find(std::optional<Found> (*find)(const Engine&, const Layout&, const Setti
 }
 
 void margins_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
-  const auto margins = layout.found.value<LayoutMargins>();
+  const auto& margins = layout.found.value<LayoutMargins>();
   for (std::size_t i = 0; i < kDirectionCount; ++i) {
     const std::string direction(kMarginDirections.at(i).name);
     json["margins_g"][direction] = margins.margin.at(i);
@@ -45,7 +45,7 @@ void margins_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
 }
 
 void spread_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
-  const auto spread = layout.found.value<MarginSpread>();
+  const auto& spread = layout.found.value<MarginSpread>();
   for (std::size_t i = 0; i < kDirectionCount; ++i)
     json["margins_5_50_95_g"][std::string(kMarginDirections.at(i).name)] = {spread.low.at(i), spread.median.at(i),
                                                                             spread.high.at(i)};

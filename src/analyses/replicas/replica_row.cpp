@@ -63,8 +63,7 @@ std::optional<Error> write_replica_csv(ResultsReader& results, const std::functi
     if (!rows) return rows.error();
     const Result<std::vector<ReplicaOutcome>> replicas = read_worlds<ReplicaOutcome>(results, begin, *rows);
     if (!replicas) return replicas.error();
-    for (std::size_t i = 0; i < rows->size(); ++i)
-      write(replica_line(info, info.world_begin + begin + i, (*rows)[i], (*replicas)[i]));
+    for (std::size_t i = 0; i < rows->size(); ++i) write(replica_line(info, begin + i, (*rows)[i], (*replicas)[i]));
   }
   return std::nullopt;
 }

@@ -36,9 +36,9 @@ std::string lines_of(const ResultsInfo& info, const std::vector<Counts>& acceler
 }
 
 std::string line_of(const ResultsInfo& info, const WorldRow& row, const ReplicaOutcome& replicas) {
-  return fmt::format("  {} under {}: {} of {} fail, which is {:.0f} to {:.0f} %\n", printable(info.layouts[row.layout]),
-                     printable(info.accelerations[row.acceleration]), replicas.failed, replicas.count,
-                     100.0 * replicas.wilson_low, 100.0 * replicas.wilson_high);
+  return fmt::format("  {} under {}: {} of {} fail, which is {:.0f} to {:.0f} %\n",
+                     printable(info.layout_name(row.layout)), printable(info.acceleration_name(row.acceleration)),
+                     replicas.failed, replicas.count, 100.0 * replicas.wilson_low, 100.0 * replicas.wilson_high);
 }
 
 }  // namespace
@@ -55,8 +55,7 @@ Result<std::string> replica_table(ResultsReader& results) {
   for (std::size_t i = 0; i < rows->size(); ++i) {
     const WorldRow& row = (*rows)[i];
     const ReplicaOutcome& outcome = (*replicas)[i];
-    if (row.acceleration >= accelerations.size() || row.layout >= info.layouts.size() ||
-        outcome.verdict > ReplicaVerdict::uncertain)
+    if (row.acceleration >= accelerations.size() || outcome.verdict > ReplicaVerdict::uncertain)
       return Error{.file = info.path, .what = "is damaged: a world has indices that are not in the file"};
     ++accelerations[row.acceleration].at(static_cast<std::size_t>(outcome.verdict));
     if (outcome.verdict == ReplicaVerdict::uncertain) uncertain.push_back(i);

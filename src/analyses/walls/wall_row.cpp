@@ -44,7 +44,7 @@ double force_on(const Findings& found) {
 }
 
 double largest_share(const Findings& found) {
-  const auto walls = found.value<WallForces>();
+  const auto& walls = found.value<WallForces>();
   double largest = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t side = 0; side < kSideCount; ++side) largest = std::fmax(largest, walls.share_of_limit(side));
   return largest;

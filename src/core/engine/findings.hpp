@@ -19,9 +19,10 @@ class Findings {
 
   /// The same; what nothing was found of has the value of a new `Found`.
   template <class Found>
-  Found value() const {
+  const Found& value() const {
+    static const Found kNone{};
     const Found* found = get<Found>();
-    return found != nullptr ? *found : Found();
+    return found != nullptr ? *found : kNone;
   }
 
   /// Adds a value of a type that is not there yet.

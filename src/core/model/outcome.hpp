@@ -51,7 +51,10 @@ struct OutcomeName {
 #define HOLDFAST_ROW_status(name) Status name = Status::ok;
 #define HOLDFAST_ROW_verdict HOLDFAST_CPP_verdict
 #define HOLDFAST_ROW_stop_reason HOLDFAST_CPP_stop_reason
+#define HOLDFAST_COLUMN_u32(name) std::vector<std::uint32_t> name;
+#define HOLDFAST_COLUMN_u64(name) std::vector<std::uint64_t> name;
 #define HOLDFAST_COLUMN_f32(name) std::vector<float> name;
+#define HOLDFAST_COLUMN_f64(name) std::vector<double> name;
 #define HOLDFAST_COLUMN_vec3(name) std::vector<Float3> name;
 
 #define HOLDFAST_IF_FOUND_recorded(code) code

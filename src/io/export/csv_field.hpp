@@ -25,10 +25,10 @@ inline std::string csv_count(std::uint32_t boxes) { return boxes == kNotCounted 
 /// Headings of a field of an outcome; of a vector three: "displacement_x_m".
 std::string csv_heading(const OutcomeField& field);
 
-/// A value of an outcome: names of codes, 16 hexadecimal digits of a hash, three fields of a vector, and an empty field
+/// A value of an outcome: names of codes, three fields of a vector, and an empty field
 /// for what is not known.
 template <class Value>
-std::string csv_value(const OutcomeField& field, const Value& value) {
+std::string csv_value(const Value& value) {
   if constexpr (std::is_same_v<Value, std::string>)
     return csv_field(value);
   else if constexpr (std::is_same_v<Value, Float3>)
@@ -42,7 +42,7 @@ std::string csv_value(const OutcomeField& field, const Value& value) {
   else if constexpr (std::is_same_v<Value, std::uint32_t>)
     return csv_count(value);
   else
-    return field.type == "hash" ? fmt::format("{:016x}", value) : fmt::format("{}", value);
+    return fmt::format("{}", value);
 }
 
 }  // namespace holdfast::internal

@@ -10,8 +10,10 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Fields that CSV has.
-bool in_csv(const OutcomeField& field) { return !field.label.empty() && field.scope != FieldScope::copied; }
+/// Fields that CSV has: all that are shown, but hashes, which readers take for numbers.
+bool in_csv(const OutcomeField& field) {
+  return !field.label.empty() && field.scope != FieldScope::copied && field.type != "hash";
+}
 
 std::string world_header() {
   std::string header = "world,layout,acceleration";
@@ -54,7 +56,7 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice, cons
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
     text += naming(info, slice.world_begin + i, slice.rows[i]);
     visit_world_values(slice.rows[i], slice.worlds[i], [&](const OutcomeField& field, const auto& value, auto) {
-      if (in_csv(field)) text += ',' + csv_value(field, value);
+      if (in_csv(field)) text += ',' + csv_value(value);
     });
     for (const CsvFields& fields : added) text += fields.worlds[i];
     text += "\r\n";
@@ -72,10 +74,10 @@ std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const 
     for (std::size_t i = begin; i < begin + row.boxes; ++i) {
       text += fmt::format("{},{},{},{}", names, boxes.id[i], boxes.material[i], csv_number(boxes.mass[i]));
       visit_box_verdict<BoxVerdict>([&](const OutcomeField& field, auto member) {
-        if (in_csv(field)) text += ',' + csv_value(field, slice.boxes[i].*member);
+        if (in_csv(field)) text += ',' + csv_value(slice.boxes[i].*member);
       });
       visit_ends<EndTable>([&](const OutcomeField& field, auto member) {
-        if (in_csv(field)) text += ',' + csv_value(field, (slice.ends.*member)[i]);
+        if (in_csv(field)) text += ',' + csv_value((slice.ends.*member)[i]);
       });
       for (const CsvFields& fields : added) text += fields.boxes[i];
       text += "\r\n";

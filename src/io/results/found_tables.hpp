@@ -30,7 +30,7 @@ Result<std::vector<Found>> read_found(ResultsReader& results, std::size_t rows, 
   Found::describe([&](const DatasetContent& content, auto member) {
     using Entry = EntryOfFound<Found, decltype(member)>;
     constexpr bool kIsColumn = !std::is_same_v<Entry, std::decay_t<decltype(all.front().*member)>>;
-    const bool of_samples = content.axis == Axis::samples || content.axis == Axis::rows;
+    const bool of_samples = content.axis == Axis::samples;
     if (error || rows == 0 || (kIsColumn && depth < (of_samples ? Depth::samples : Depth::boxes))) return;
     const Result<EntryRange> range = range_of(content.axis);
     std::uint64_t count = 0;
@@ -66,6 +66,7 @@ Result<std::vector<Found>> read_worlds(ResultsReader& results, std::uint64_t beg
   return read_found<Found>(results, rows.size(), depth, [&](Axis axis) -> Result<EntryRange> {
     EntryRange range{begin, std::vector<std::size_t>(rows.size(), 1)};
     if (axis == Axis::worlds) return range;
+    assert(axis == Axis::boxes || axis == Axis::samples);
     range.begin = axis == Axis::boxes ? rows.front().box_begin : rows.front().sample_begin;
     for (std::size_t i = 0; i < rows.size(); ++i)
       range.counts[i] = axis == Axis::boxes ? rows[i].boxes : rows[i].sample_count;
@@ -96,9 +97,7 @@ std::vector<DatasetSpec> datasets_of() {
 
 template <class Found>
 void append_found(ColumnSet& columns, const Findings& findings, bool series) {
-  const Found* const known = findings.get<Found>();
-  const Found unknown;
-  const Found& found = known != nullptr ? *known : unknown;
+  const auto& found = findings.value<Found>();
   Found::describe([&](const DatasetContent& content, auto member) {
     if (content.axis != Axis::samples || series) columns[content.path].append(found.*member);
   });

@@ -39,12 +39,10 @@ class Failure : public std::exception {
   throw Failure(Error{.file = path, .what = std::move(what), .accepted = std::move(accepted)});
 }
 
-/// Runs `work` and returns the error that it threw, if any; for the public functions.
-template <class Work>
-std::optional<Error> caught(const std::string& path, Work&& work) {
+/// What the exception says that is being handled.
+inline Error error_in_hand(const std::string& path) {
   try {
-    work();
-    return std::nullopt;
+    throw;
   } catch (const Failure& failure) {
     return failure.error();
   } catch (const std::bad_alloc&) {
@@ -54,17 +52,24 @@ std::optional<Error> caught(const std::string& path, Work&& work) {
   }
 }
 
+/// Runs `work` and returns the error that it threw, if any; for the public functions.
+template <class Work>
+std::optional<Error> caught(const std::string& path, Work&& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const std::exception&) {
+    return error_in_hand(path);
+  }
+}
+
 /// The same for work that returns a value.
 template <class Work>
 auto caught_result(const std::string& path, Work&& work) -> Result<decltype(work())> {
   try {
     return work();
-  } catch (const Failure& failure) {
-    return failure.error();
-  } catch (const std::bad_alloc&) {
-    return out_of_memory(path);
-  } catch (const std::exception& exception) {
-    return Error{.file = path, .what = exception.what()};
+  } catch (const std::exception&) {
+    return error_in_hand(path);
   }
 }
 

@@ -41,14 +41,16 @@ std::uint64_t check_format(const h5::File& file) {
   return version;
 }
 
-/// What an earlier version of the file does not say.
+/// What an earlier version of the file does not say: NaN, and for counts and codes that of a new one.
 template <class Entry>
 Entry unknown() {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   if constexpr (std::is_same_v<Entry, Float3>)
     return {kNan, kNan, kNan};
+  else if constexpr (std::is_floating_point_v<Entry>)
+    return std::numeric_limits<Entry>::quiet_NaN();
   else
-    return kNan;
+    return Entry();
 }
 
 }  // namespace
@@ -88,7 +90,10 @@ struct ResultsReader::State {
   /// The same of a field; a file of an earlier version does not have all.
   template <class Row, class Entry>
   void read_field(const OutcomeField& field, std::uint64_t begin, Entry Row::*member, std::vector<Row>& rows) {
-    if (field.since > version) return;
+    if (field.since > version) {
+      for (Row& row : rows) row.*member = unknown<Entry>();
+      return;
+    }
     if constexpr (std::is_same_v<Entry, std::string>) {
       const std::vector<std::string> column = texts(field.dataset, begin, rows.size());
       for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column[i];

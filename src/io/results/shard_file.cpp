@@ -67,6 +67,11 @@ Result<ShardFile> ShardFile::open(const std::string& path) {
     const h5::File file = h5::File::open(path);
     if (h5::read_text_attribute(file, "/", "format") != kFormatName || !h5::has_attribute(file, "/", "shard"))
       h5::fail(path, "is no shard", "a results file of `holdfast screen --part K/N`");
+    const std::uint64_t version = h5::read_count_attribute(file, "/", "format_version");
+    if (version != kFormatVersion)
+      h5::fail(path,
+               fmt::format("has version {} of the format, and this program merges version {}", version, kFormatVersion),
+               "simulate the shard again, or merge with the version that wrote it");
     ShardFile shard;
     shard.path_ = path;
     shard.run_ = read_run(file);

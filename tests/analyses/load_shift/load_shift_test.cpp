@@ -1,5 +1,10 @@
 #include "analyses/load_shift/load_shift.hpp"
 
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analyses/load_shift/load_shift_recorder.hpp"
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
@@ -29,18 +34,43 @@ TEST_CASE("load_shift: a box that slides alone is the load", "[load_shift]") {
 }
 
 TEST_CASE("load_shift: boxes count by their masses, and what comes back has been away", "[load_shift]") {
-  // The lower box is three times as heavy, and rests; the upper one slides on it to one side, and back by as much.
-  Layout layout = layout_of({box({4, 5, 0}, {2, 1, 0.6}), box({4.8, 5, 0.6}, {0.8, 0.5, 1.0})});
-  const Run run = scenes::run("native", layout, constant(2.0, 0.4), measured(open_floor(0.5)));
-  Vec3 expected = Vec3::Zero();
-  double mass = 0.0;
-  for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
-    const Vec3 size = layout.boxes[i].corner_max - layout.boxes[i].corner_min;
-    expected += size.prod() * run.displacement(i);
-    mass += size.prod();
-  }
-  CHECK((shift_of(run).end - expected / mass).norm() < 1e-6);
-  CHECK(shift_of(run).peak.norm() >= shift_of(run).end.norm());
+  // The lower box rests; the upper one, which has a quarter of the mass, slides on it to one side and back again.
+  const Layout layout = layout_of({box({4, 5, 0}, {2, 1, 0.6}), box({4.6, 5.2, 0.6}, {0.8, 0.5, 1.0})});
+  Settings settings = measured(open_floor(0.5));
+  settings.contact.friction_model = FrictionModel::pairs;
+  settings.contact.box_box = 0.05;
+  settings.contact.box_floor = 0.5;
+  Acceleration there_and_back{.name = "there and back"};
+  there_and_back.segments = {{0.0, 0.4, {1.5, 0, 0}}, {0.4, 0.7, {-1.5, 0, 0}}};
+  const Run run = scenes::run("native", layout, there_and_back, settings);
+  const LoadShift shift = shift_of(run);
+  // It leaves with 1.5 − 0.05 g for 0.4 s, and comes to a stop under 1.5 + 0.05 g.
+  const double away = 1.5 - 0.05 * kGravity;
+  const double back = 1.5 + 0.05 * kGravity;
+  const double speed = 0.4 * away;
+  const double farthest = 0.5 * 0.4 * speed + speed * speed / (2.0 * back);
+  CHECK(run.displacement(0).norm() < 1e-9);
+  CHECK((shift.end - 0.25 * run.displacement(1)).norm() < 1e-6);
+  CHECK(shift.end.norm() < 2e-3);
+  CHECK(shift.peak.x() == Approx(-0.25 * farthest).epsilon(2e-3));
+  CHECK(shift.peak_time == Approx(0.4 + speed / back).margin(1.0 / 60));
+}
+
+TEST_CASE("load_shift: boxes that are fixed to the container do not count", "[load_shift]") {
+  const std::vector<double> mass = {std::numeric_limits<double>::infinity(), 2.0};
+  const std::vector<Vec3> start = {Vec3(1, 0, 0), Vec3(0, 0, 0)};
+  const std::vector<Vec3> end = {Vec3(1, 0, 0), Vec3(0, 3, 0)};
+  const auto state = [](const std::vector<Vec3>& position) {
+    return StateView{.position = position, .orientation = {}, .velocity = {}, .angular_velocity = {}};
+  };
+  BoxView boxes;
+  boxes.mass = mass;
+  LoadShiftRecorder recorder(boxes, state(start));
+  recorder.step({.begin = 0.0, .end = 0.5, .after = state(end)});
+  Findings found;
+  recorder.finish(found);
+  CHECK(found.value<LoadShift>().end == Vec3(0, 3, 0));
+  CHECK(found.value<LoadShift>().peak_time == 0.5);
 }
 
 TEST_CASE("load_shift: a load that rests does not shift, and nothing is known where it was not asked for",

@@ -36,9 +36,9 @@ export type StopReasonName = keyof typeof STOP_REASON_CODES;
 
 /** Bits of a status: what went wrong with a world, and what to do. */
 export const STATUS_BITS = {
-  /** the layout could not be used; not simulated, no boxes. See `status_text` */
+  /** the layout could not be used; not simulated, no boxes. The message says why */
   bad_layout: 1,
-  /** the acceleration could not be used; not simulated. See `status_text` */
+  /** the acceleration could not be used; not simulated. The message says why */
   bad_acceleration: 2,
   /** a state became infinite or NaN; the samples end before that. Use a smaller step */
   non_finite: 4,
@@ -49,8 +49,8 @@ export const STATUS_BITS = {
   /** the series would take too much memory, more than 20 million rows; not simulated. Use a longer interval, or none */
   too_large: 32,
   /**
-   * with `FirstFailure`: the layout does not hold another acceleration, which `status_text` names; not simulated. This
-   * is no problem, and `verdict` is 6 (not_needed)
+   * with `FirstFailure`: the layout does not hold another acceleration, which the message names; not simulated. This is
+   * no problem, and the verdict is not_needed
    */
   not_needed: 64,
 } as const;

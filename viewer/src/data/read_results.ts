@@ -13,7 +13,7 @@ import type {
 } from "./results";
 
 /** Versions of the file that this page reads. */
-const VERSIONS = [2];
+const VERSIONS = [2, 3];
 
 const uint32 = (numbers: Numbers) => (numbers instanceof Uint32Array ? numbers : Uint32Array.from(numbers));
 
