@@ -116,7 +116,7 @@ class Shards(ShardTest):
         self.write("layouts/box.txt", layout_text([(0, 0, 0, 80, 60, 50)]))
         names = [self.write(f"a/{i:03}.txt", f"0 0.05 {i % 5} {i % 3} 0\n") for i in range(130)]  # a block is one layout
         self.arguments = ["screen", "--layouts", "layouts", "--accelerations", "a", "--accuracy", "screening", "--quiet",
-                          "--margins", "--walls", "en283", "--damage", "--indicators", "--replicas", 27]
+                          "--margins", "--walls", "en283", "--damage", "--load-shift", "--indicators", "--replicas", 27]
         self.assertEqual(len(names), 130)
         whole = self.screen(output="whole.h5", code=0)
         self.shards(3)
@@ -146,6 +146,10 @@ class Shards(ShardTest):
             fingerprint = file.attrs["run_fingerprint"]
             file.attrs["run_fingerprint"] = fingerprint.replace("software=", "software=0")
         self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5", "of a run with other software")
+        with h5py.File(second, "r+") as file:
+            file.attrs.modify("format_version", file.attrs["format_version"] - 1)
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5: has version 2 of the format",
+                            "simulate the shard again")
         second.write_bytes(kept.read_bytes()[:20000])
         self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5")
         self.write("results.h5.shards/shard-2-of-3.h5", "no results\n")
