@@ -65,25 +65,17 @@ Result<DamageLines> read_lines(ResultsReader& results) {
 }
 
 std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
-  std::vector<std::pair<std::string, LayoutDamage>> shown;
-  for (const auto& [layout, line] : lines.layouts) shown.emplace_back(printable(info.layout_name(layout)), line);
-  std::stable_sort(shown.begin(), shown.end(),
-                   [](const auto& a, const auto& b) { return a.second.rank() > b.second.rank(); });
-  const std::size_t hidden = shown.size() - std::min(shown.size(), kLayoutsShown);
-  shown.resize(shown.size() - hidden);
-
-  std::size_t width = std::string_view("layout").size();
-  for (const auto& [name, line] : shown) width = std::max(width, name.size());
+  const auto shown = shown_layouts(lines.layouts, info, [](const LayoutDamage& line) { return line.rank(); });
   std::string text = "\ndamage: boxes beyond the boundary, and the hardest impact\n";
-  text += fmt::format("  {:<{}}  boxes  peak (g)  impact (m/s)\n", "layout", width);
-  for (const auto& [name, line] : shown) {
-    text += fmt::format("  {:<{}}  {:>5}  {:>8.1f}  {:>12.2f}", name, width, line.boxes_beyond,
+  text += fmt::format("  {:<{}}  boxes  peak (g)  impact (m/s)\n", "layout", shown.width);
+  for (const auto& [name, line] : shown.lines) {
+    text += fmt::format("  {:<{}}  {:>5}  {:>8.1f}  {:>12.2f}", name, shown.width, line.boxes_beyond,
                         line.peak_acceleration / kStandardGravity, line.velocity_change);
     if (line.box > 0)
       text += fmt::format("  box {}, {}", line.box, printable(info.acceleration_name(line.acceleration)));
     text += "\n";
   }
-  if (hidden > 0) text += fmt::format("  and {} more; `holdfast summary --csv` writes all\n", hidden);
+  if (shown.hidden > 0) text += fmt::format("  and {} more; `holdfast summary --csv` writes all\n", shown.hidden);
   return text + fmt::format("  beyond the boundary in {} of {} worlds\n", lines.exceeding, lines.worlds);
 }
 

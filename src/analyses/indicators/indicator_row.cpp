@@ -24,11 +24,8 @@ void indicator_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
 }
 
 std::string world_fields(const LayoutIndicators& found) {
-  const auto numbers = [](const Vec3& v) {
-    return fmt::format("{},{},{}", csv_number(v.x()), csv_number(v.y()), csv_number(v.z()));
-  };
-  return fmt::format(",{},{},{},{},{}", csv_number(found.fill), numbers(found.centre_of_gravity),
-                     numbers(found.centre_offset), csv_number(found.badly_based), csv_number(found.badly_braced));
+  return fmt::format(",{},{},{},{},{}", csv_number(found.fill), csv_vector(found.centre_of_gravity),
+                     csv_vector(found.centre_offset), csv_number(found.badly_based), csv_number(found.badly_braced));
 }
 
 std::string box_fields(const LayoutIndicators& found, std::size_t box) {

@@ -37,10 +37,7 @@ constexpr WorldNumber kShiftNumbers[] = {
      [](const Findings& found) { return found.value<LoadShift>().end.norm(); }, "end_m"}};
 
 std::string fields_of(const LoadShift& shift) {
-  std::string fields;
-  for (const Vec3& v : {shift.end, shift.peak})
-    for (const double number : v) fields += ',' + csv_number(number);
-  return fields + ',' + csv_number(shift.peak_time);
+  return fmt::format(",{},{},{}", csv_vector(shift.end), csv_vector(shift.peak), csv_number(shift.peak_time));
 }
 
 Result<CsvFields> shift_fields(ResultsReader& results, const SummarySlice& slice) {
@@ -77,24 +74,16 @@ Result<std::string> shift_table(ResultsReader& results) {
       if (shift.peak.norm() > place->second.shift.peak.norm()) place->second = {shift, (*rows)[i].acceleration};
     }
   }
-  std::vector<std::pair<std::string, Farthest>> shown;
-  for (const auto& [layout, farthest] : layouts) shown.emplace_back(printable(info.layout_name(layout)), farthest);
-  std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) {
-    return a.second.shift.peak.norm() > b.second.shift.peak.norm();
-  });
-  const std::size_t hidden = shown.size() - std::min(shown.size(), kLayoutsShown);
-  shown.resize(shown.size() - hidden);
-  std::size_t width = std::string_view("layout").size();
-  for (const auto& [name, farthest] : shown) width = std::max(width, name.size());
+  const auto shown = shown_layouts(layouts, info, [](const Farthest& line) { return line.shift.peak.norm(); });
   std::string text = "\nload shift: how far the centre of gravity of the load is displaced, in m\n";
-  text += fmt::format("  {:<{}}  farthest   along  across  upwards\n", "layout", width);
-  for (const auto& [name, farthest] : shown) {
+  text += fmt::format("  {:<{}}  farthest   along  across  upwards\n", "layout", shown.width);
+  for (const auto& [name, farthest] : shown.lines) {
     const Vec3& peak = farthest.shift.peak;
-    text += fmt::format("  {:<{}}  {:>8.3f}  {:>6.3f}  {:>6.3f}  {:>7.3f}  {}\n", name, width, peak.norm(),
+    text += fmt::format("  {:<{}}  {:>8.3f}  {:>6.3f}  {:>6.3f}  {:>7.3f}  {}\n", name, shown.width, peak.norm(),
                         millimetres(peak.x()), millimetres(peak.y()), millimetres(peak.z()),
                         printable(info.acceleration_name(farthest.acceleration)));
   }
-  if (hidden > 0) text += fmt::format("  and {} more that shift less\n", hidden);
+  if (shown.hidden > 0) text += fmt::format("  and {} more that shift less\n", shown.hidden);
   return text;
 }
 

@@ -29,13 +29,11 @@ constexpr const char* kWallHeader =
     "world,layout,acceleration,side,peak_force_N,peak_time_s,peak_x_m,peak_y_m,peak_z_m,lasting_force_N,limit_N,"
     "exceeded,impulse_x_Ns,impulse_y_Ns,impulse_z_Ns\r\n";
 
-std::string vector(const Vec3& v) { return csv_number(v.x()) + ',' + csv_number(v.y()) + ',' + csv_number(v.z()); }
-
 std::string wall_line(const std::string& names, const WallForces& walls, std::size_t side) {
   return fmt::format("{},{},{},{},{},{},{},{},{}\r\n", names, kContainerSides.at(side).name,
                      csv_number(walls.peak_force.at(side)), csv_number(walls.peak_time.at(side)),
-                     vector(walls.peak_point.at(side)), csv_number(walls.lasting_force.at(side)),
-                     csv_number(walls.limit.at(side)), walls.exceeds(side) ? 1 : 0, vector(walls.impulse.at(side)));
+                     csv_vector(walls.peak_point.at(side)), csv_number(walls.lasting_force.at(side)),
+                     csv_number(walls.limit.at(side)), walls.exceeds(side) ? 1 : 0, csv_vector(walls.impulse.at(side)));
 }
 
 template <std::size_t side>

@@ -73,22 +73,14 @@ std::string value_text(double value, bool limited) {
 }
 
 std::string text_of(const WallLines& lines, const ResultsInfo& info) {
-  std::vector<std::pair<std::string, LayoutWalls>> shown;
-  for (const auto& [layout, line] : lines.layouts) shown.emplace_back(printable(info.layout_name(layout)), line);
-  std::stable_sort(shown.begin(), shown.end(),
-                   [](const auto& a, const auto& b) { return a.second.worst() > b.second.worst(); });
-  const std::size_t hidden = shown.size() - std::min(shown.size(), kLayoutsShown);
-  shown.resize(shown.size() - hidden);
-
-  std::size_t width = std::string_view("layout").size();
-  for (const auto& [name, line] : shown) width = std::max(width, name.size());
+  const auto shown = shown_layouts(lines.layouts, info, [](const LayoutWalls& line) { return line.worst(); });
   std::string text = lines.limited ? "\nwalls: the largest force for 0.05 s, of the norm's test force\n"
                                    : "\nwalls: the largest force for 0.05 s, in kN\n";
-  text += fmt::format("  {:<{}}", "layout", width);
+  text += fmt::format("  {:<{}}", "layout", shown.width);
   for (const std::size_t wall : kFourWalls) text += fmt::format("  {:>6}", kContainerSides.at(wall).name);
   text += "  largest\n";
-  for (const auto& [name, line] : shown) {
-    text += fmt::format("  {:<{}}", name, width);
+  for (const auto& [name, line] : shown.lines) {
+    text += fmt::format("  {:<{}}", name, shown.width);
     for (const std::size_t wall : kFourWalls)
       text += fmt::format("  {:>6}", value_text(line.largest.at(wall), lines.limited));
     const std::string where = fmt::format("{}, {}", kContainerSides.at(line.worst_wall).name,
@@ -96,7 +88,7 @@ std::string text_of(const WallLines& lines, const ResultsInfo& info) {
     text += fmt::format("  {}{}\n", line.worst() > 0.0 ? where : "-",
                         lines.limited && line.worst() > 1.0 ? ", exceeded" : "");
   }
-  if (hidden > 0) text += fmt::format("  and {} more that press less\n", hidden);
+  if (shown.hidden > 0) text += fmt::format("  and {} more that press less\n", shown.hidden);
   if (lines.limited) text += fmt::format("  exceeded in {} of {} worlds\n", lines.exceeding, lines.worlds);
   return text;
 }

@@ -19,6 +19,11 @@ std::string csv_number(Number value) {
   return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
+/// The three components of a vector.
+inline std::string csv_vector(const Vec3& v) {
+  return csv_number(v.x()) + ',' + csv_number(v.y()) + ',' + csv_number(v.z());
+}
+
 /// A number of boxes; an empty field where they were not counted.
 inline std::string csv_count(std::uint32_t boxes) { return boxes == kNotCounted ? "" : fmt::format("{}", boxes); }
 
