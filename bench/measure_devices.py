@@ -37,7 +37,8 @@ def run(arguments, engine, device, worlds, steps):
         for i in range(worlds):
             (accelerations / f"pulse_{i:04}.txt").write_text(f"# start duration x y z\n0 {steps / RATE} {2 + 4 * i / worlds} 0 0\n")
         config = folder / "config.ini"
-        config.write_text(f"[Physics Engine]\nSimulationStepsPerSecond = {RATE}\n[Bullet]\nIterations = {arguments.iterations}\n"
+        config.write_text(f"[Screening]\nSettleSeconds = 0\nRunOutSeconds = 0\n"
+                          f"[Physics Engine]\nSimulationStepsPerSecond = {RATE}\n[Bullet]\nIterations = {arguments.iterations}\n"
                           f"[OpenCL]\nIterations = {arguments.iterations}\n" + (f"Device = {device}\n" if device else ""))
         command = [arguments.program, "screen", "--quiet", "--no-series", "--threads", "1", "-c", config, "--engine", engine,
                    "--layouts", arguments.layout, "--accelerations", accelerations, "-o", folder / "results.h5"]

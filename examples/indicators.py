@@ -44,7 +44,7 @@ with h5py.File(options.results) as file:
     worlds = pd.DataFrame(columns(file["worlds"], ("layout", "box_begin", "box_count")))
     worlds["verdict"] = file["summary/worlds/verdict"][:]
     happened = np.any([file[f"summary/boxes/{what}"][:] for what in ("fallen", "moved", "tilted", "unstable")], axis=0)
-    margins = file["margins/margin"][:] if "margins" in file else None
+    margins = file["margins/margin_within_limits"][:] if "margins" in file else None
 
 worlds = worlds[~worlds["verdict"].isin([FAILED, NOT_NEEDED])]
 # One row per box and world: what geometry says of the box in its layout, and what happened to it.

@@ -21,7 +21,7 @@ def find_world(file, wanted):
         fits &= (names[kind] == name) | (not name)
     if not fits.any():
         sys.exit("that world has no samples: it was not simulated")
-    world = int(np.where(fits, np.nan_to_num(file["summary/worlds/max_displacement"][:]), -1).argmax())
+    world = int(np.where(fits, np.nan_to_num(file["summary/worlds/peak_displacement"][:]), -1).argmax())
     return world, f"{names['layout'][world]} under {names['acceleration'][world]}"
 
 
@@ -43,7 +43,7 @@ with h5py.File(options.results) as file:
     time = file["series/time"][first:first + samples]
     container = file["series/container_acceleration"][first:first + samples]
 
-box = int(np.linalg.norm(displacement[-1], axis=1).argmax()) + 1 if options.box is None else options.box
+box = int(np.linalg.norm(displacement, axis=2).max(axis=0).argmax()) + 1 if options.box is None else options.box
 if not 1 <= box <= boxes:
     sys.exit(f"no box {box}: there are boxes 1 to {boxes}")
 figure = Figure(figsize=(8, 6))

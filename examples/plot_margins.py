@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Draws how many g layouts stand in each direction, the weakest first, against what a norm or the run asks of them.
 
+The coloured bars are margins within the limits of the verdict, and the thin ones inside them margins in place.
+
 Example: holdfast margins --layouts configs/layouts --norm road -o margins.h5
          examples/plot_margins.py margins.h5 -o margins.svg
 """
@@ -35,7 +37,7 @@ options = parser.parse_args()
 with h5py.File(options.results) as file:
     if "margins" not in file:
         sys.exit(f"{options.results.name} holds no margins: screen with --margins, or use holdfast margins")
-    margins = file["margins/margin"][:]
+    margins, in_place = file["margins/margin_within_limits"][:], file["margins/margin"][:]
     names = file["inputs/layouts/name"].asstr()[:]
     needed = np.array(options.needed) if options.needed else asked(file)
 
@@ -46,7 +48,8 @@ if not order:
     sys.exit(f"{options.results.name} holds no layout whose margins are known")
 shown = order[:options.most]
 figure = draw_bars([names[row].removesuffix(".txt") for row in shown], margins[shown], margins[shown] >= needed,
-                   [value or None for value in needed], MOST, "g", "The largest constant acceleration that a layout stands")
+                   [value or None for value in needed], MOST, "g",
+                   "The largest constant acceleration that a layout stands within limits; inside, in place", in_place[shown])
 figure.savefig(options.output, dpi=120)
 stand = int((margins[order] >= needed).all(axis=1).sum())
 print(f"{options.output}: {len(shown)} of {len(order)} layouts; {stand} stand what is asked in every direction")

@@ -53,10 +53,17 @@ inline Acceleration constant(double acceleration, double duration) {
   return acceleration_of({{duration, Vec3(acceleration, 0, 0)}});
 }
 
+/// Settings by which worlds begin and end with their acceleration: they neither settle nor run out.
+inline Settings at_once() {
+  Settings settings;
+  settings.screening.settle_seconds = settings.screening.run_out_seconds = 0.0;
+  return settings;
+}
+
 /// Settings with a friction coefficient between box and container, and between boxes, of `friction`; the container
 /// is so large that nothing reaches a wall.
 inline Settings open_floor(double friction) {
-  Settings settings;
+  Settings settings = at_once();
   settings.container.size = {20, 20, 10};
   settings.contact.friction_model = FrictionModel::pairs;
   settings.contact.box_box = settings.contact.box_floor = settings.contact.box_wall = friction;
@@ -75,7 +82,7 @@ struct Run {
 
 /// Takes a world forward by what the engine does at once towards the end of the phase; returns the time reached, s.
 inline double advance(Simulation& simulation, std::size_t world, const Phase& phase) {
-  AdvanceRequest request{world, phase, phase.end};
+  AdvanceRequest request{world, phase};
   simulation.advance({&request, 1});
   return request.reached;
 }

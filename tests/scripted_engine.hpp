@@ -14,12 +14,13 @@ namespace holdfast::internal::scenes {
 /// What a scripted engine does.
 struct Script {
   double steps_per_second = 240.0;
-  std::size_t steps_a_call = 1;  ///< taken at once, past the time that the caller wants to see
+  bool proves_rest = false;  ///< once it stands still: the rest of a phase is taken at once
   bool all_together = false;
-  double breaks_at = std::numeric_limits<double>::infinity();   ///< s; the state is not a number from here on
-  std::size_t breaking_world = 0;                               ///< of the batch
-  double still_from = std::numeric_limits<double>::infinity();  ///< s; all boxes stand still from here on
-  Status status = Status::ok;                                   ///< that the engine reports for every world
+  double breaks_at = std::numeric_limits<double>::infinity();    ///< s; the state is not a number from here on
+  std::size_t breaking_world = 0;                                ///< of the batch
+  double still_from = std::numeric_limits<double>::infinity();   ///< s; all boxes stand still from here on
+  Status status = Status::ok;                                    ///< that the engine reports for every world
+  double fails_from = -std::numeric_limits<double>::infinity();  ///< s; that it reports from here on
 };
 
 /// An engine without contacts: every box feels −a(t) and nothing else, and moves exactly as it should,
@@ -29,6 +30,7 @@ class ScriptedEngine final : public Engine {
   explicit ScriptedEngine(const Script& script) : script_(script) {
     traits_.name = "scripted";
     traits_.all_together = script.all_together;
+    traits_.proves_rest = script.proves_rest;
   }
   const EngineTraits& traits() const override { return traits_; }
   std::unique_ptr<Simulation> build(const WorldBatch& batch) const override {
@@ -47,9 +49,10 @@ class ScriptedEngine final : public Engine {
       const StepPlan plan(phase, script_.steps_per_second);
       double& time = time_[world];
       if (counters_[world].steps == 0) time = phase.begin;
-      std::uint64_t step = plan.steps_before(time);
-      for (std::size_t taken = 0; taken < script_.steps_a_call && step < plan.step_count(); ++taken, ++step)
-        move(world, phase.acceleration, std::exchange(time, plan.end_of(step)), plan.end_of(step));
+      rests_ = script_.proves_rest && time >= script_.still_from;
+      if (rests_) return time = phase.end;
+      const std::uint64_t step = plan.steps_before(time);
+      move(world, phase.acceleration, std::exchange(time, plan.end_of(step)), plan.end_of(step));
       return time;
     }
 
@@ -63,7 +66,10 @@ class ScriptedEngine final : public Engine {
       }
     }
     Counters counters(std::size_t world) const override { return counters_[world]; }
-    Status status(std::size_t) const override { return script_.status; }
+    Status status(std::size_t world) const override {
+      return time_[world] >= script_.fails_from ? script_.status : Status::ok;
+    }
+    bool rests(std::size_t) const override { return rests_; }
 
    private:
     void move(std::size_t world, const Vec3& acceleration, double begin, double end) {
@@ -86,6 +92,7 @@ class ScriptedEngine final : public Engine {
     const std::vector<World>& worlds_;
     StateColumns state_;
     Script script_;
+    bool rests_ = false;
     std::vector<double> time_;
     std::vector<Counters> counters_;
   };

@@ -2,7 +2,8 @@
 """Writes a page to print for each layout of a results file that does not hold, as HTML or, with WeasyPrint, as PDF.
 
 Each page shows the load from above, from the side and from a corner, what fails under what, which box goes first, and
-margins and wall forces where the run has them. Example: load_report.py results.h5 report.html
+margins and wall forces where the run has them. Verdicts are by all that ever happened; of a file of an earlier version,
+by where boxes are at the end. Example: load_report.py results.h5 report.html
 """
 import argparse
 import html
@@ -16,19 +17,26 @@ except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
 from load_views import draw
 
-VERDICTS = ("stayed", "moved", "fell", "unstable", "failed", "gave way", "not needed")
-STAYED, FAILED, NOT_NEEDED = 0, 4, 6
+VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
+STAYED, MOVED, FELL, UNSTABLE, FAILED, NOT_NEEDED = VERDICTS
+GAVE_WAY = 5  # in files of earlier versions: a box was beyond a limit, and the world ended there
+WITH_PEAKS = 3  # first version of the file that has what boxes did on the way
+DECIDED = 4  # stop reason of a world that ended when its verdict was decided
+CAVEATS = {1: ("not at rest", "the load was still moving when the acceleration began"),
+           2: ("still moving", "a box was still moving when the world ended"),
+           4: ("marginal", "a friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides")}
 REPLICA_VERDICTS = ("", "holds", "fails", "uncertain")
 SIDES = ("front", "rear", "left", "right")
 PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container's acceleration that pushes to each side
 GRAVITY = 9.81  # m/s2: what norms call 1 g
+MARGIN_WIDTH = 0.005  # g: how exact a margin is
 MOST_BOXES = 10  # rows of a page's table
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
 table{border-collapse:collapse;margin:.6em 0;font-size:12px}td,th{border-bottom:1px solid #d5d9de;padding:2px 9px 2px 0;text-align:right}
 th{font-weight:600}td:first-child,th:first-child,.text{text-align:left}td,th{white-space:nowrap}
 .wrap td:last-child{white-space:normal}.views{display:flex}.views div{margin-right:5mm}
-h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:10mm}figure{margin:0}figcaption{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
+h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:5mm}figure{margin:0}.note{margin:.3em 0}figcaption,.note{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
 .key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}"""
 
 
@@ -44,14 +52,24 @@ class Results:
         self.begin, self.count = (inputs[name][:].astype(int) for name in ("box_begin", "box_count"))
         self.low, self.high = inputs["corner_min"][:], inputs["corner_max"][:]
         self.acceleration_names = file["inputs/accelerations/name"].asstr()[:]
-        self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count")}
+        self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count", "stop_reason")}
         self.status_text = file["worlds/status_text"].asstr()[:]
         self.world_summary = {name: file[f"summary/worlds/{name}"][:] for name in file["summary/worlds"]}
         self.box_summary = {name: file[f"summary/boxes/{name}"][:] for name in file["summary/boxes"]}
+        self.limits = dict(file["summary"].attrs)
         self.box_mass = file["boxes/mass"][:]
-        self.box_peak = file["boxes/peak_displacement"][:]
-        self.margins = file["margins/margin"][:] if "margins" in file else None
-        self.critical_box = file["margins/critical_box"][:] if "margins" in file else None
+        # Per box how far it was displaced, m, lowered, m, and tilted, degrees: at most, and at the end.
+        end = file["boxes/end_displacement"][:]
+        self.box_end = np.column_stack([np.linalg.norm(end, axis=1), np.maximum(0, -end[:, 2]), file["boxes/end_tilt"][:]])
+        self.judged_at_end = file.attrs["format_version"] < WITH_PEAKS
+        if self.judged_at_end:
+            self.box_peak = np.full_like(self.box_end, np.nan)
+            self.box_peak[:, 0] = file["boxes/peak_displacement"][:]
+            self.take_ends_for_peaks()
+        else:
+            self.box_peak = np.column_stack([file[f"boxes/peak_{name}"][:] for name in ("displacement", "drop", "tilt")])
+            self.caveats = file["worlds/caveats"][:]
+        self.margins = {name: values[:] for name, values in file["margins"].items()} if "margins" in file else None
         # The floor comes first there, and the roof last.
         self.wall_force = file["walls/lasting_force"][:, 1:5] if "walls" in file else None
         self.wall_limit = file["walls/limit"][:, 1:5] if "walls" in file else None
@@ -65,6 +83,16 @@ class Results:
         values = file["inputs/accelerations/value"][:]
         return np.array([max(0.0, (sign * values[:, axis]).max(initial=0.0)) for axis, sign in PUSHED_BY]) / GRAVITY
 
+    def take_ends_for_peaks(self):
+        """Fills in what a file of an earlier version has under another name, or not at all: which box went first, and when."""
+        worlds, verdict = self.world_summary, self.world_summary["verdict"]
+        worlds["verdict"] = np.where(verdict == GAVE_WAY, np.where(worlds["fallen_boxes"] > 0, FELL, MOVED), verdict)
+        worlds["end_displacement"] = worlds["max_displacement"]
+        worlds["fallen_at_end"] = worlds["fallen_boxes"]
+        worlds["critical_box"] = np.zeros_like(worlds["fallen_boxes"])
+        self.caveats = np.zeros_like(verdict)
+        self.box_summary["first_beyond"] = np.full(len(self.box_mass), np.nan)
+
     def worlds_of(self, layout):
         return np.flatnonzero(self.worlds["layout"] == layout)
 
@@ -75,8 +103,14 @@ class Results:
     def fails(self, world):
         return self.world_summary["verdict"][world] not in (STAYED, NOT_NEEDED)
 
+    def verdict_of(self, world):
+        """The verdict in words; "at least" where the world ended when that was decided, while its load was moving on."""
+        verdict = self.world_summary["verdict"][world]
+        early = self.worlds["stop_reason"][world] == DECIDED and verdict != UNSTABLE
+        return ("at least " if early else "") + VERDICTS[verdict]
+
     def is_beyond(self, world):
-        """Per box of the world, whether it fell, moved, tilted or was unstable."""
+        """Per box of the world, whether it was ever beyond a limit."""
         rows = self.rows_of(world)
         return np.any([self.box_summary[what][rows] for what in ("fallen", "moved", "tilted", "unstable")], axis=0)
 
@@ -91,51 +125,81 @@ def table(heads, rows, text=(), kind=""):
     return f"<table class='{kind}'><tr>{cells('th', heads)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
 
 
-def seconds(time):
-    return "-" if np.isnan(time) else f"{time:.2f} s"
+def when(time):
+    """When a box went beyond a limit first."""
+    if np.isnan(time):
+        return "-"
+    return f"{time:.2f} s" if time >= 0 else "settling"
+
+
+def most_and_last(most, last):
+    """A number at its largest, which may not be known, and in brackets at the end."""
+    return f"{'-' if np.isnan(most) else f'{most:.0f}'} ({last:.0f})"
 
 
 def first_box(results, world):
-    """Index of the box that is first beyond a threshold, and when; None where none is."""
-    times = np.where(results.is_beyond(world), results.box_summary["first_move_time"][results.rows_of(world)], np.nan)
-    if not results.is_beyond(world).any():
-        return None
-    return (int(np.nanargmin(times)), float(np.nanmin(times))) if not np.isnan(times).all() else (int(np.argmax(results.is_beyond(world))), np.nan)
+    """Index of the box that was first beyond a limit; None where none was, or where the file does not say which."""
+    critical = int(results.world_summary["critical_box"][world])
+    return critical - 1 if critical > 0 and results.is_beyond(world).any() else None
 
 
 def worlds_table(results, worlds):
-    rows = []
+    rows, explained = [], {}
     for world in worlds:
         summary = {name: column[world] for name, column in results.world_summary.items()}
-        verdict = VERDICTS[summary["verdict"]]
+        verdict = results.verdict_of(world)
         name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
         if summary["verdict"] in (FAILED, NOT_NEEDED):
-            rows.append([name, verdict, html.escape(results.status_text[world]), "", "", "", ""])
+            rows.append([name, verdict, *[""] * 6, html.escape(results.status_text[world])])
             continue
         first = first_box(results, world)
+        caveats = dict(words for bit, words in CAVEATS.items() if results.caveats[world] & bit)
+        explained |= {"In brackets": "at the end", **caveats}
         told = ""
         if results.replicas is not None:
             replicas = {key: column[world] for key, column in results.replicas.items()}
             told = f"{REPLICA_VERDICTS[replicas['verdict']]}: {replicas['failed']} of {replicas['count']} fail" if replicas["count"] else ""
         rows.append([name, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
-                     f"box {first[0] + 1} at {seconds(first[1])}" if first else "-", summary["fallen_boxes"],
-                     summary["moved_boxes"], summary["tilted_boxes"], told])
-    heads = ["acceleration", "verdict", "first", "fallen", "moved", "tilted", "replicas"]
+                     "-" if first is None else f"box {first + 1}, {when(results.box_summary['first_beyond'][results.rows_of(world)][first])}",
+                     f"{summary['fallen_boxes']} ({summary['fallen_at_end']})", summary["moved_boxes"], summary["tilted_boxes"],
+                     most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"]), told,
+                     ", ".join(filter(None, [*caveats, html.escape(results.status_text[world])]))])
+    heads = ["acceleration", "verdict", "first", "fallen", "moved", "tilted", "farthest, cm", "replicas", "to know"]
     if results.replicas is None:
-        heads, rows = heads[:-1], [row[:-1] for row in rows]
-    return table(heads, rows, text=(1, 2, 6))
+        for row in [heads, *rows]:
+            row.pop(-2)
+    return table(heads, rows, text=(1, 2, 7, 8), kind="wrap") + note(results, explained)
+
+
+def note(results, explained):
+    """What a reader of any page has to know of its verdicts.
+
+    :param explained: sentences by the words of a table that they explain
+    """
+    sentences = [f"{word}: {sentence}" for word, sentence in explained.items()] + ["Straps, air bags and stretch film are not modelled"]
+    if results.judged_at_end:
+        sentences.append("The file is of an earlier version: its worlds are judged by where boxes are at the end, since it does not have "
+                         "what they did on the way")
+    return f"<p class=note>{' '.join(sentence[0].upper() + sentence[1:] + '.' for sentence in sentences)}</p>"
 
 
 def margins_table(results, layout):
-    if results.margins is None or np.isnan(results.margins[layout]).all():
+    if results.margins is None or np.isnan(results.margins["margin"][layout]).all():
         return ""
+
+    def size(margin):
+        return "unstable" if margin < 0 else ("≥ " if margin >= 1.5 else "") + f"{margin:.2f} g"
+
+    # A file of an earlier version has the margins in place alone, and is judged by them.
+    judged = "" if results.judged_at_end else "_within_limits"
     rows = []
     for i, side in enumerate(SIDES):
-        margin, needed, box = results.margins[layout, i], results.needed[i], results.critical_box[layout, i]
-        size = "does not stand" if margin < 0 else f"{margin:.2f} g" + (" or more" if margin >= 1.5 else "")
-        rows.append([side, f"<span class=bad>{size}</span>" if margin < needed else size,
-                     f"{needed:g} g" if needed else "-", f"box {box}" if box else "-"])
-    return "<div><h3>How many g it stands</h3>" + table(["pushed to the", "stands", "needed", "first to go"], rows) + "</div>"
+        in_place, margin, box = (results.margins[name][layout, i] for name in ("margin", f"margin{judged}", f"critical_box{judged}"))
+        needed = results.needed[i]
+        stands = f"<span class=bad>{size(margin)}</span>" if margin + MARGIN_WIDTH < needed else size(margin)
+        rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:g} g" if needed else "-", f"box {box}" if box else "-"])
+    heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "first"]
+    return "<div><h3>How many g it stands</h3>" + table(heads, rows) + "</div>"
 
 
 def walls_table(results, worlds):
@@ -158,12 +222,12 @@ def walls_table(results, worlds):
 
 
 def boxes_table(results, layout, worlds):
-    """The boxes that went, under the acceleration in which each went farthest."""
+    """The boxes that were beyond a limit, under the acceleration in which each went farthest."""
     found = {}
     for world in worlds:
         rows = results.rows_of(world)
         for box in np.flatnonzero(results.is_beyond(world)):
-            peak = float(results.box_peak[rows][box])
+            peak = float(results.box_peak[rows][box, 0])
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
     order = sorted(found, key=lambda box: -found[box][0])
@@ -172,13 +236,15 @@ def boxes_table(results, layout, worlds):
         peak, world = found[box]
         row = results.rows_of(world).start + box
         size = results.high[results.begin[layout] + box] - results.low[results.begin[layout] + box]
-        lines.append([box + 1, " × ".join(f"{100 * part:.0f}" for part in size), f"{results.box_mass[row]:.0f}", f"{100 * peak:.0f}",
-                      f"{100 * results.box_summary['drop'][row]:.0f}", f"{results.box_summary['tilt'][row]:.0f}",
-                      seconds(results.box_summary["first_move_time"][row]),
-                      html.escape(results.acceleration_names[results.worlds["acceleration"][world]])])
+        unstable = results.world_summary["verdict"][world] == UNSTABLE
+        under = "gravity alone" if unstable else html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
+        excursion = [most_and_last(unit * most, unit * last)
+                     for unit, most, last in zip((100, 100, 1), results.box_peak[row], results.box_end[row])]
+        lines.append([box + 1, " × ".join(f"{100 * part:.0f}" for part in size), f"{results.box_mass[row]:.0f}", *excursion,
+                      when(results.box_summary["first_beyond"][row]), under])
     more = f"<p>and {len(order) - MOST_BOXES} more boxes</p>" if len(order) > MOST_BOXES else ""
-    return "<h3>What moved</h3>" + table(["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "first moved", "under"], lines,
-                                         text=(7,)) + more
+    heads = ["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "beyond from", "under"]
+    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=(7,)) + more
 
 
 def page(results, layout):
@@ -192,8 +258,8 @@ def page(results, layout):
         for box in np.flatnonzero(results.is_beyond(world)):
             states[box] = "later" if states[box] == "still" else states[box]
     for world in simulated:
-        if first := first_box(results, world):
-            states[first[0]] = "first"
+        if (first := first_box(results, world)) is not None:
+            states[first] = "first"
     size = sum(np.prod(high - low) for low, high in boxes) / np.prod(results.container)
     views = ""
     if boxes:
@@ -203,7 +269,7 @@ def page(results, layout):
                                          ("corner", 360, "from above the door")))
         views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
     key = ('<p class=key><span style="background:#d9534f;margin-left:0"></span>first to go under some acceleration'
-           '<span style="background:#f3c58b"></span>moved later<span style="background:#e9edf2"></span>stayed under all</p>')
+           '<span style="background:#f3c58b"></span>beyond a limit<span style="background:#e9edf2"></span>stayed under all</p>')
     moved = boxes_table(results, layout, simulated) if simulated and any(state != "still" for state in states) else ""
     return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{len(boxes)} boxes, {size:.0%} of the container's volume; "
             f"fails under {len(failing)} of {len(worlds)} accelerations.</p>{views}{key if boxes else ''}"
@@ -211,20 +277,26 @@ def page(results, layout):
             f"{walls_table(results, worlds) if simulated else ''}</div>{moved}</section>")
 
 
+def limits_of(results):
+    move, drop, tilt = (results.limits[f"{name}_threshold"] for name in ("move", "drop", "tilt"))
+    return f"displaced by {100 * move:g} cm, lowered by {100 * drop:g} cm, tilted by {tilt:g}°, {'at the end' if results.judged_at_end else 'at any time'}"
+
+
 def front_page(results, order, shown):
     names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
-             "norm": str(results.settings.get("Screening/Norm", "")), "software": str(results.attributes["software"]),
+             "norm": str(results.settings.get("Screening/Norm", "")), "limits": limits_of(results), "software": str(results.attributes["software"]),
              "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
     if names["engine"] != "native":
         del names["accuracy"]
     facts = table(["run", ""], [[key, html.escape(value)] for key, value in names.items() if value], text=(1,), kind="wrap")
     rows = [[html.escape(results.layout_names[layout]), ", ".join(
-        f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {VERDICTS[results.world_summary['verdict'][world]]}"
+        f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {results.verdict_of(world)}"
         for world in results.worlds_of(layout) if results.fails(world))] for layout in order[:shown]]
     told = f"{len(order)} of {len(results.layout_names)} layouts do not hold."
     if shown < len(order):
         told += f" The {shown} worst have a page here."
-    return f"<h1>Loads that do not hold</h1><p>{told}</p>{facts}" + (table(["layout", "fails under"], rows, text=(1,), kind="wrap") if rows else "")
+    return (f"<h1>Loads that do not hold</h1><p>{told}</p>{note(results, {})}{facts}"
+            + (table(["layout", "fails under"], rows, text=(1,), kind="wrap") if rows else ""))
 
 
 def worst_first(results):

@@ -15,10 +15,10 @@ ROWS = "include/holdfast/outcome_fields.h"
 WRITTEN_BY = f"Written by tools/outcome_types.py from {ROWS}."
 WIDTH = 120
 
-NUMBERS = {"u32", "u64", "f32", "f64", "flag"}
-SCOPES = {"recorded", "copied", "derived", "message", "stored", "summary"}
+NUMBERS = {"u32", "u64", "f32", "f64", "time", "flag"}
+SCOPES = {"recorded", "derived", "message", "stored"}
 # Scopes of the fields that a program gets as a number.
-PUBLIC = {"recorded", "copied", "derived"}
+PUBLIC = {"recorded", "derived"}
 
 
 class Field(NamedTuple):

@@ -106,7 +106,7 @@ Restitution = 0.1
 CentreOfMass = 3 -2 4
 [Screening]
 SettleSeconds = 0.5
-ReferencePose = settled
+ReferencePose = layout
 Damage = true
 DamageWindow = 10
 CriticalAcceleration = 5
@@ -119,7 +119,7 @@ ImpactCuts = 2
 """,
     "sleeping.ini": "[Simulation Settings]\nStoppingCondition = sleeping\nTimeoutInSeconds = 4\n",
     "axes.ini": "[Container]\nUpAxis = y\nLength = 600\nWidth = 240\nHeight = 230\n[Screening]\nGravity = 9.8\n",
-    "spread.ini": "[Screening]\nReplicas = 27\nFrictionSpread = 0.2\nAccelerationSpread = 0.1\nPlayShift = 0.02\nSettleSeconds = 0.5\n",
+    "spread.ini": "[Screening]\nReplicas = 27\nFrictionSpread = 0.2\nAccelerationSpread = 0.1\nPlayShift = 0.02\nSettleSeconds = 0.5\nRunOutSeconds = 0.5\n",
     "batch.ini": "[Export Settings]\nSavePath = saved\n[Simulation Settings]\nBatchSimulation = true\nBatchPath = ../inputs/batch\n"
                  "[Screening]\nNorm = road\n[Native]\nAccuracy = screening\n",
     "pair.ini": "[Export Settings]\nSavePath = saved\n[Simulation Settings]\nTimeoutInSeconds = 1.5\n[Container]\nMotion = free\n[Screening]\n"

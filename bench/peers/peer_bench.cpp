@@ -98,7 +98,7 @@ std::string row_of(const WorldRecord& record, const Settings& settings) {
   const internal::WorldVerdict verdict =
       judge_world(record.row, record.end, recording_plan(settings, false).thresholds);
   return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.row.end_time,
-                     record.row.cpu_seconds, to_string(verdict.verdict), verdict.max_displacement, verdict.moved,
+                     record.row.cpu_seconds, to_string(verdict.verdict), verdict.peak_displacement, verdict.moved,
                      verdict.fallen, verdict.tilted);
 }
 
@@ -134,7 +134,7 @@ void run_all(const Request& request) {
 
   TextFile worlds(request.worlds);
   worlds.write(
-      "layout,acceleration,setting,repeat,boxes,simulated_seconds,cpu_seconds,verdict,max_displacement,moved,fallen,"
+      "layout,acceleration,setting,repeat,boxes,simulated_seconds,cpu_seconds,verdict.peak_displacement,moved,fallen,"
       "tilted\n");
   std::unique_ptr<TextFile> positions;
   if (!request.positions.empty()) {

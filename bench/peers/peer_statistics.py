@@ -17,7 +17,7 @@ def cpu_per_second(worlds):
 
 def largest(worlds):
     """The largest displacement of a world, m: one row per world, one column per setting."""
-    return worlds[worlds["repeat"] == 0].pivot(index=WORLD, columns="setting", values="max_displacement")
+    return worlds[worlds["repeat"] == 0].pivot(index=WORLD, columns="setting", values="peak_displacement")
 
 
 def verdict_errors(worlds, references):

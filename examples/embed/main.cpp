@@ -9,7 +9,8 @@
 namespace {
 
 const char* name_of(holdfast::Verdict verdict) {
-  static constexpr const char* kNames[] = {"stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"};
+  // No verdict has the code 5.
+  static constexpr const char* kNames[] = {"stayed", "moved", "fell", "unstable", "failed", nullptr, "not_needed"};
   return kNames[static_cast<int>(verdict)];
 }
 

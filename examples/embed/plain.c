@@ -10,10 +10,12 @@ static const double kBrake[] = {0.0, 1.0, 7.0, 0.0, 0.0};
 static const double kBox[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0};
 
 static int evaluate(void) {
-  const char* const verdicts[] = {"stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"};
+  const char* const verdicts[] = {
+      [HOLDFAST_STAYED] = "stayed",     [HOLDFAST_MOVED] = "moved",   [HOLDFAST_FELL] = "fell",
+      [HOLDFAST_UNSTABLE] = "unstable", [HOLDFAST_FAILED] = "failed", [HOLDFAST_NOT_ASKED] = "not_needed"};
   const size_t offsets[] = {0, 1};
   const holdfast_layouts layouts = {sizeof layouts, kBox, 1, offsets, 1, NULL};
-  holdfast_outcome outcomes[2];
+  holdfast_outcome outcomes[2] = {{.size = sizeof outcomes[0]}};
   holdfast_screen* screen;
   const int failed = holdfast_screen_new(NULL, NULL, &screen) ||
                      holdfast_screen_add_acceleration(screen, "weak", kWeak, 1) ||
@@ -28,11 +30,12 @@ static int evaluate(void) {
   return failed;
 }
 
+/* Until the box has braked with the container, and slid on until it rests. */
 static int take_forward(void) {
   uint64_t hash = 0;
   holdfast_world* world;
   int failed = holdfast_world_new(NULL, kBox, 1, HOLDFAST_METRE, kBrake, 1, &world);
-  for (int i = 1; i <= 4 && !failed; ++i) {
+  for (int i = 1; i <= 6 && !failed; ++i) {
     double pose[7];
     failed = holdfast_world_advance(world, 0.25 * i) || holdfast_world_poses(world, pose, 1) ||
              holdfast_world_hash(world, &hash);

@@ -11,7 +11,7 @@
  *     const double boxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0};
  *     const size_t offsets[] = {0, 1};
  *     const holdfast_layouts layouts = {sizeof layouts, boxes, 1, offsets, 1, NULL};
- *     holdfast_outcome outcome;
+ *     holdfast_outcome outcome = {.size = sizeof outcome};
  *     holdfast_screen* screen;
  *     if (holdfast_screen_new(NULL, NULL, &screen) != HOLDFAST_OK ||
  *         holdfast_screen_add_acceleration(screen, "brake", brake, 1) != HOLDFAST_OK ||
@@ -39,8 +39,9 @@
  * its parts. Texts belong to the object, and are valid until the next call on it. Text is UTF-8 and ends with a zero
  * byte.
  *
- * Arrays are those of the caller, and are read or written during the call only. Structures that begin with their size
- * are set to zero beyond it for defaults: a later version of the library may know more members.
+ * Arrays are those of the caller, and are read or written during the call only. Structures begin with their size, which
+ * the caller sets, in an array that of the first entry for all: a later version of the library may know more members.
+ * Those that the library reads are set to zero beyond it for defaults. Of those that it fills it writes what both know.
  *
  * Compatibility: as for holdfast.hpp. A minor version may add to what is declared here, and changes nothing of it. */
 
@@ -156,9 +157,11 @@ typedef struct holdfast_layouts {
 #define HOLDFAST_C_hash(name) uint64_t name;
 #define HOLDFAST_C_f32(name) float name;
 #define HOLDFAST_C_f64(name) double name;
+#define HOLDFAST_C_time(name) double name;
 #define HOLDFAST_C_vec3(name) float name[3];
 #define HOLDFAST_C_flag(name) uint8_t name;
 #define HOLDFAST_C_status(name) uint32_t name;
+#define HOLDFAST_C_caveat(name) uint32_t name;
 #define HOLDFAST_C_verdict(name) int32_t name;
 #define HOLDFAST_C_stop_reason(name) int32_t name;
 #define HOLDFAST_C_MEMBER(scope, type, name, dataset, label, since, unit, sentence) \
@@ -170,6 +173,9 @@ enum { HOLDFAST_VERDICTS(HOLDFAST_C_NAME) };
 /* Bits of a status, what went wrong with a world: HOLDFAST_BAD_LAYOUT, ... of HOLDFAST_STATUS_BITS. */
 enum { HOLDFAST_STATUS_BITS(HOLDFAST_C_NAME) };
 
+/* Bits of what has to be known beside the verdict: HOLDFAST_NOT_AT_REST, ... of HOLDFAST_CAVEAT_BITS. */
+enum { HOLDFAST_CAVEAT_BITS(HOLDFAST_C_NAME) };
+
 /* Why a world ended: HOLDFAST_NOT_RUN, ... of HOLDFAST_STOP_REASONS. */
 enum { HOLDFAST_STOP_REASONS(HOLDFAST_C_NAME) };
 
@@ -177,6 +183,7 @@ enum { HOLDFAST_STOP_REASONS(HOLDFAST_C_NAME) };
  * layouts of the call, or the ticket of a layout that was submitted; `acceleration` one into those of the screen. In a
  * world that was not simulated, counts and measures are 0. */
 typedef struct holdfast_outcome {
+  size_t size; /* sizeof(holdfast_outcome) */
   HOLDFAST_WORLD_FIELDS(HOLDFAST_C_MEMBER)
 } holdfast_outcome;
 
@@ -186,6 +193,14 @@ typedef struct holdfast_outcome {
  * Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it: the worlds that were lost have HOLDFAST_NOT_RUN. */
 HOLDFAST_API int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* layouts,
                                           holdfast_outcome* outcomes, size_t capacity);
+
+/* Tells of every layout whether it stays under every acceleration, all of its worlds being HOLDFAST_STAYED: the answer
+ * of holdfast_screen_evaluate, sooner, since a world ends when its verdict is decided, and a layout with the first
+ * world that rejects it.
+ * holds:    set to 1 or 0, one per layout; 0 too for a layout that cannot be used, and after holdfast_screen_cancel
+ * capacity: number of layouts that the array has room for */
+HOLDFAST_API int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layouts, uint8_t* holds,
+                                       size_t capacity);
 
 /* Hands one layout over, and returns while it is evaluated on threads of the screen.
  * ticket: set to the number by which holdfast_screen_poll names the layout; may be NULL
@@ -207,9 +222,9 @@ HOLDFAST_API int holdfast_screen_poll(holdfast_screen* screen, double seconds, i
  * index: into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll */
 HOLDFAST_API const char* holdfast_screen_outcome_message(const holdfast_screen* screen, size_t index);
 
-/* How one box ended: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS. The reference pose is that of the layout, or
- * by ReferencePose the one after settling. */
+/* What became of one box: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS. */
 typedef struct holdfast_box_outcome {
+  size_t size; /* sizeof(holdfast_box_outcome) */
   HOLDFAST_BOX_FIELDS(HOLDFAST_C_MEMBER)
   HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_C_MEMBER)
 } holdfast_box_outcome;
@@ -226,6 +241,7 @@ enum { HOLDFAST_REPLICA_VERDICTS(HOLDFAST_C_NAME) };
 
 /* What became of the replicas of a world, see docs/confidence.md. */
 typedef struct holdfast_replicas {
+  size_t size;       /* sizeof(holdfast_replicas) */
   int32_t verdict;   /* HOLDFAST_REPLICAS_NONE, ... */
   uint32_t count;    /* of the replicas whose end is known */
   uint32_t failed;   /* of these, those in which a box fell, moved or tilted, or was unstable */
@@ -242,6 +258,7 @@ HOLDFAST_API int holdfast_screen_replicas(holdfast_screen* screen, size_t index,
 
 /* What impacts did to the boxes of a world, see docs/damage.md. */
 typedef struct holdfast_damage {
+  size_t size;             /* sizeof(holdfast_damage) */
   uint32_t boxes_beyond;   /* boxes beyond the damage boundary */
   float peak_acceleration; /* largest of all boxes, mean over DamageWindow, m/s2 */
   float velocity_change;   /* largest of all boxes in an impact, m/s */
@@ -261,14 +278,17 @@ HOLDFAST_API int holdfast_screen_damage(holdfast_screen* screen, size_t index, h
 HOLDFAST_API int holdfast_screen_number(holdfast_screen* screen, size_t index, const char* name, double* number);
 
 /* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
- * the right. */
+ * the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g. */
 typedef struct holdfast_margins {
-  double margin[4];        /* largest constant acceleration under which all boxes come to rest displaced by less than
-                              5 mm, g, up to 1.5; negative: the layout does not stand under gravity alone; not a number:
-                              the layout cannot be used, or the call was cancelled before */
-  int64_t critical_box[4]; /* index of the box that goes first above the margin; -1: none up to 1.5 g */
-  uint32_t trials;         /* accelerations that were tried */
-  double cpu_seconds;      /* processor time, s */
+  size_t size;              /* sizeof(holdfast_margins) */
+  double margin[4];         /* largest constant acceleration, for as long as anything moves, under which every box stays
+                               in its place, within 5 mm, g, up to 1.5; negative: the layout is unstable under gravity
+                               alone; not a number: the layout cannot be used, or the call was cancelled before */
+  uint32_t critical_box[4]; /* the box that leaves its place first above the margin */
+  double margin_within_limits[4];         /* the same where every box stays within the limits of the verdict */
+  uint32_t critical_box_within_limits[4]; /* the box that is beyond a limit first above that margin */
+  uint32_t trials;                        /* accelerations that were tried */
+  double cpu_seconds;                     /* processor time, s */
 } holdfast_margins;
 
 /* How many g every layout stands. The accelerations of the screen play no part, and there need not be any.
@@ -303,6 +323,7 @@ HOLDFAST_API const char* holdfast_screen_message(const holdfast_screen* screen);
 
 /* One thing that is wrong with an input. Text that does not apply is "", a place in a text 0, an index -1. */
 typedef struct holdfast_problem {
+  size_t size;          /* sizeof(holdfast_problem) */
   const char* file;     /* path of the file, or name of the layout or acceleration */
   int64_t line;         /* in the file, from 1 */
   int64_t column;       /* in the line, from 1 */

@@ -120,6 +120,8 @@ struct Segment {
 struct Acceleration {
   std::string name;  ///< labels results and messages; need not be unique
   std::vector<Segment> segments;
+  /// What a norm states it for alone, "sliding" or "tipping"; else empty. Worlds under such a one never end early.
+  std::string purpose = {};
 };
 
 /// Reads an acceleration file: a header line, then one segment per line, `start duration x y z`.
@@ -157,8 +159,8 @@ struct ScreenOptions {
   std::optional<std::string> norm;
   std::optional<std::string> engine;    ///< such as "native"; see `engines`
   std::optional<std::string> accuracy;  ///< of the native engine: "screening", "standard", "reference"
-  /// Ends a world early: "moved", as soon as a box is beyond any threshold; "fallen", as soon as one has fallen; "end",
-  /// never. Such a world is `Verdict::gave_way`, since its boxes may come back: no other verdict depends on this.
+  /// Ends a world when its verdict is decided: "moved", as soon as a box is beyond any limit; "fallen", as soon as one
+  /// has fallen; "end", never. Its verdict is then at least what it says; whether a world stayed never depends on this.
   std::optional<std::string> stop_when;
   std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
   std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
@@ -234,6 +236,12 @@ class HOLDFAST_API Screen {
 
   /// The same of layouts in memory of the caller.
   void evaluate(std::span<const LayoutView> layouts, std::vector<WorldOutcome>& worlds);
+
+  /// Whether each layout stays under every acceleration: all of its worlds are `Verdict::stayed`. The same answer as of
+  /// `evaluate`, sooner: a world ends when its verdict is decided, and a layout with the first world that rejects it.
+  /// False too for a layout that cannot be used, and after `cancel`. Throws `Error`.
+  std::vector<bool> holds(std::span<const Layout> layouts);
+  std::vector<bool> holds(std::span<const LayoutView> layouts);
 
   /// How many g each layout stands, one entry per layout; the accelerations of the screen play no part. Throws `Error`,
   /// also where the engine cannot: native can.

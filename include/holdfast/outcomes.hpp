@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,12 @@ namespace holdfast {
 #define HOLDFAST_CPP_hash(name) std::uint64_t name = 0;
 #define HOLDFAST_CPP_f32(name) float name = 0;
 #define HOLDFAST_CPP_f64(name) double name = 0;
+#define HOLDFAST_CPP_time(name) double name = std::numeric_limits<double>::quiet_NaN();
 #define HOLDFAST_CPP_vec3(name) std::array<float, 3> name = {};
 #define HOLDFAST_CPP_flag(name) bool name = false;
 #define HOLDFAST_CPP_text(name) std::string name;
 #define HOLDFAST_CPP_status(name) std::uint32_t name = 0;
+#define HOLDFAST_CPP_caveat(name) std::uint32_t name = 0;
 #define HOLDFAST_CPP_verdict(name) Verdict name = Verdict::failed;
 #define HOLDFAST_CPP_stop_reason(name) StopReason name = StopReason::not_run;
 #define HOLDFAST_CPP_MEMBER(scope, type, name, dataset, label, since, unit, sentence) \
@@ -37,14 +40,18 @@ namespace status {
 enum Bit : std::uint32_t { ok = 0, HOLDFAST_STATUS_BITS(HOLDFAST_CPP_NAME) };
 }  // namespace status
 
+/// Bits of `WorldOutcome::caveats`, what has to be known beside the verdict: HOLDFAST_CAVEAT_BITS.
+namespace caveat {
+enum Bit : std::uint32_t { none = 0, HOLDFAST_CAVEAT_BITS(HOLDFAST_CPP_NAME) };
+}  // namespace caveat
+
 /// Why a world ended: HOLDFAST_STOP_REASONS.
 enum class StopReason : std::uint8_t { HOLDFAST_STOP_REASONS(HOLDFAST_CPP_NAME) };
 
 /// What the replicas of a world say of it: HOLDFAST_REPLICA_VERDICTS.
 enum class ReplicaVerdict : std::uint8_t { HOLDFAST_REPLICA_VERDICTS(HOLDFAST_CPP_NAME) };
 
-/// How one box ended: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS. The reference pose is that of the layout, or
-/// by `ReferencePose` the one after settling.
+/// What became of one box: HOLDFAST_BOX_FIELDS and HOLDFAST_BOX_VERDICT_FIELDS.
 struct BoxOutcome {
   HOLDFAST_BOX_FIELDS(HOLDFAST_CPP_MEMBER)
   HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_CPP_MEMBER)
@@ -114,7 +121,8 @@ struct WorldOutcome {
   std::vector<double> numbers;  ///< of all analyses, in the order of `analysis_numbers`
 };
 
-/// Margins of the replicas of a layout, g, in the directions of `LayoutMargins`; not numbers without replicas.
+/// Margins within the limits of the replicas of a layout, g, in the directions of `LayoutMargins`; not numbers without
+/// replicas.
 struct MarginSpread {
   std::array<double, 4> low = {};     ///< 5 % of the replicas stand less
   std::array<double, 4> median = {};  ///< half of them stand less
@@ -122,13 +130,18 @@ struct MarginSpread {
 };
 
 /// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
-/// the right.
+/// the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g.
 struct LayoutMargins {
-  /// Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, up to 1.5 g;
-  /// negative where the layout does not stand under gravity alone, not a number where `Screen::cancel` came before.
+  /// Largest constant acceleration, for as long as anything moves, under which every box stays in its place, within
+  /// 5 mm, up to 1.5 g; negative where the layout is unstable under gravity alone, not a number where `Screen::cancel`
+  /// came before.
   std::array<double, 4> margin = {};
-  /// Index of the box that goes first above the margin; -1: none up to 1.5 g.
-  std::array<std::ptrdiff_t, 4> critical_box = {-1, -1, -1, -1};
+  /// The box that leaves its place first above the margin.
+  std::array<std::uint32_t, 4> critical_box = {};
+  /// The same where every box stays within the limits of the verdict.
+  std::array<double, 4> margin_within_limits = {};
+  /// The box that is beyond a limit first above that margin.
+  std::array<std::uint32_t, 4> critical_box_within_limits = {};
   std::uint32_t trials = 0;  ///< accelerations that were tried
   double cpu_seconds = 0;    ///< processor time, s; of the spread too
   MarginSpread spread;       ///< with `[Screening] Replicas`

@@ -13,8 +13,8 @@ a table of verdicts out. It gives the bits that the program ``holdfast screen`` 
 >>> verdicts.holds
 array([[False,  True],
        [False,  True]])
->>> verdicts.max_displacement[:, 0].round(2)
-array([1.47, 1.47], dtype=float32)
+>>> verdicts.peak_displacement[:, 0].round(2)
+array([2.  , 2.35], dtype=float32)
 
 A layout is an array of shape (boxes, 7): x, y, z of the corner with the smallest coordinates, x, y, z of that with the
 largest, and the material, a whole number. The frame is that of the container, right-handed: x along its length from the
@@ -24,7 +24,7 @@ Units are SI, unless stated.
 
 from ._core import version as _version
 from .accelerations import Acceleration, norm_accelerations, read_acceleration
-from .codes import ReplicaVerdict, Status, StopReason, Verdict
+from .codes import Caveat, ReplicaVerdict, Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
 from .indicators import Indicators
@@ -37,6 +37,7 @@ __version__ = _version()
 
 __all__ = [
     "Acceleration",
+    "Caveat",
     "Engine",
     "Error",
     "Indicators",

@@ -16,18 +16,20 @@ class Acceleration:
 
     ``segments`` has shape (segments, 5): start (s), duration (s), and the acceleration of the container along x, y, z
     (m/s²; a vehicle that brakes has +x). Segments go by rising time, without overlap; between and after them the container
-    has no acceleration. The array is a copy that cannot be written to. The name labels results and messages.
+    has no acceleration. The array is a copy that cannot be written to. The name labels results and messages. ``purpose`` is what a
+    norm states the acceleration for alone, "sliding" or "tipping", and else empty; worlds under such a one never end early.
 
     >>> Acceleration("brake", [[0.5, 1.0, 7.848, 0.0, 0.0]])
     Acceleration('brake', 1 segment of 1.5 s)
     """
 
-    __slots__ = ("name", "segments")
+    __slots__ = ("name", "segments", "purpose")
 
-    def __init__(self, name: str, segments: npt.ArrayLike) -> None:
+    def __init__(self, name: str, segments: npt.ArrayLike, purpose: str = "") -> None:
         self.name = str(name)
         self.segments: npt.NDArray[np.float64] = np.array(segments, dtype=np.float64)
         self.segments.flags.writeable = False
+        self.purpose = str(purpose)
 
     def __repr__(self) -> str:
         count = len(self.segments) if self.segments.ndim else 0
@@ -37,13 +39,13 @@ class Acceleration:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Acceleration):
             return NotImplemented
-        return self.name == other.name and np.array_equal(self.segments, other.segments)
+        return (self.name, self.purpose) == (other.name, other.purpose) and np.array_equal(self.segments, other.segments)
 
     def __hash__(self) -> int:
-        return hash((self.name, self.segments.tobytes()))
+        return hash((self.name, self.segments.tobytes(), self.purpose))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Acceleration, (self.name, np.array(self.segments))
+        return Acceleration, (self.name, np.array(self.segments), self.purpose)
 
 
 #: What a screen takes for an acceleration: one, the path of a file, or segments.

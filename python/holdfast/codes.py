@@ -5,14 +5,14 @@ import enum
 
 
 class Verdict(enum.IntEnum):
-    """What became of a world as a whole, by the worst that happened in it."""
+    """What became of a world as a whole: the worst that ever happened in it. docs/verdicts.md"""
 
-    STAYED = 0  #: no box fell, moved or tilted, nor was any unstable
-    MOVED = 1  #: a box moved or tilted at the end, and none fell
-    FELL = 2  #: a box had fallen at the end
-    UNSTABLE = 3  #: a box fell or moved while settling, before any acceleration, and no box did later
-    FAILED = 4  #: the status is not 0, or the world was cancelled: nothing can be said
-    GAVE_WAY = 5  #: with StopWhen: a box was beyond a threshold, and the world ended there
+    STAYED = 0  #: no box was ever beyond a limit
+    MOVED = 1  #: a box was displaced or tilted beyond its limit at some time, and none fell
+    FELL = 2  #: a box was lower than before by more than DropThreshold at some time
+    UNSTABLE = 3  #: a box was beyond a limit while the load settled under gravity alone; it was not accelerated
+    #: the status is not 0 and no box was beyond a limit before, or the world was cancelled: nothing can be said
+    FAILED = 4
     NOT_NEEDED = 6  #: with FirstFailure: the layout failed another acceleration; not simulated
 
 
@@ -23,7 +23,8 @@ class StopReason(enum.IntEnum):
     TIMEOUT = 1  #: the simulated time was up
     SLEEPING = 2  #: all boxes had come to rest
     FAILED = 3  #: the status says why
-    DECIDED = 4  #: with StopWhen: a box was beyond a threshold, and the verdict is gave_way
+    #: a box was beyond a limit, with StopWhen or while the load settled: the verdict is at least what it says
+    DECIDED = 4
 
 
 class Status(enum.IntFlag):
@@ -40,6 +41,16 @@ class Status(enum.IntFlag):
     #: with ``FirstFailure``: the layout does not hold another acceleration, which the message names; not simulated.
     #: This is no problem, and the verdict is not_needed
     NOT_NEEDED = 64
+
+
+class Caveat(enum.IntFlag):
+    """Bits of what a reader has to know beside the verdict, which they do not change."""
+
+    OK = 0
+    NOT_AT_REST = 1  #: the load was still moving after SettleSeconds, when the acceleration began
+    STILL_MOVING = 2  #: a box was still moving when the world ended
+    #: a friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides
+    MARGINAL = 4
 
 
 class ReplicaVerdict(enum.IntEnum):

@@ -21,20 +21,31 @@ _MOST_SHOWN = 20
 
 
 class Margins:
-    """How many g each layout stands in each direction. Arrays have shape (layouts, 4); columns are :data:`DIRECTIONS`."""
+    """How many g each layout stands in each direction. Arrays have shape (layouts, 4); columns are :data:`DIRECTIONS`.
 
-    __slots__ = ("margin", "critical_box", "low", "median", "high", "trials", "cpu_seconds", "problems", "layout_names")
+    There are two margins: up to ``margin`` every box stays in its place, and up to ``margin_within_limits``, by which layouts are
+    judged as verdicts are, within the limits. A critical box is a position in the layout, from 1; 0: none goes up to 1.5 g.
+    """
 
-    def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.int64], spread: npt.NDArray[np.float64],
-                 trials: npt.NDArray[np.uint32], cpu_seconds: npt.NDArray[np.float64], problems: tuple[Problem, ...],
-                 layout_names: Sequence[str]) -> None:
-        #: Largest constant acceleration under which all boxes come to rest displaced by less than 5 mm, g, up to 1.5.
-        #: Negative where the layout does not stand under gravity alone; NaN where it cannot be used, or
+    __slots__ = ("margin", "critical_box", "margin_within_limits", "critical_box_within_limits", "low", "median", "high", "trials",
+                 "cpu_seconds", "problems", "layout_names")
+
+    def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.uint32],
+                 margin_within_limits: npt.NDArray[np.float64], critical_box_within_limits: npt.NDArray[np.uint32],
+                 spread: npt.NDArray[np.float64], trials: npt.NDArray[np.uint32], cpu_seconds: npt.NDArray[np.float64],
+                 problems: tuple[Problem, ...], layout_names: Sequence[str]) -> None:
+        #: Largest constant acceleration, for as long as anything moves, under which every box stays in its place, within
+        #: 5 mm, g, up to 1.5. Negative where the layout is unstable under gravity alone; NaN where it cannot be used, or
         #: :meth:`Screen.cancel` came before.
         self.margin = margin
-        #: Index of the box that goes first above the margin; -1: none up to 1.5 g.
+        #: The box that leaves its place first above the margin.
         self.critical_box = critical_box
-        #: With ``[Screening] Replicas``: what 5 %, half and 95 % of the layout's replicas do not reach, g; NaN without.
+        #: The same where every box stays within the limits of the verdict.
+        self.margin_within_limits = margin_within_limits
+        #: The box that is beyond a limit first above that margin.
+        self.critical_box_within_limits = critical_box_within_limits
+        #: With ``[Screening] Replicas``: margins within limits that 5 %, half and 95 % of the layout's replicas do not reach, g;
+        #: NaN without.
         self.low, self.median, self.high = spread
         #: Accelerations that were tried, one number per layout.
         self.trials = trials
@@ -47,18 +58,18 @@ class Margins:
 
     @property
     def least(self) -> npt.NDArray[np.float64]:
-        """The margin in the weakest direction, g, of shape (layouts,)."""
-        least: npt.NDArray[np.float64] = self.margin.min(axis=1)
+        """The margin within limits in the weakest direction, g, of shape (layouts,)."""
+        least: npt.NDArray[np.float64] = self.margin_within_limits.min(axis=1)
         return least
 
     @property
     def weakest(self) -> list[str]:
-        """The weakest direction of each layout, the first of several."""
-        return [DIRECTIONS[i] for i in self.margin.argmin(axis=1)]
+        """The weakest direction of each layout by the margins within limits, the first of several."""
+        return [DIRECTIONS[i] for i in self.margin_within_limits.argmin(axis=1)]
 
     def over(self, needed: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        """How often a layout stands what is needed, in the worst direction: the least of margin / needed, of shape (layouts,).
-        A fitness: 1 or more where the layout stands all of it.
+        """How often a layout stands what is needed, in the worst direction: the least of margin within limits / needed, of shape
+        (layouts,). A fitness: 1 or more where the layout stands all of it.
 
         :param needed: g, one number per direction, such as (0.8, 0.5, 0.5, 0.5) for the road; 0 where nothing is needed
         """
@@ -66,11 +77,12 @@ class Margins:
         if needed.shape != (len(DIRECTIONS),) or not (needed >= 0).all() or not needed.any():
             raise ValueError("needed is one number per direction, front, rear, left and right, and not negative")
         asked = needed > 0
-        worst: npt.NDArray[np.float64] = (self.margin[:, asked] / needed[asked]).min(axis=1)
+        worst: npt.NDArray[np.float64] = (self.margin_within_limits[:, asked] / needed[asked]).min(axis=1)
         return worst
 
     def frame(self) -> pandas.DataFrame:
-        """A data frame with one row per layout and direction: margin, critical_box, and with replicas low, median, high."""
+        """A data frame with one row per layout and direction: both margins and critical boxes, and with replicas low, median,
+        high."""
         import pandas
 
         count = len(self)
@@ -79,6 +91,8 @@ class Margins:
             "direction": pandas.Categorical.from_codes(np.tile(range(len(DIRECTIONS)), count), list(DIRECTIONS)),
             "margin": self.margin.ravel(),
             "critical_box": self.critical_box.ravel(),
+            "margin_within_limits": self.margin_within_limits.ravel(),
+            "critical_box_within_limits": self.critical_box_within_limits.ravel(),
         })
         if not np.isnan(self.median).all():
             frame = frame.assign(low=self.low.ravel(), median=self.median.ravel(), high=self.high.ravel())
@@ -90,15 +104,16 @@ class Margins:
         return len(self.margin)
 
     def __repr__(self) -> str:
-        found = "" if not len(self) else f", the least {np.nanmin(self.margin):.2f} g"
+        found = "" if not len(self) else f", the least {np.nanmin(self.margin_within_limits):.2f} g within limits"
         return f"<holdfast.Margins of {len(self)} layouts{found}>"
 
     def _repr_html_(self) -> str:
         heads = "".join(f"<th>{direction}</th>" for direction in DIRECTIONS)
-        lines = [f"<table><caption>{html.escape(repr(self)[1:-1])}</caption><tr><th>layout</th>{heads}</tr>"]
-        for i, row in enumerate(self.margin[:_MOST_SHOWN]):
+        caption = f"{html.escape(repr(self)[1:-1])}; in place / within limits"
+        lines = [f"<table><caption>{caption}</caption><tr><th>layout</th>{heads}</tr>"]
+        for i, rows in enumerate(zip(self.margin[:_MOST_SHOWN], self.margin_within_limits)):
             name = self.layout_names[i] if self.layout_names else str(i)
-            cells = "".join(f"<td>{margin:.2f} g</td>" for margin in row)
+            cells = "".join(f"<td>{in_place:.2f} / {within:.2f} g</td>" for in_place, within in zip(*rows))
             lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
         if len(self) > _MOST_SHOWN:
             lines.append(f"<tr><td colspan='{len(DIRECTIONS) + 1}'>and {len(self) - _MOST_SHOWN} layouts more</td></tr>")

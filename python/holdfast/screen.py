@@ -99,7 +99,7 @@ class Screen:
             centimetres=options["unit"] == "cm", mark=options["errors"] == "mark" and not keep_series, keep_boxes=options["keep_boxes"] or keep_series,
             keep_series=keep_series, most_in_flight=options["most_in_flight"])
         for acceleration in self._given if only is None else (only,):
-            core.add_acceleration(acceleration.name, acceleration.segments)
+            core.add_acceleration(acceleration.name, acceleration.segments, acceleration.purpose)
         return core
 
     @property
@@ -141,6 +141,24 @@ class Screen:
             table, messages, problems, boxes = core.evaluate(_indexed(layouts, offsets), offsets, given, _is_main_thread())
         return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)))
 
+    def holds(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
+              names: Optional[Iterable[str]] = None) -> npt.NDArray[np.bool_]:
+        """Whether each layout stays under every acceleration: the same as ``evaluate(layouts).holds.all(axis=1)``, sooner. A
+        world ends when its verdict is decided, and a layout with the first world that rejects it.
+
+        :param layouts: as for :meth:`evaluate`, as are ``offsets`` and ``names``
+        :return: of shape (layouts,); False too for a layout that cannot be used, with ``errors="mark"``, and for those that
+            :meth:`cancel` ended
+        :raises Error: a layout cannot be used
+
+        >>> with Screen([[[0.0, 1.0, 7.0, 0.0, 0.0]]]) as screen:
+        ...     screen.holds([[[0.0, 1.0, 0.0, 0.5, 1.5, 0.5, 1]], [[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1]]])
+        array([ True, False])
+        """
+        given = list(names) if names is not None else []
+        with self._usage as core:
+            return core.holds(_indexed(layouts, offsets), offsets, given, _is_main_thread())
+
     def indicators(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
                    names: Optional[Iterable[str]] = None) -> Indicators:
         """What geometry alone says of each layout: base support, supported sides, centre of gravity, fill. Nothing is
@@ -161,15 +179,15 @@ class Screen:
 
     def margins(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
                 names: Optional[Iterable[str]] = None) -> Margins:
-        """How many g each layout stands, pushed to the front, the rear, the left and the right. The accelerations of the
-        screen play no part.
+        """How many g each layout stands in its place and within the limits, pushed to the front, the rear, the left and the
+        right. The accelerations of the screen play no part.
 
         :param layouts: as for :meth:`evaluate`, as are ``offsets`` and ``names``
         :raises Error: a layout cannot be used, or the engine cannot find margins; native can
 
         >>> with Screen([[[0.0, 1.0, 7.0, 0.0, 0.0]]]) as screen:
         ...     margins = screen.margins([[[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1]]])
-        >>> margins.margin.round(2)
+        >>> margins.margin_within_limits.round(2)
         array([[0.5, 0.5, 0.5, 0.5]])
         """
         given = list(names) if names is not None else []
@@ -250,9 +268,9 @@ class Screen:
         >>> with Screen([[[0.0, 1.0, 7.0, 0.0, 0.0]]]) as screen:
         ...     replay = screen.replay([[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1]], 0)
         >>> replay.displacement.shape
-        (11, 1, 3)
+        (16, 1, 3)
         >>> round(float(replay.displacement[-1, 0, 0]), 2)
-        -1.05
+        -1.49
         """
         chosen = self._acceleration(acceleration)
         with self._usage:

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .codes import Verdict
+from .codes import StopReason, Verdict
 from .column import Column
 from .errors import Problem
 from .world_columns import BOX_COLUMNS, WorldColumns
@@ -27,9 +27,15 @@ _COLOURS = {
     Verdict.MOVED: "#fcf8e3",
     Verdict.FELL: "#f2dede",
     Verdict.UNSTABLE: "#fcf8e3",
-    Verdict.GAVE_WAY: "#fcf8e3",
 }
 _GREY = "#e0e0e0"
+
+
+def _name_of(world: Any) -> str:
+    """The verdict on a world; "at least" where it ended when that was decided, while its load was moving on."""
+    verdict = Verdict(world["verdict"])
+    early = world["stop_reason"] == StopReason.DECIDED and verdict != Verdict.UNSTABLE
+    return ("at least " if early else "") + verdict.name.lower()
 
 
 class Verdicts(WorldColumns):
@@ -67,7 +73,7 @@ class Verdicts(WorldColumns):
 
     @property
     def holds(self) -> npt.NDArray[np.bool_]:
-        """Whether no box fell, moved or tilted, nor was any unstable; False also where nothing can be said."""
+        """Whether no box was ever beyond a limit; False also where nothing can be said."""
         stays: npt.NDArray[np.bool_] = self.table["verdict"] == int(Verdict.STAYED)
         return stays
 
@@ -85,7 +91,7 @@ class Verdicts(WorldColumns):
         return {world: self._messages[world] for world in here if world in self._messages}
 
     def box_outcomes(self, layout: int) -> npt.NDArray[Any]:
-        """How the boxes of a layout ended: a structured array of shape (accelerations, boxes).
+        """What became of the boxes of a layout: a structured array of shape (accelerations, boxes).
 
         With ``Damage`` there are also peak_acceleration (m/s²), velocity_change (m/s) and beyond, whether both are above the
         damage boundary. Of a layout that was not simulated there are no boxes. Its columns:
@@ -103,7 +109,7 @@ class Verdicts(WorldColumns):
 
         frame = pandas.DataFrame(self.table.ravel())
         names = [verdict.name.lower() for verdict in Verdict]
-        frame["verdict"] = pandas.Categorical.from_codes(frame["verdict"], names)
+        frame["verdict"] = pandas.Categorical.from_codes(np.searchsorted([*Verdict], frame["verdict"]), names)
         frame["acceleration"] = pandas.Categorical([self.acceleration_names[i] for i in frame["acceleration"]])
         if self.layout_names:
             frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
@@ -139,7 +145,7 @@ class Verdicts(WorldColumns):
             name = self.layout_names[index] if self.layout_names else str(index)
             cells = "".join(
                 f"<td style='background: {_COLOURS.get(world['verdict'], _GREY)}; color: black'>"
-                f"{Verdict(world['verdict']).name.lower()}, {world['max_displacement']:.3g} m</td>" for world in row)
+                f"{_name_of(world)}, {world['peak_displacement']:.3g} m</td>" for world in row)
             lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
         if len(table) > _MOST_SHOWN:
             lines.append(f"<tr><td colspan='{len(columns) + 1}'>and {len(table) - _MOST_SHOWN} layouts more</td></tr>")

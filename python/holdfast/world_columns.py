@@ -12,26 +12,41 @@ class WorldColumns:
     layout = Column("Index of the layout: row of /inputs/layouts.")
     acceleration = Column("Index of the acceleration: row of /inputs/accelerations.")
     verdict = Column(
-        "The worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 "
-        "gave_way (ended early by StopWhen), 6 not_needed (left out by FirstFailure). See :class:`Verdict`."
+        "The worst that ever happened: 0 stayed, 1 moved, 2 fell, 3 unstable (while settling, before any "
+        "acceleration), 4 failed, 6 not_needed (left out by FirstFailure). See :class:`Verdict`."
     )
     status = Column(
         "What went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md. See "
         ":class:`Status`."
     )
+    status_time = Column(
+        "End of the last step before the first bit of the status was set: peaks are up to here, s; NaN where the "
+        "status is 0, or nothing was simulated."
+    )
+    caveats = Column(
+        "What has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in "
+        "docs/results_file.md. See :class:`Caveat`."
+    )
     stop_reason = Column(
-        "Why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (by StopWhen). See "
-        ":class:`StopReason`."
+        "Why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with "
+        "StopWhen or while settling). See :class:`StopReason`."
     )
     boxes = Column("Boxes of the world; 0 when it was not run.")
-    fallen = Column("Boxes that had fallen at the end.")
-    unstable = Column("Boxes that fell or moved while settling, before any acceleration.")
-    moved = Column("Boxes displaced by more than the move threshold at the end.")
-    tilted = Column("Boxes rotated by more than the tilt threshold at the end.")
-    total_kinetic_energy = Column("Kinetic energy of all boxes together at the end, J.")
-    peak_kinetic_energy = Column("Largest kinetic energy of all boxes together, over all steps, J.")
-    max_displacement = Column("Largest displacement of a box at the end, m.")
+    fallen = Column("Boxes that were ever lowered by more than DropThreshold.")
+    unstable = Column("Boxes that were beyond a limit while settling, before any acceleration.")
+    moved = Column("Boxes that were ever displaced by more than MoveThreshold.")
+    tilted = Column("Boxes that were ever rotated by more than TiltThreshold.")
+    fallen_at_end = Column("Boxes that are lower by more than DropThreshold at the end.")
+    critical_box = Column(
+        "Box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0"
+        " where no box has moved at all."
+    )
     peak_displacement = Column("Largest displacement of a box, over all steps, m.")
+    peak_drop = Column("By how much a box was lowered at most, over all steps, m.")
+    peak_tilt = Column("Largest angle of rotation of a box, over all steps, degree.")
+    end_displacement = Column("Largest displacement of a box at the end, m.")
+    peak_kinetic_energy = Column("Largest kinetic energy of all boxes together, over all steps, J.")
+    end_kinetic_energy = Column("Kinetic energy of all boxes together at the end, J.")
     end_time = Column("Simulated time at which the world ended, s.")
     steps = Column("Steps that the simulated time is divided into.")
     steps_skipped = Column("Those of them that were not computed, because all islands were in static equilibrium.")
@@ -52,14 +67,21 @@ class WorldColumns:
 
 #: What the columns of :meth:`Verdicts.box_outcomes` say, by their names.
 BOX_COLUMNS = {
-    "displacement": "displacement x, y, z of the centre of mass from the reference pose, at the end, m",
-    "tilt": "angle of the rotation from the reference pose, at the end, degree",
-    "kinetic_energy": "kinetic energy in the container's frame, at the end, J",
     "peak_displacement": "largest length of the displacement, over all steps, m",
+    "peak_drop": "by how much the centre of mass was lower at most, over all steps, m; never negative",
+    "peak_tilt": "largest angle of the rotation, over all steps, degree",
     "peak_kinetic_energy": "largest kinetic energy, over all steps, J",
     "peak_speed": "largest speed of the centre of mass in the container, over all steps, m/s; NaN in a file of an earlier version",
-    "fallen": "1 when drop exceeds the drop threshold, else 0",
-    "moved": "1 when the displacement at the end is longer than the move threshold, else 0",
-    "tilted": "1 when tilt exceeds the tilt threshold, else 0",
-    "unstable": "1 when the box fell or moved while settling, else 0",
+    "end_displacement": "displacement x, y, z of the centre of mass, at the end, m",
+    "end_tilt": "angle of the rotation, at the end, degree",
+    "end_kinetic_energy": "kinetic energy in the container's frame, at the end, J",
+    "settling_peak_displacement": "largest length of the displacement while settling, before t = 0, m",
+    "settling_peak_drop": "by how much the centre of mass was lower at most while settling, m",
+    "settling_peak_tilt": "largest angle of the rotation while settling, degree",
+    "fallen": "1 when peak_drop exceeds DropThreshold, else 0",
+    "moved": "1 when peak_displacement exceeds MoveThreshold, else 0",
+    "tilted": "1 when peak_tilt exceeds TiltThreshold, else 0",
+    "unstable": "1 when a peak while settling exceeds one of the three, else 0",
+    "fallen_at_end": "1 when the box is lower by more than DropThreshold at the end, else 0",
+    "first_beyond": "end of the first step in which the box was beyond a limit, negative while settling, s; NaN if it never was, or by other limits than those of the run",
 }

@@ -22,6 +22,15 @@ Layouts layouts_of(const py::object& layouts, const py::object& offsets, std::ve
   return {layouts, offsets, std::move(names)};
 }
 
+/// A member of the margins, of shape (layouts, 4).
+template <class Number>
+py::array_t<Number> array_of(const std::vector<LayoutMargins>& margins, std::array<Number, 4> LayoutMargins::*member) {
+  py::array_t<Number> array({static_cast<py::ssize_t>(margins.size()), py::ssize_t{4}});
+  Number* next = array.mutable_data();
+  for (const LayoutMargins& layout : margins) next = std::copy((layout.*member).begin(), (layout.*member).end(), next);
+  return array;
+}
+
 }  // namespace
 
 py::object BoundScreen::boxes(std::span<const WorldOutcome> worlds) const {
@@ -31,8 +40,7 @@ py::object BoundScreen::boxes(std::span<const WorldOutcome> worlds) const {
 
 py::list BoundScreen::accelerations() const {
   py::list all;
-  for (const Acceleration& acceleration : screen_.accelerations())
-    all.append(py::make_tuple(acceleration.name, array_of(acceleration)));
+  for (const Acceleration& acceleration : screen_.accelerations()) all.append(parts_of(acceleration));
   return all;
 }
 
@@ -42,6 +50,16 @@ py::tuple BoundScreen::evaluate(const py::object& given, const py::object& offse
   run_interruptible(screen_, on_main_thread, [&] { screen_.evaluate(layouts.views(), worlds_); });
   return py::make_tuple(table_of(worlds_, {layouts.views().size(), screen_.accelerations().size()}),
                         messages_of(worlds_), problems_of(screen_.problems()), boxes(worlds_));
+}
+
+py::array BoundScreen::holds(const py::object& given, const py::object& offsets, std::vector<std::string> names,
+                             bool on_main_thread) {
+  const Layouts layouts = layouts_of(given, offsets, std::move(names));
+  std::vector<bool> found;
+  run_interruptible(screen_, on_main_thread, [&] { found = screen_.holds(layouts.views()); });
+  py::array_t<bool> holds(static_cast<py::ssize_t>(found.size()));
+  std::copy(found.begin(), found.end(), holds.mutable_data());
+  return holds;
 }
 
 py::tuple BoundScreen::replay(const py::object& layout, bool on_main_thread) {
@@ -58,22 +76,21 @@ py::tuple BoundScreen::margins(const py::object& given, const py::object& offset
   std::vector<LayoutMargins> found;
   run_interruptible(screen_, on_main_thread, [&] { found = screen_.margins(layouts.views()); });
   const auto count = static_cast<py::ssize_t>(found.size());
-  py::array_t<double> margin({count, py::ssize_t{4}});
-  py::array_t<std::int64_t> critical_box({count, py::ssize_t{4}});
   py::array_t<double> spread({py::ssize_t{3}, count, py::ssize_t{4}});
   py::array_t<std::uint32_t> trials(count);
   py::array_t<double> cpu_seconds(count);
   for (py::ssize_t i = 0; i < count; ++i) {
     const LayoutMargins& layout = found[static_cast<std::size_t>(i)];
-    std::copy(layout.margin.begin(), layout.margin.end(), margin.mutable_data(i, 0));
-    std::copy(layout.critical_box.begin(), layout.critical_box.end(), critical_box.mutable_data(i, 0));
     const std::array quantiles = {layout.spread.low, layout.spread.median, layout.spread.high};
     for (std::size_t k = 0; k < quantiles.size(); ++k)
       std::copy(quantiles[k].begin(), quantiles[k].end(), spread.mutable_data(static_cast<py::ssize_t>(k), i, 0));
     trials.mutable_at(i) = layout.trials;
     cpu_seconds.mutable_at(i) = layout.cpu_seconds;
   }
-  return py::make_tuple(margin, critical_box, spread, trials, cpu_seconds, problems_of(screen_.problems()));
+  return py::make_tuple(array_of(found, &LayoutMargins::margin), array_of(found, &LayoutMargins::critical_box),
+                        array_of(found, &LayoutMargins::margin_within_limits),
+                        array_of(found, &LayoutMargins::critical_box_within_limits), spread, trials, cpu_seconds,
+                        problems_of(screen_.problems()));
 }
 
 py::tuple BoundScreen::indicators(const py::object& given, const py::object& offsets, std::vector<std::string> names) {

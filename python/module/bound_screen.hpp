@@ -18,24 +18,31 @@ class BoundScreen {
  public:
   explicit BoundScreen(const ScreenOptions& options) : screen_(options), keep_boxes_(options.keep_boxes) {}
 
-  void add_acceleration(std::string name, const pybind11::object& segments) {
-    screen_.add_acceleration(acceleration_of(std::move(name), segments));
+  void add_acceleration(std::string name, const pybind11::object& segments, std::string purpose) {
+    screen_.add_acceleration(acceleration_of(std::move(name), segments, std::move(purpose)));
   }
 
-  /// Name and segments of each acceleration, those of the norm first.
+  /// Name, segments and purpose of each acceleration, those of the norm first.
   pybind11::list accelerations() const;
 
   /// Table of verdicts, messages, problems of marked layouts, and tables of boxes or None.
   pybind11::tuple evaluate(const pybind11::object& layouts, const pybind11::object& offsets,
                            std::vector<std::string> names, bool on_main_thread);
 
+  /// Whether each layout stays under every acceleration, of shape (layouts,).
+  pybind11::array holds(const pybind11::object& layouts, const pybind11::object& offsets,
+                        std::vector<std::string> names, bool on_main_thread);
+
   /// The verdict of the only acceleration, and the series, of one layout. For screens that keep series.
   pybind11::tuple replay(const pybind11::object& layout, bool on_main_thread);
 
-  /// Margins and critical boxes, of shape (layouts, 4), quantiles of the replicas' margins, (3, layouts, 4), trials and
-  /// processor seconds, and problems of marked layouts.
+  /// Nine numbers of each layout, of shape (layouts, 9), base support and supported sides of its boxes, and problems of
+  /// marked layouts.
   pybind11::tuple indicators(const pybind11::object& layouts, const pybind11::object& offsets,
                              std::vector<std::string> names);
+
+  /// Margins and critical boxes, and the same within the limits, of shape (layouts, 4), quantiles of the replicas'
+  /// margins, (3, layouts, 4), trials and processor seconds, and problems of marked layouts.
   pybind11::tuple margins(const pybind11::object& layouts, const pybind11::object& offsets,
                           std::vector<std::string> names, bool on_main_thread);
 

@@ -122,15 +122,26 @@ void Layouts::name_all() {
   for (std::size_t i = 0; i < views_.size(); ++i) views_[i].name = names_[i];
 }
 
-Acceleration acceleration_of(std::string name, const py::object& segments) {
+Acceleration acceleration_of(std::string name, const py::object& segments, std::string purpose) {
   const Numbers array =
       numbers_of(segments, kSegmentColumns, "acceleration " + name,
                  "an array of shape (segments, 5) is needed: start, duration, acceleration along x, y, z");
-  Acceleration acceleration{std::move(name), {}};
+  Acceleration acceleration{std::move(name), {}, std::move(purpose)};
   const std::span<const double> numbers = span_of(array);
   for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(kSegmentColumns))
     acceleration.segments.push_back({numbers[i], numbers[i + 1], {numbers[i + 2], numbers[i + 3], numbers[i + 4]}});
   return acceleration;
+}
+
+py::tuple parts_of(const Acceleration& acceleration) {
+  Numbers segments({static_cast<py::ssize_t>(acceleration.segments.size()), kSegmentColumns});
+  double* next = segments.mutable_data();
+  for (const Segment& segment : acceleration.segments) {
+    *next++ = segment.start;
+    *next++ = segment.duration;
+    next = std::copy(segment.acceleration.begin(), segment.acceleration.end(), next);
+  }
+  return py::make_tuple(acceleration.name, segments, acceleration.purpose);
 }
 
 Numbers array_of(const Layout& layout) {
@@ -140,17 +151,6 @@ Numbers array_of(const Layout& layout) {
     next = std::copy(box.corner_min.begin(), box.corner_min.end(), next);
     next = std::copy(box.corner_max.begin(), box.corner_max.end(), next);
     *next++ = box.material;
-  }
-  return array;
-}
-
-Numbers array_of(const Acceleration& acceleration) {
-  Numbers array({static_cast<py::ssize_t>(acceleration.segments.size()), kSegmentColumns});
-  double* next = array.mutable_data();
-  for (const Segment& segment : acceleration.segments) {
-    *next++ = segment.start;
-    *next++ = segment.duration;
-    next = std::copy(segment.acceleration.begin(), segment.acceleration.end(), next);
   }
   return array;
 }

@@ -37,11 +37,13 @@ class Layouts {
   std::vector<LayoutView> views_;
 };
 
-/// The segments of an acceleration: an array of shape (segments, 5). Throws `Error` for any other shape.
-Acceleration acceleration_of(std::string name, const pybind11::object& segments);
+/// An acceleration whose segments are an array of shape (segments, 5). Throws `Error` for any other shape.
+Acceleration acceleration_of(std::string name, const pybind11::object& segments, std::string purpose);
 
-/// Arrays of shape (boxes, 7) and (segments, 5).
+/// Name, segments and purpose: what `acceleration_of` takes.
+pybind11::tuple parts_of(const Acceleration& acceleration);
+
+/// An array of shape (boxes, 7).
 Numbers array_of(const Layout& layout);
-Numbers array_of(const Acceleration& acceleration);
 
 }  // namespace holdfast::python

@@ -54,10 +54,7 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def(
       "read_acceleration",
-      [](const std::string& path) {
-        const holdfast::Acceleration acceleration = holdfast::read_acceleration(path);
-        return py::make_tuple(acceleration.name, holdfast::python::array_of(acceleration));
-      },
+      [](const std::string& path) { return holdfast::python::parts_of(holdfast::read_acceleration(path)); },
       py::arg("path"));
 
   module.def(
@@ -65,7 +62,7 @@ PYBIND11_MODULE(_core, module) {
       [](const std::string& name) {
         py::list all;
         for (const holdfast::Acceleration& acceleration : holdfast::norm_accelerations(name))
-          all.append(py::make_tuple(acceleration.name, holdfast::python::array_of(acceleration)));
+          all.append(holdfast::python::parts_of(acceleration));
         return all;
       },
       py::arg("name"));
@@ -82,9 +79,11 @@ PYBIND11_MODULE(_core, module) {
            py::kw_only(), py::arg("config"), py::arg("norm"), py::arg("engine"), py::arg("accuracy"),
            py::arg("scheduler"), py::arg("threads"), py::arg("centimetres"), py::arg("mark"), py::arg("keep_boxes"),
            py::arg("keep_series"), py::arg("most_in_flight"))
-      .def("add_acceleration", &BoundScreen::add_acceleration, py::arg("name"), py::arg("segments"))
+      .def("add_acceleration", &BoundScreen::add_acceleration, py::arg("name"), py::arg("segments"), py::arg("purpose"))
       .def("accelerations", &BoundScreen::accelerations)
       .def("evaluate", &BoundScreen::evaluate, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
+           py::arg("on_main_thread"))
+      .def("holds", &BoundScreen::holds, py::arg("layouts"), py::arg("offsets"), py::arg("names"),
            py::arg("on_main_thread"))
       .def("indicators", &BoundScreen::indicators, py::arg("layouts"), py::arg("offsets"), py::arg("names"))
       .def("margins", &BoundScreen::margins, py::arg("layouts"), py::arg("offsets"), py::arg("names"),

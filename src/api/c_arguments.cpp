@@ -14,8 +14,8 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Largest size that a structure of options can have, bytes: a larger one was not set.
-constexpr std::size_t kLargestOptions = 4096;
+/// Largest size that a structure can have, bytes: a larger one was not set.
+constexpr std::size_t kLargestStructure = 4096;
 
 /// Most rows of an array whose numbers a pointer can count.
 constexpr std::size_t kMostRows = std::numeric_limits<std::ptrdiff_t>::max() / (8 * sizeof(double));
@@ -40,9 +40,13 @@ void require_room(std::size_t capacity, std::size_t needed, const char* name) {
                     std::to_string(needed) + " are needed"};
 }
 
-void copy_sized(void* to, std::size_t size, const void* from, std::size_t given, const char* name) {
-  if (given < sizeof(std::size_t) || given > kLargestOptions)
+void require_size(std::size_t given, const char* name) {
+  if (given < sizeof(std::size_t) || given > kLargestStructure)
     throw BadArgument{std::string(name) + ".size is " + std::to_string(given) + ", not the size of the structure"};
+}
+
+void copy_sized(void* to, std::size_t size, const void* from, std::size_t given, const char* name) {
+  require_size(given, name);
   const auto* const bytes = static_cast<const unsigned char*>(from);
   const auto is_set = [](unsigned char byte) { return byte != 0; };
   if (given > size && std::any_of(bytes + size, bytes + given, is_set))

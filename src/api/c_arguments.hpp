@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,9 @@ T* required(T* argument, const char* name) {
 /// Room for so many entries in an array of the caller.
 void require_room(std::size_t capacity, std::size_t needed, const char* name);
 
+/// Throws when that is not the size of a structure, since the caller has not set it.
+void require_size(std::size_t given, const char* name);
+
 /// Copies a structure that begins with its size. Throws when the caller has set what the library does not know.
 /// @param to   of `size` bytes, all zero
 /// @param from of `given` bytes
@@ -38,6 +43,29 @@ Options options_of(const Options* given, const char* name) {
   copy_sized(&options, sizeof options, given, given->size, name);
   return options;
 }
+
+/// Entries of the caller that the library fills. They begin with their size, which the first one says for all: that of
+/// an earlier or later version of the structure than the library knows.
+template <class Entry>
+class FilledEntries {
+ public:
+  FilledEntries(Entry* entries, const char* name)
+      : bytes_(reinterpret_cast<std::byte*>(required(entries, name))), size_(entries->size) {
+    require_size(size_, name);
+  }
+
+  void put(std::size_t i, Entry entry) const {
+    entry.size = size_;
+    std::byte* const to = bytes_ + i * size_;
+    const std::size_t known = std::min(size_, sizeof entry);
+    std::memcpy(to, &entry, known);
+    std::fill(to + known, to + size_, std::byte{0});
+  }
+
+ private:
+  std::byte* bytes_;
+  std::size_t size_;
+};
 
 /// A number of the caller that says yes or no.
 bool flag(int value, const char* name);

@@ -67,11 +67,14 @@ CLayouts::CLayouts(const holdfast_layouts* given) {
 }
 
 void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes) {
-  std::transform(worlds.begin(), worlds.end(), outcomes, [](const holdfast::WorldOutcome& from) {
-    holdfast_outcome copy;
+  if (worlds.empty()) return;
+  const FilledEntries entries(outcomes, "outcomes");
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const holdfast::WorldOutcome& from = worlds[i];
+    holdfast_outcome copy = {};
     HOLDFAST_WORLD_FIELDS(HOLDFAST_C_COPY)
-    return copy;
-  });
+    entries.put(i, copy);
+  }
 }
 
 }  // namespace holdfast::internal
@@ -110,7 +113,7 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
     if (count > std::numeric_limits<std::size_t>::max() / accelerations)
       throw BadArgument{"there are too many layouts"};
     require_room(capacity, count * accelerations, "outcomes");
-    if (count > 0) required(outcomes, "outcomes");
+    if (count > 0) FilledEntries(outcomes, "outcomes");
     object.last = &object.evaluated;
     object.evaluated.clear();
     object.made().evaluate(given.views(), object.evaluated);
@@ -124,20 +127,37 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
   });
 }
 
+int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layouts, uint8_t* holds, size_t capacity) {
+  return call_object<CScreen>(screen, [&](CScreen& object) {
+    const CLayouts given(layouts);
+    object.accelerations();
+    require_room(capacity, given.views().size(), "holds");
+    if (!given.views().empty()) required(holds, "holds");
+    const std::vector<bool> found = object.made().holds(given.views());
+    keep_problems(object);
+    std::copy(found.begin(), found.end(), holds);
+    return HOLDFAST_OK;
+  });
+}
+
 int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* layouts, holdfast_margins* margins,
                             size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
     const CLayouts given(layouts);
     require_room(capacity, given.views().size(), "margins");
-    if (!given.views().empty()) required(margins, "margins");
+    if (!given.views().empty()) FilledEntries(margins, "margins");
     const std::vector<holdfast::LayoutMargins> found = object.made().margins(given.views());
     keep_problems(object);
-    std::transform(found.begin(), found.end(), margins, [](const holdfast::LayoutMargins& layout) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const holdfast::LayoutMargins& layout = found[i];
       holdfast_margins copy{.trials = layout.trials, .cpu_seconds = layout.cpu_seconds};
       std::copy(layout.margin.begin(), layout.margin.end(), copy.margin);
       std::copy(layout.critical_box.begin(), layout.critical_box.end(), copy.critical_box);
-      return copy;
-    });
+      std::copy(layout.margin_within_limits.begin(), layout.margin_within_limits.end(), copy.margin_within_limits);
+      std::copy(layout.critical_box_within_limits.begin(), layout.critical_box_within_limits.end(),
+                copy.critical_box_within_limits);
+      FilledEntries(margins, "margins").put(i, copy);
+    }
     return HOLDFAST_OK;
   });
 }
@@ -171,7 +191,7 @@ int holdfast_screen_poll(holdfast_screen* screen, double seconds, int in_order, 
     const auto order =
         flag(in_order, "in_order") ? holdfast::PollOrder::as_submitted : holdfast::PollOrder::as_finished;
     require_room(capacity, object.accelerations(), "outcomes");
-    required(outcomes, "outcomes");
+    FilledEntries(outcomes, "outcomes");
     if (object.made().in_flight() == 0) return HOLDFAST_NONE;
     if (!object.made().poll(object.polled, seconds, order)) return HOLDFAST_NOT_YET;
     object.last = &object.polled.worlds;

@@ -53,30 +53,35 @@ int holdfast_screen_error(const holdfast_screen* screen, size_t index, holdfast_
   if (!lock) return HOLDFAST_IN_USE;
   if (problem == nullptr || index >= object->problems.size()) return HOLDFAST_BAD_ARGUMENT;
   const holdfast::Problem& found = object->problems[index];
-  *problem = {.file = found.file.c_str(),
-              .line = found.line,
-              .column = found.column,
-              .what = found.what.c_str(),
-              .value = found.value.c_str(),
-              .accepted = found.accepted.c_str(),
-              .message = found.message.c_str(),
-              .layout = found.layout,
-              .box = found.box,
-              .box_column = found.box_column};
+  try {
+    FilledEntries(problem, "problem")
+        .put(0, {.file = found.file.c_str(),
+                 .line = found.line,
+                 .column = found.column,
+                 .what = found.what.c_str(),
+                 .value = found.value.c_str(),
+                 .accepted = found.accepted.c_str(),
+                 .message = found.message.c_str(),
+                 .layout = found.layout,
+                 .box = found.box,
+                 .box_column = found.box_column});
+  } catch (const BadArgument&) {
+    return HOLDFAST_BAD_ARGUMENT;
+  }
   return HOLDFAST_OK;
 }
 
 int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_replicas* replicas) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
     const holdfast::ReplicaOutcome& found = outcome_at(object, index).replicas;
-    required(replicas, "replicas");
-    *replicas = {.verdict = static_cast<int32_t>(found.verdict),
+    FilledEntries(replicas, "replicas")
+        .put(0, {.verdict = static_cast<int32_t>(found.verdict),
                  .count = found.count,
                  .failed = found.failed,
                  .share = found.share,
                  .wilson_low = found.wilson_low,
                  .wilson_high = found.wilson_high,
-                 .cpu_seconds = found.cpu_seconds};
+                 .cpu_seconds = found.cpu_seconds});
     return HOLDFAST_OK;
   });
 }
@@ -84,12 +89,12 @@ int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_rep
 int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damage* damage) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
     const holdfast::DamageOutcome& found = outcome_at(object, index).damage;
-    required(damage, "damage");
+    const FilledEntries filled(damage, "damage");
     if (!found.known)
       throw BadArgument{"the world has no damage: the settings do not ask for it, or it was not simulated"};
-    *damage = {.boxes_beyond = found.boxes_beyond,
-               .peak_acceleration = found.peak_acceleration,
-               .velocity_change = found.velocity_change};
+    filled.put(0, {.boxes_beyond = found.boxes_beyond,
+                   .peak_acceleration = found.peak_acceleration,
+                   .velocity_change = found.velocity_change});
     return HOLDFAST_OK;
   });
 }
@@ -113,13 +118,13 @@ int holdfast_screen_boxes(holdfast_screen* screen, size_t index, holdfast_box_ou
     const holdfast::WorldOutcome& world = outcome_at(object, index);
     if (world.box_outcomes.size() < world.boxes) throw BadArgument{"the screen was made without keep_boxes"};
     require_room(capacity, world.box_outcomes.size(), "boxes");
-    if (world.boxes > 0) required(boxes, "boxes");
-    std::transform(world.box_outcomes.begin(), world.box_outcomes.end(), boxes, [](const holdfast::BoxOutcome& from) {
-      holdfast_box_outcome copy;
+    for (std::size_t i = 0; i < world.box_outcomes.size(); ++i) {
+      const holdfast::BoxOutcome& from = world.box_outcomes[i];
+      holdfast_box_outcome copy = {};
       HOLDFAST_BOX_FIELDS(HOLDFAST_C_COPY)
       HOLDFAST_BOX_VERDICT_FIELDS(HOLDFAST_C_COPY)
-      return copy;
-    });
+      FilledEntries(boxes, "boxes").put(i, copy);
+    }
     return HOLDFAST_OK;
   });
 }

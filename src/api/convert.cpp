@@ -107,12 +107,13 @@ std::array<float, 4> array_of(const Float4& q) { return {q.w, q.x, q.y, q.z}; }
 
 holdfast::BoxOutcome outcome_of(const EndTable& end, std::size_t i, const Thresholds& thresholds) {
   holdfast::BoxOutcome box;
-  visit_box_values(end, i, judge_box(end, i, thresholds), [&](const OutcomeField&, const auto& value, auto member) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Float3>)
-      box.*member = array_of(value);
-    else
-      box.*member = value;
-  });
+  visit_box_values(end, i, judge_box(end, i, by_run(thresholds)),
+                   [&](const OutcomeField&, const auto& value, auto member) {
+                     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Float3>)
+                       box.*member = array_of(value);
+                     else
+                       box.*member = value;
+                   });
   return box;
 }
 
@@ -216,6 +217,7 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
 Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration) {
   Acceleration read;
   read.name = acceleration.name;
+  read.purpose = acceleration.purpose;
   for (std::size_t i = 0; i < acceleration.segments.size(); ++i) {
     const holdfast::Segment& given = acceleration.segments[i];
     const Segment segment{given.start, given.duration, vector_of(given.acceleration)};
@@ -245,7 +247,7 @@ holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) 
 }
 
 holdfast::Acceleration public_acceleration(const Acceleration& acceleration) {
-  holdfast::Acceleration converted{.name = acceleration.name};
+  holdfast::Acceleration converted{.name = acceleration.name, .segments = {}, .purpose = acceleration.purpose};
   for (const Segment& segment : acceleration.segments) {
     const Vec3& a = segment.acceleration;
     converted.segments.push_back({segment.start, segment.duration, {a.x(), a.y(), a.z()}});
@@ -256,7 +258,7 @@ holdfast::Acceleration public_acceleration(const Acceleration& acceleration) {
 void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool keep_boxes,
                 holdfast::WorldOutcome& world) {
   const bool was_run = record.row.stop_reason != StopReason::not_run;
-  const WorldVerdict verdict = judge_world(record.row, record.end, thresholds);
+  const WorldVerdict verdict = judge_world(record.row, record.end, by_run(thresholds));
   visit_world_values(record.row, verdict, [&](const OutcomeField& field, const auto& value, auto member) {
     using Member = std::decay_t<decltype(world.*member)>;
     if constexpr (std::is_convertible_v<decltype(value), Member>)
@@ -269,7 +271,7 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   if (const WallForces* walls = record.found.get<WallForces>())
     for (std::size_t side = 0; side < kSideCount; ++side) world.walls.push_back(wall_of(*walls, side));
   world.box_outcomes.clear();
-  for (std::size_t i = 0; keep_boxes && i < record.end.displacement.size(); ++i)
+  for (std::size_t i = 0; keep_boxes && i < record.end.end_displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
   world.replicas = public_replicas(record.found.value<ReplicaOutcome>(), keep_boxes);
   const WorldDamage* damage = record.found.get<WorldDamage>();

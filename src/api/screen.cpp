@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -97,6 +98,27 @@ void Screen::State::evaluate(std::vector<internal::ReadLayout> layouts, std::vec
   for (WorldOutcome& world : worlds) internal::mark_cancelled(world);
 }
 
+std::vector<bool> Screen::State::holds(std::vector<internal::ReadLayout> layouts) {
+  need_accelerations();
+  internal::Settings early = settings;
+  early.screening.stop_when = internal::StopWhen::moved;
+  early.screening.first_failure = true;
+  const std::size_t count = accelerations.size();
+  std::vector<WorldOutcome> worlds(layouts.size() * count);
+  if (worlds.empty()) return {};
+  internal::MemoryLayouts source(std::move(layouts));
+  const internal::WorldTaker verdicts_alone(internal::recording_plan(settings, false).thresholds, false);
+  internal::MemorySink sink(worlds, count, verdicts_alone);
+  const internal::ScreeningEnd end = internal::screen_worlds(
+      {*engine, early, *workers, source, read_accelerations, false}, sink, observer, stop, costs);
+  if (end.error) throw internal::exception_of({*end.error});
+  std::vector<bool> holds;
+  for (auto layout = worlds.begin(); layout != worlds.end(); layout += static_cast<std::ptrdiff_t>(count))
+    holds.push_back(std::all_of(layout, layout + static_cast<std::ptrdiff_t>(count),
+                                [](const WorldOutcome& world) { return world.verdict == Verdict::stayed; }));
+  return holds;
+}
+
 Screen::Screen(std::vector<Acceleration> accelerations, const ScreenOptions& options) {
   guarded([&] {
     state_ = std::make_unique<State>(options);
@@ -143,6 +165,20 @@ void Screen::evaluate(std::span<const LayoutView> layouts, std::vector<WorldOutc
   guarded([&] {
     state_->forget_cancel();
     state_->evaluate(state_->read(layouts), worlds);
+  });
+}
+
+std::vector<bool> Screen::holds(std::span<const Layout> layouts) {
+  return guarded([&] {
+    state_->forget_cancel();
+    return state_->holds(state_->read(layouts));
+  });
+}
+
+std::vector<bool> Screen::holds(std::span<const LayoutView> layouts) {
+  return guarded([&] {
+    state_->forget_cancel();
+    return state_->holds(state_->read(layouts));
   });
 }
 

@@ -24,13 +24,13 @@ class MarginSink final : public internal::ResultSink {
   static LayoutMargins public_margins(const internal::Findings& findings) {
     const auto& found = findings.value<internal::LayoutMargins>();
     const auto& spread = findings.value<internal::MarginSpread>();
-    LayoutMargins margins{.margin = found.margin,
-                          .trials = found.trials,
-                          .cpu_seconds = found.cpu_seconds + spread.cpu_seconds,
-                          .spread = {spread.low, spread.median, spread.high}};
-    for (std::size_t i = 0; i < internal::kDirectionCount; ++i)
-      margins.critical_box.at(i) = static_cast<std::ptrdiff_t>(found.critical_box.at(i)) - 1;
-    return margins;
+    return {.margin = found.margin,
+            .critical_box = found.critical_box,
+            .margin_within_limits = found.margin_within_limits,
+            .critical_box_within_limits = found.critical_box_within_limits,
+            .trials = found.trials,
+            .cpu_seconds = found.cpu_seconds + spread.cpu_seconds,
+            .spread = {spread.low, spread.median, spread.high}};
   }
 
  private:

@@ -55,6 +55,7 @@ struct Screen::State {
   }
 
   void evaluate(std::vector<internal::ReadLayout> layouts, std::vector<WorldOutcome>& worlds);
+  std::vector<bool> holds(std::vector<internal::ReadLayout> layouts);
   std::vector<LayoutMargins> margins(std::vector<internal::ReadLayout> layouts);
   bool record(std::vector<internal::ReadLayout> layouts, const std::string& path, const RecordOptions& record_options);
 

@@ -13,7 +13,7 @@
 #include "core/engine/engine_registry.hpp"
 #include "core/engine/engine_support.hpp"
 #include "core/engine/interpolation.hpp"
-#include "core/engine/simulate.hpp"
+#include "core/engine/journey.hpp"
 #include "core/model/acceleration_check.hpp"
 #include "holdfast/holdfast.hpp"
 
@@ -75,36 +75,37 @@ struct World::State {
     batch = internal::make_batch(layouts, accelerations, settings);
     before = batch.state;
     simulation = engine->build(batch);
-    settle();
+    journey.emplace(*engine, acceleration, settings);
+    while (journey->settles()) step();
+    before = batch.state;
+    begin = reached = journey->time();
     end = internal::latest_end(acceleration, settings);
-    phases = internal::phases_for(*engine, acceleration, end);
+    has_ended = journey->has_ended();
   }
 
-  /// Gravity alone until t = 0.
-  void settle() {
-    const internal::Phase gravity_alone{0.0 - settings.screening.settle_seconds, 0.0, internal::Vec3::Zero()};
-    double settled = gravity_alone.begin;
-    while (settled < gravity_alone.end) settled = step(gravity_alone, gravity_alone.end);
+  /// Takes a step, or several of those in which nothing moves.
+  void step() {
     before = batch.state;
-  }
-
-  /// Takes a step, or several of those that nothing is seen of; returns the time reached, s.
-  double step(const internal::Phase& now, double output_time) {
-    before = batch.state;
-    internal::AdvanceRequest request{0, now, output_time};
+    internal::AdvanceRequest request{0, journey->phase()};
     simulation->advance({&request, 1});
     simulation->read_back(0, batch.state);
     if (measures_sides()) impulses = simulation->side_impulses(0);
-    return request.reached;
+    const internal::StateView now = internal::view(batch.state, batch.worlds.front());
+    const bool quiet = internal::is_quiet(now, settings.sleeping_threshold);
+    begin = journey->time();
+    has_ended = journey->reach(request.reached, simulation->rests(0), quiet) == internal::Journey::Event::end;
+    reached = journey->time();
+    // The load was at rest before, as has been proved, and nothing was simulated.
+    if (has_ended && reached == begin) batch.state = before;
   }
 
-  /// Brings the engine and what is left of the phases to where a change begins.
+  /// Brings the engine and what is left of the journey to where a change begins.
   void cut() {
-    // A world at rest goes to the end of its phase at once, and is on the way there as it is at the end.
-    if (time < reached && rests()) begin = reached = time;
-    std::erase_if(phases, [&](const internal::Phase& one) { return one.end <= reached + internal::kSameInstant; });
-    phase = 0;
-    if (!phases.empty()) phases.front().begin = reached;
+    // A world at rest goes to the end of its phase at once, and is on the way there as it is at the end; and one that
+    // has ended at rest goes on from there.
+    if ((time < reached && rests()) || (has_ended && reached < time)) begin = reached = time;
+    journey->cut(reached);
+    has_ended = journey->has_ended();
   }
 
   /// True when no box has moved in the last step, and none is moving.
@@ -124,8 +125,8 @@ struct World::State {
       refuse("this engine cannot change forces and friction of a world that goes", engine->traits().name, "native");
   }
 
-  /// How far `time` is from the start of the last step to its end.
-  double share() const { return reached > begin ? (time - begin) / (reached - begin) : 1.0; }
+  /// How far `time` is from the start of the last step to its end, where a world stays that has ended.
+  double share() const { return time < reached ? (time - begin) / (reached - begin) : 1.0; }
 
   internal::Vec3 position(std::size_t box) const {
     return internal::between(before.position[box], batch.state.position[box], share());
@@ -139,11 +140,9 @@ struct World::State {
   void advance(double wanted) {
     if (!(wanted > time)) return;
     wanted = std::min(wanted, end);
-    while (reached < wanted && phase < phases.size()) {
-      begin = reached;
-      reached = step(phases[phase], wanted);
+    while (reached < wanted && !has_ended) {
+      step();
       pressed = reached - begin;
-      if (reached >= phases[phase].end) ++phase;
     }
     time = wanted;
   }
@@ -155,8 +154,8 @@ struct World::State {
   internal::WorldBatch batch;  ///< of this world alone; its state is that at `reached`
   StateColumns before;         ///< at `begin`
   std::unique_ptr<internal::Simulation> simulation;
-  std::vector<internal::Phase> phases;
-  std::size_t phase = 0;              ///< index of the phase that the next step is in
+  std::optional<internal::Journey> journey;
+  bool has_ended = false;             ///< nothing happens after `reached`
   double begin = 0.0, reached = 0.0;  ///< of the last step, s
   internal::SideImpulses impulses;    ///< of the last step
   double pressed = 0.0;               ///< for how long they acted, s
@@ -212,8 +211,7 @@ void World::set_acceleration(const std::array<double, 3>& acceleration) {
     const internal::Vec3 wanted = finite(acceleration, "the acceleration", internal::kLargestAcceleration, "m/s²");
     State& state = *state_;
     state.cut();
-    state.phases.clear();
-    if (state.reached < state.end) state.phases.push_back({state.reached, state.end, wanted});
+    state.journey->set_acceleration(wanted);
   });
 }
 

@@ -130,8 +130,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option(
           "--stop-when", options.stop_when,
-          "End a world early: moved, as soon as a box is beyond a threshold, fallen, as soon as one has fallen, "
-          "or end, never; stands in for [Screening] StopWhen")
+          "End a world when its verdict is decided: moved, as soon as a box is beyond a limit, fallen, as soon as one "
+          "has fallen, or end, never; stands in for [Screening] StopWhen")
       ->check(as_in_config("Screening", "StopWhen"))
       ->type_name("NAME");
   command.add_flag(
@@ -179,11 +179,10 @@ void add_run_command(CLI::App& program, ChosenCommand& chosen) {
 void add_margins_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("margins", "Find how many g each layout stands, and which box goes first");
   command->footer(
-      "For the load pushed to the front, the rear, the left and the right: the largest constant acceleration under "
-      "which\n"
-      "all boxes come to rest, displaced by less than 5 mm. With --norm, margins stand beside what the norm needs, "
-      "and\n"
-      "its accelerations are simulated as well.\n\n"
+      "For the load pushed to the front, the rear, the left and the right: the largest constant acceleration, for as\n"
+      "long as anything moves, under which every box stays in its place, within 5 mm, and that under which every box\n"
+      "stays within the limits. With --norm, margins stand beside what the norm needs, and its accelerations are\n"
+      "simulated as well.\n\n"
       "Example:\n"
       "  holdfast margins --layouts configs/layouts --norm road -o margins.h5");
   auto options = std::make_shared<MarginOptions>();

@@ -19,11 +19,11 @@ struct OutcomeTable {
 /// Per acceleration how many layouts stayed, moved, fell and were unstable; the worst worlds by name; the layouts that
 /// were unstable before any acceleration; what failed; the shares of steps skipped and of simulated time saved. Of a
 /// complete results file, under the given thresholds.
-/// @param latest_ends when a world ends that does not end early, one per acceleration, s; empty where that is not
+/// @param planned_ends when a world ends that does not end early, one per acceleration, s; empty where that is not
 /// known:
 ///                    the share of time saved is then left out
 Result<OutcomeTable> outcome_table(ResultsReader& results, const Thresholds& thresholds,
-                                   std::span<const double> latest_ends = {});
+                                   std::span<const double> planned_ends = {});
 
 /// The tables of the analyses that the file has.
 Result<std::string> analysis_tables(ResultsReader& results);

@@ -15,7 +15,7 @@
 #include "app/stage_costs_file.hpp"
 #include "app/stop_signal.hpp"
 #include "app/terminal_observer.hpp"
-#include "core/engine/simulate.hpp"
+#include "core/engine/journey.hpp"
 #include "io/export/text_export.hpp"
 #include "io/input/layout_files.hpp"
 #include "io/input/text_file.hpp"
@@ -75,12 +75,12 @@ ExitCode conclude(const ScreeningJob& job, const RunDescription& description, co
     if (const auto error = export_text(job.results_path, *job.text_folder, job.batch_name))
       return fail(ExitCode::some_failed, *error);
   }
-  std::vector<double> latest_ends;
+  std::vector<double> planned_ends;
   for (const Acceleration& acceleration : description.accelerations)
-    latest_ends.push_back(latest_end(acceleration, job.settings));
+    planned_ends.push_back(planned_end(acceleration, job.settings));
   Result<ResultsReader> results = ResultsReader::open(job.results_path);
   if (!results) return fail(ExitCode::some_failed, results.error());
-  const Result<OutcomeTable> table = outcome_table(*results, description.thresholds, latest_ends);
+  const Result<OutcomeTable> table = outcome_table(*results, description.thresholds, planned_ends);
   if (!table) return fail(ExitCode::some_failed, table.error());
   if (!job.json && !job.quiet) {
     const Result<std::string> analyses = analysis_tables(*results);

@@ -11,6 +11,7 @@
 #include "app/run_inputs.hpp"
 #include "app/world_json.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/engine/journey.hpp"
 #include "core/engine/simulate.hpp"
 #include "core/model/setting_table.hpp"
 #include "parallel/schedulers/scheduler.hpp"
@@ -80,7 +81,7 @@ void TerminalObserver::world_finished(const WorldRecord& world, std::size_t inde
   }
   if (!job_.json) return;
   const WorldRow& row = world.row;
-  const double saved = time_saved(row.status, row.stop_reason, row.end_time, latest_end(acceleration, job_.settings));
+  const double saved = time_saved(row.status, row.stop_reason, row.end_time, planned_end(acceleration, job_.settings));
   const std::string line = world_json(world, layout, acceleration.name, index, description_.thresholds, saved) + "\n";
   write_unless(stop_.drop, stdout, line);
 }

@@ -24,6 +24,8 @@ Json json_value(const OutcomeField& field, const Value& value) {
   else if constexpr (std::is_integral_v<Value>)
     if (field.type == "status")
       return to_string(static_cast<Status>(value));
+    else if (field.type == "caveat")
+      return to_string(static_cast<Caveat>(value));
     else
       return field.type == "hash" ? Json(fmt::format("{:016x}", value)) : Json(value);
   else

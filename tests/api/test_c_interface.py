@@ -36,13 +36,14 @@ class Layouts(ctypes.Structure):
 
 
 class Outcome(ctypes.Structure):
-    _fields_ = [("layout", c_uint64), ("acceleration", c_uint64), ("verdict", c_int32), ("status", c_uint32),
-                ("stop_reason", c_int32), ("boxes", c_uint32), ("fallen", c_uint32), ("unstable", c_uint32),
-                ("moved", c_uint32), ("tilted", c_uint32), ("total_kinetic_energy", c_double),
-                ("peak_kinetic_energy", c_double), ("max_displacement", c_float), ("peak_displacement", c_float),
-                ("end_time", c_double), ("steps", c_uint64), ("steps_skipped", c_uint64), ("max_residual", c_double),
-                ("residual_scale", c_double), ("max_penetration", c_double), ("cpu_seconds", c_double),
-                ("state_hash", c_uint64)]
+    _fields_ = [("size", c_size_t), ("layout", c_uint64), ("acceleration", c_uint64), ("verdict", c_int32),
+                ("status", c_uint32), ("status_time", c_double), ("caveats", c_uint32), ("stop_reason", c_int32),
+                ("boxes", c_uint32), ("fallen", c_uint32), ("unstable", c_uint32), ("moved", c_uint32), ("tilted", c_uint32),
+                ("fallen_at_end", c_uint32), ("critical_box", c_uint32), ("peak_displacement", c_float),
+                ("peak_drop", c_float), ("peak_tilt", c_float), ("end_displacement", c_float),
+                ("peak_kinetic_energy", c_double), ("end_kinetic_energy", c_double), ("end_time", c_double),
+                ("steps", c_uint64), ("steps_skipped", c_uint64), ("max_residual", c_double), ("residual_scale", c_double),
+                ("max_penetration", c_double), ("cpu_seconds", c_double), ("state_hash", c_uint64)]
 
 
 def loaded():
@@ -89,6 +90,8 @@ class Screened:
         self.offsets = (c_size_t * len(ends))(*ends)
         self.layouts = Layouts(ctypes.sizeof(Layouts), self.boxes, ends[-1], self.offsets, len(tables), None)
         self.outcomes = (Outcome * len(tables))()
+        if tables:
+            self.outcomes[0].size = ctypes.sizeof(Outcome)
 
     def evaluate(self):
         return self.library.holdfast_screen_evaluate(self.screen, byref(self.layouts), self.outcomes, len(self.outcomes))

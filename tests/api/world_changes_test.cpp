@@ -114,7 +114,12 @@ TEST_CASE("world changes: a world at rest, which is at its end at once, wakes wh
   late.set_acceleration({0.0, 7.0, 0.0});
   late.advance(4.0);
   CHECK(late.poses()[0].position[1] == Approx(1.25 - 0.5 * (7.0 - kFriction * kGravity) * 0.25).margin(1e-4));
-  CHECK(late.time() == late.end_time());
+  // And where it has ended at rest, with time left to run out.
+  World rested(one_box(), {"short", {{0.0, 1.0, {1.0, 0.0, 0.0}}}});
+  rested.advance(3.0);
+  rested.set_acceleration({0.0, 7.0, 0.0});
+  rested.advance(3.5);
+  CHECK(rested.poses()[0].position[1] == Approx(1.25 - 0.5 * (7.0 - kFriction * kGravity) * 0.25).margin(1e-4));
 }
 
 TEST_CASE("world changes: friction set at the start is that of the settings", "[api][world]") {
@@ -122,11 +127,13 @@ TEST_CASE("world changes: friction set at the start is that of the settings", "[
   const std::vector<holdfast::Setting> pairs = {{"Contact", "FrictionModel", "pairs"},
                                                 {"Contact", "BoxBox", "0.3"},
                                                 {"Contact", "BoxFloor", "0.2"},
-                                                {"Contact", "BoxWall", "0.1"}};
+                                                {"Contact", "BoxWall", "0.1"},
+                                                {"Screening", "SettleSeconds", "0"}};
+  const std::vector<holdfast::Setting> unsettled = {pairs.back()};
   World by_settings(heap(), brake, pairs);
-  World live(heap(), brake);
+  World live(heap(), brake, unsettled);
   live.set_friction(0.3, 0.2, 0.1);
-  World other(heap(), brake);
+  World other(heap(), brake, unsettled);
   for (World* world : {&by_settings, &live, &other}) world->advance(1.0);
   CHECK(live.state_hash() == by_settings.state_hash());
   CHECK(live.state_hash() != other.state_hash());

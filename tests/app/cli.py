@@ -27,6 +27,8 @@ SimulationStepsPerSecond = 60
 [Screening]
 Engine = bullet-stock
 """
+# Worlds begin and end with their acceleration, as those of `holdfast run` do.
+AT_ONCE = "[Screening]\nSettleSeconds = 0\nRunOutSeconds = 0\n"
 # Stands, moves with increasing force, ends while all is in motion.
 SHOVE = "#Initial-Time / Duration / X / Y / Z\n0 0.25 0 0 0\n0.25 0.5 8 0 0\n0.75 0.27 2 -7 0\n"
 REST = "#Initial-Time / Duration / X / Y / Z\n0 1 0 0 0\n"

@@ -112,7 +112,7 @@ class Values(CliTest):
         self.config = self.write("config.ini", CONFIG + "[Export Settings]\nResultsIntervallInSeconds = 1e-6\n")
         self.layouts = self.layouts[:1]
         _, done = self.screen(expect=1)
-        self.assertIn("rest.txt: would give a world too many samples: 1000000; at most 200000", done.stderr)
+        self.assertIn("rest.txt: would give a world too many samples: 6000000; at most 200000", done.stderr)
 
 
 class Names(CliTest):

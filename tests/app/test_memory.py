@@ -2,7 +2,7 @@
 import resource
 import unittest
 
-from cli import SANITIZED, SEED, CliTest, datasets, layout_text
+from cli import AT_ONCE, SANITIZED, SEED, CliTest, datasets, layout_text
 
 SPARSE = "[Export Settings]\nResultsIntervallInSeconds = 0.0001\n"
 REMEDY = "take less with fewer --threads, a longer ResultsIntervallInSeconds, or --no-series"
@@ -24,7 +24,7 @@ class LittleMemory(CliTest):
         super().setUp()
         if SANITIZED:
             self.skipTest("a sanitizer takes terabytes of address space")
-        self.write("config.ini", SPARSE)
+        self.write("config.ini", SPARSE + AT_ONCE)
         self.write("still.txt", "0 0.1 0 0 0\n")
         self.write("a_small.txt", layout_text(SEED))
         self.write("b_large.txt", layout_text(lattice(2000)))
@@ -80,12 +80,12 @@ class LittleMemory(CliTest):
         self.assert_same_results(self.folder / "whole.h5", self.folder / "results.h5")
 
     def test_a_series_that_is_too_large_is_not_begun(self):
-        self.write("config.ini", "[Export Settings]\nResultsIntervallInSeconds = 0.00001\n")
+        self.write("config.ini", "[Export Settings]\nResultsIntervallInSeconds = 0.00001\n" + AT_ONCE)
         words = self.arguments("--accelerations", "short.txt")
         self.write("short.txt", "0 0.001 0 0 0\n")
         done = self.run_here(*words)
         self.assert_refused(done, "b_large.txt: its series under still.txt would be too large, 10002 samples of 2000 boxes: "
-                                  "20004000; at most 20000000: a longer ResultsIntervallInSeconds, or --no-series", code=1)
+                                  "20004000; at most 20000000: a longer ResultsIntervallInSeconds, less RunOutSeconds, or --no-series", code=1)
         data = datasets(self.folder / "results.h5")
         self.assertEqual(data["/worlds/status"].tolist(), [0, 0, 32, 0, 0, 0])
         self.assertEqual(data["/worlds/box_count"].tolist(), [3, 3, 0, 2000, 3, 3])

@@ -11,7 +11,7 @@ import peer_statistics as statistics  # noqa: E402
 
 def world(setting, layout, displacement, cpu=1.0, repeat=0, **more):
     return {"setting": setting, "layout": layout, "acceleration": "brake", "repeat": repeat, "cpu_seconds": cpu,
-            "simulated_seconds": 2.0, "max_displacement": displacement, **more}
+            "simulated_seconds": 2.0, "peak_displacement": displacement, **more}
 
 
 def place(setting, box, x, time=0.5):

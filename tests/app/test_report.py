@@ -3,10 +3,31 @@ import re
 import unittest
 import xml.etree.ElementTree as ET
 
+import h5py
+import numpy as np
+
 from cli import SOURCE, CliTest, datasets
 
 LAYOUTS = SOURCE / "configs/layouts"
 SVG = "{http://www.w3.org/2000/svg}"
+NOT_MODELLED = "Straps, air bags and stretch film are not modelled."
+
+
+def made_older(path):
+    """Turns a results file into one of version 2, which has nothing of what boxes did on the way."""
+    with h5py.File(path, "r+") as file:
+        file.attrs.modify("format_version", np.uint64(2))
+        worlds, boxes = file["summary/worlds"], file["summary/boxes"]
+        worlds["max_displacement"] = worlds["end_displacement"][:]
+        worlds["verdict"][...] = np.where(file["worlds/stop_reason"][:] == 4, 5, worlds["verdict"][:])
+        boxes["first_move_time"] = boxes["first_beyond"][:]
+        for name in ("worlds/status_time", "worlds/caveats", "boxes/peak_drop", "boxes/peak_tilt", "boxes/first_beyond",
+                     "margins/margin_within_limits", "margins/critical_box_within_limits"):
+            del file[name]
+        for group, names in ((worlds, ("critical_box", "fallen_at_end", "peak_drop", "peak_tilt", "end_displacement",
+                                       "end_kinetic_energy")), (boxes, ("first_beyond", "fallen_at_end"))):
+            for name in names:
+                del group[name]
 
 
 class Report(CliTest):
@@ -31,12 +52,58 @@ class Report(CliTest):
         self.assertIn("2 of 3 layouts do not hold", text)
 
         seed = next(part for part in text.split("<section>") if "<h2>seed_example.txt" in part)
-        # The margins of its documentation, what the road needs, and a side that is too weak.
-        self.assertIn("<td>right</td><td><span class=bad>0.28 g</span></td><td>0.5 g</td>", seed)
-        self.assertIn("<td>left</td><td>1.50 g or more</td><td>0.5 g</td><td>-</td>", seed)
+        # The margins of its documentation, in place and within limits, what the road needs, and a side that is too weak.
+        self.assertIn("<td>right</td><td>0.28 g</td><td><span class=bad>0.28 g</span></td><td>0.5 g</td><td>box 3</td>", seed)
+        self.assertIn("<td>left</td><td>≥ 1.50 g</td><td>≥ 1.50 g</td><td>0.5 g</td><td>-</td>", seed)
         self.assertRegex(seed, r"<td>right</td><td>[\d.]+ kN</td><td>[\d.]+ kN</td><td><span class=bad>\d+%</span>")
         # One row per acceleration, each with its verdict.
         self.assertEqual(len(re.findall(r"<tr><td>road-", seed)), 4)
+        self.assertEqual(text.count(NOT_MODELLED), 3)  # on the front page too
+
+    def test_the_way_of_the_boxes_is_told_and_the_end_beside_it(self):
+        self.screen("--layouts", LAYOUTS / "BR15_077_ep.txt")
+        _, text = self.report()
+        data = datasets(self.folder / "results.h5")
+        for world, name in enumerate(("road-front-0g8", "road-rear-0g5", "road-left-0g5", "road-right-0g5")):
+            found = {key: data[f"/summary/worlds/{key}"][world] for key in
+                     ("critical_box", "fallen_boxes", "fallen_at_end", "moved_boxes", "tilted_boxes", "peak_displacement",
+                      "end_displacement")}
+            first = data["/boxes/first_beyond"][int(data["/worlds/box_begin"][world]) + int(found["critical_box"]) - 1]
+            self.assertIn(f"<td class=text>box {found['critical_box']}, {first:.2f} s</td><td>{found['fallen_boxes']} "
+                          f"({found['fallen_at_end']})</td><td>{found['moved_boxes']}</td><td>{found['tilted_boxes']}</td><td>"
+                          f"{100 * found['peak_displacement']:.0f} ({100 * found['end_displacement']:.0f})</td>", text, name)
+        caveats = data["/worlds/caveats"].tolist()
+        self.assertEqual(caveats, [0, 4, 4, 4])
+        self.assertEqual(text.count("<td class=text>marginal</td>"), 3)
+        self.assertIn("Marginal: a friction coefficient is within 2 %", text)
+
+    def test_a_world_that_ended_early_is_at_least_its_verdict(self):
+        self.screen("--layouts", LAYOUTS / "seed_example.txt", LAYOUTS / "unstable_BR2_007_bpjs.txt", "--stop-when", "moved")
+        _, text = self.report()
+        self.assertIn("road-front-0g8: at least moved", text)
+        self.assertIn("road-front-0g8: unstable", text)
+        self.assertNotIn("at least unstable", text)
+
+    def test_a_load_that_is_unstable_goes_under_gravity_alone(self):
+        self.write("hovers.txt", "1 1\n200 100 30 250 150 80 1\n")
+        self.screen("--layouts", "hovers.txt")
+        _, text = self.report()
+        self.assertIn("<span class=bad>unstable</span></td><td class=text>box 1, settling</td>", text)
+        self.assertIn("<td>30 (30)</td><td>30 (30)</td><td>0 (0)</td><td>settling</td><td class=text>gravity alone</td>", text)
+
+    def test_a_file_of_an_earlier_version_is_judged_at_the_end(self):
+        self.screen("--layouts", LAYOUTS / "seed_example.txt", "--margins", "--stop-when", "moved")
+        made_older(self.folder / "results.h5")
+        _, text = self.report()
+        at_end = f"{NOT_MODELLED} The file is of an earlier version: its worlds are judged by where boxes are at the end"
+        self.assertEqual(text.count(at_end), 2)
+        self.assertIn("road-front-0g8: at least moved, road-rear-0g5: at least moved, road-right-0g5: at least moved", text)
+        self.assertIn("<td>right</td><td><span class=bad>0.28 g</span></td><td>0.5 g</td><td>box 3</td>", text)
+        self.assertIn("tilted by 10°, at the end", text)
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            file["summary/worlds/fallen_boxes"][0] = 1
+        _, text = self.report()
+        self.assertIn("road-front-0g8: at least fell, road-rear-0g5: at least moved", text)
 
     def test_views_show_every_box_and_mark_the_first(self):
         self.write("boxes.txt", "1 3\n0 0 0 100 100 100 1\n0 0 100 40 100 200 1\n300 100 0 400 200 20 1\n")

@@ -4,7 +4,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, FLOATING, REST, SEED, SHOVE, TOWER, CliTest, datasets, layout_text
+from cli import AT_ONCE, CONFIG, FLOATING, REST, SEED, SHOVE, TOWER, CliTest, datasets, layout_text
 
 PLACES = """\
 [Export Settings]
@@ -33,7 +33,7 @@ class Run(CliTest):
         data = datasets(folder / "results.h5")
         layouts, accelerations = ([name.decode() for name in data[f"/inputs/{kind}/name"]]
                                   for kind in ("layouts", "accelerations"))
-        fallen, energy = data["/summary/worlds/fallen_boxes"], data["/summary/worlds/total_kinetic_energy"]
+        fallen, energy = data["/summary/worlds/fallen_at_end"], data["/summary/worlds/end_kinetic_energy"]
         batch, names = [], {"results.h5", f"[BATCH-RESUMED]${batch_name}"}
         for w in range(len(fallen)):
             layout, acceleration = layouts[data["/worlds/layout"][w]], accelerations[data["/worlds/acceleration"][w]]
@@ -64,11 +64,11 @@ class Run(CliTest):
     def check_resumed(self, path, data, w):
         lines = numbers(path)
         box, boxes = int(data["/worlds/box_begin"][w]), int(data["/worlds/box_count"][w])
-        self.assertEqual(lines[0], [data["/summary/worlds/fallen_boxes"][w]])
-        self.assertEqual(lines[-1], [data["/summary/worlds/total_kinetic_energy"][w]])
+        self.assertEqual(lines[0], [data["/summary/worlds/fallen_at_end"][w]])
+        self.assertEqual(lines[-1], [data["/summary/worlds/end_kinetic_energy"][w]])
         part = slice(box, box + boxes)
-        expected = np.column_stack([data["/boxes/id"][part], data["/summary/boxes/displacement"][part],
-                                    data["/summary/boxes/kinetic_energy"][part]])
+        expected = np.column_stack([data["/boxes/id"][part], data["/boxes/end_displacement"][part],
+                                    data["/boxes/end_kinetic_energy"][part]])
         np.testing.assert_allclose(np.array(lines[1:-1]), expected, rtol=1e-6, atol=1e-30)
 
     def test_a_single_pair(self):
@@ -83,7 +83,7 @@ class Run(CliTest):
         for name, text in (("seed.txt", layout_text(SEED)), ("tower.txt", layout_text(TOWER)),
                            ("floating.txt", layout_text(FLOATING)), ("shove.txt", SHOVE), ("rest.txt", REST)):
             self.write(f"cases/{name}", text)
-        self.run_config(CONFIG + PLACES.format(batch="true"))
+        self.run_config(CONFIG + AT_ONCE + PLACES.format(batch="true"))
         out = self.folder / "out/deep"
         self.assertEqual(self.check_texts(out, "cases"), 6)
         with h5py.File(out / "results.h5") as file:

@@ -56,13 +56,13 @@ class SameResults(CliTest):
             file["worlds"].attrs["colour"] = 3
             file.attrs.modify("engine", "none")
             file.attrs.modify("host", "another")
-            del file["summary/boxes/drop"]
+            del file["summary/boxes/tilted"]
         with h5py.File(self.before / "runs/axes/results.h5") as file:
             steps = int(file["worlds/steps"][3])
         place = "of results.h5 of run axes"
-        expected = {f"dataset /summary/boxes/drop {place}: only on the left", f"attribute /worlds@colour {place}: only on the right",
+        expected = {f"dataset /summary/boxes/tilted {place}: only on the left", f"attribute /worlds@colour {place}: only on the right",
                     f"attribute /@engine {place}: native, none", f"dataset /worlds/steps {place}: differs at entry 3: {steps}, {steps + 1}",
-                    f"group /summary/boxes {place}: group of 11 | group of 10"}
+                    f"group /summary/boxes {place}: group of 6 | group of 5"}
         self.assertEqual({line for line in self.differences() if not line.startswith("size")}, expected)
 
     def test_changed_texts_are_named(self):
@@ -71,10 +71,10 @@ class SameResults(CliTest):
         page = runs / "refusals/2_screen.err.txt"
         page.write_text(page.read_text().replace("road", "load", 1))
         table = runs / "axes/tables/worlds.csv"
-        table.write_text(table.read_text().replace("timeout", "sleeping", 1))
+        table.write_text(table.read_text().replace("sleeping", "timeout", 1))
         gone, of_table, of_page = self.differences()
         self.assertEqual(gone, "commands.txt of run refusals: only on the left")
-        self.assertRegex(of_table, r"^tables/worlds.csv of run axes: line 2: .*timeout.* \| .*sleeping")
+        self.assertRegex(of_table, r"^tables/worlds.csv of run axes: line 2: .*sleeping.* \| .*timeout")
         self.assertRegex(of_page, r"^2_screen.err.txt of run refusals: line 1: unknown norm: .*road.* \| .*load")
 
     def test_what_cannot_be_used_is_said_in_a_line(self):

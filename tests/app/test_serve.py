@@ -125,15 +125,17 @@ class Answers(Service):
         self.assertEqual([answer["id"] for answer in answers][7:], [{"any": ["thing", None]}, None])
         box = answers[5]["verdicts"][0]["per_box"][0]
         self.assertEqual(len(answers[5]["verdicts"][0]["per_box"]), 3)
-        self.assertEqual(list(box), ["displacement_m", "tilt_deg", "kinetic_energy_J", "peak_displacement_m",
-                                     "peak_kinetic_energy_J", "peak_speed_m_s", "fallen", "moved", "tilted", "unstable"])
+        self.assertEqual(list(box), ["peak_displacement_m", "peak_drop_m", "peak_tilt_deg", "peak_kinetic_energy_J",
+                                     "peak_speed_m_s", "end_displacement_m", "end_tilt_deg", "end_kinetic_energy_J",
+                                     "settling_peak_displacement_m", "settling_peak_drop_m", "settling_peak_tilt_deg",
+                                     "fallen", "moved", "tilted", "unstable", "fallen_at_end", "first_beyond_s"])
         series = answers[6]["verdicts"][0]["series"]
         samples = len(series["time_s"])
         self.assertGreater(samples, 5)
         for name, numbers in (("displacement_m", 3), ("orientation_wxyz", 4), ("angular_velocity_rad_s", 3)):
             self.assertEqual([len(sample) for sample in series[name]], [3] * samples)
             self.assertEqual(len(series[name][0][0]), numbers)
-        self.assertEqual(series["displacement_m"][-1][0], box["displacement_m"])
+        self.assertEqual(series["displacement_m"][-1][0], box["end_displacement_m"])
 
     def test_no_input(self):
         for text in ("", "\n", " \r\n\t\n"):
@@ -194,7 +196,7 @@ class Mistakes(Service):
         self.write("config.ini", "[Export Settings]\nResultsIntervallInSeconds = 0.000001\n")
         answers = self.serve(line(boxes=ONE_BOX, series=True) + line(boxes=ONE_BOX), "--ordered")
         self.assertEqual(answers[0]["error"], "would give a world too many samples")
-        self.assertEqual(answers[0]["value"], "750000")
+        self.assertEqual(answers[0]["value"], "5750000")
         self.assertEqual(answers[1]["verdicts"][0]["verdict"], "moved")
 
     def test_what_the_command_line_cannot_be(self):

@@ -83,6 +83,7 @@ class Walls(CliTest):
             self.assertTrue(same_bits(without[name], measured[name]), name)
 
     def test_bullet_is_within_what_statics_leaves_open(self):
+        self.write("config.ini", CONFIG + "[Screening]\nRunOutSeconds = 0\n")
         for engine, rounding in (("bullet", 1e-4), ("bullet-f64", 1e-5)):
             self.screen_row("--wall-forces", "--engine", engine)
             data = datasets(self.folder / "results.h5")

@@ -10,6 +10,7 @@ namespace {
 WorldRecord record_of_two_boxes() {
   WorldRecord world;
   world.row.stop_reason = StopReason::timeout;
+  world.row.caveats = Caveat::marginal;
   world.row.boxes = 2;
   world.row.end_time = 2.5;
   world.row.steps = 600;
@@ -18,12 +19,14 @@ WorldRecord record_of_two_boxes() {
   world.row.state_hash = 0xab;
   world.row.cpu_seconds = 0.25;
   world.row.peak_total_kinetic_energy = 8;
-  world.end.displacement = {{0, 0, -0.5F}, {}};
-  world.end.tilt = {45, 0};
-  world.end.kinetic_energy = {1.5F, 0};
+  visit_ends<EndTable>([&](const OutcomeField&, auto member) { (world.end.*member).resize(2); });
+  world.end.end_displacement = {{0, 0, -0.5F}, {}};
+  world.end.end_tilt = {45, 0};
+  world.end.end_kinetic_energy = {1.5F, 0};
   world.end.peak_displacement = {0.75F, 0};
-  world.end.peak_kinetic_energy = {8, 0};
-  world.end.settling_displacement = {{}, {}};
+  world.end.peak_drop = {0.75F, 0};
+  world.end.peak_tilt = {45, 0};
+  world.end.first_beyond = {0.5F, std::numeric_limits<float>::quiet_NaN()};
   return world;
 }
 
@@ -32,10 +35,10 @@ WorldRecord record_of_two_boxes() {
 TEST_CASE("world_json: all of a world on one line, in this order", "[app][world_json]") {
   CHECK(
       world_json(record_of_two_boxes(), "a.txt", "b.txt", 7, {}, 0.75) ==
-      R"({"world":7,"layout":"a.txt","acceleration":"b.txt","verdict":"fell","status":"ok","status_text":"","stop_reason":"timeout",)"
+      R"({"world":7,"layout":"a.txt","acceleration":"b.txt","verdict":"fell","status":"ok","status_text":"","status_time_s":null,"caveats":"marginal","stop_reason":"timeout",)"
       R"("boxes":2,"fallen_boxes":1,"unstable_boxes":0,"moved_boxes":1,"tilted_boxes":1,)"
-      R"("total_kinetic_energy_J":1.5,"peak_kinetic_energy_J":8.0,"max_displacement_m":0.5,)"
-      R"("peak_displacement_m":0.75,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
+      R"("fallen_at_end":1,"critical_box":1,"peak_displacement_m":0.75,"peak_drop_m":0.75,"peak_tilt_deg":45.0,)"
+      R"("end_displacement_m":0.5,"peak_kinetic_energy_J":8.0,"end_kinetic_energy_J":1.5,"end_time_s":2.5,"steps":600,"steps_skipped":5,"max_residual":0.0,"residual_scale":0.0,)"
       R"("max_penetration_m":0.125,"cpu_seconds":0.25,"state_hash":"00000000000000ab","time_saved_s":0.75})");
 }
 
@@ -50,14 +53,12 @@ TEST_CASE("world_json: a bad layout is a row without boxes, and nothing is said 
   world.row.message = "a.txt:3: box 1 has no \"height\"";
   const std::string json = world_json(world, "a.txt", "b.txt", 0, {}, 0.0);
   CHECK(
-      json.find(R"("status":"bad_layout","status_text":"a.txt:3: box 1 has no \"height\"","stop_reason":"not_run")") !=
+      json.find(
+          R"("status":"bad_layout","status_text":"a.txt:3: box 1 has no \"height\"","status_time_s":null,"caveats":"","stop_reason":"not_run")") !=
       std::string::npos);
   CHECK(json.find(R"("verdict":"failed")") != std::string::npos);
-  CHECK(
-      json.find(
-          R"("boxes":0,"fallen_boxes":null,"unstable_boxes":null,"moved_boxes":null,"tilted_boxes":null,)"
-          R"("total_kinetic_energy_J":null,"peak_kinetic_energy_J":null,"max_displacement_m":null,"peak_displacement_m":null,)") !=
-      std::string::npos);
+  CHECK(json.find(R"("boxes":0,"fallen_boxes":null,"unstable_boxes":null,"moved_boxes":null,"tilted_boxes":null,)"
+                  R"("fallen_at_end":null,"critical_box":null,"peak_displacement_m":null,)") != std::string::npos);
 }
 
 TEST_CASE("world_json: names that are not UTF-8, and line breaks, stay one line of valid JSON", "[app][world_json]") {

@@ -35,7 +35,7 @@ double largest_displacement(const Run& run) {
 TEST_CASE("bullet_engine: a box at rest stays", "[bullet][bullet_engine]") {
   const std::string engine = any_engine();
   const Layout layout = layout_of({box({1.237, 0.791, 0}, {0.613, 0.447, 0.379})});
-  const double moved = run(engine, layout, constant(0, 2), {}).displacement().norm();
+  const double moved = run(engine, layout, constant(0, 2), at_once()).displacement().norm();
   CAPTURE(engine, moved);
   // Measured: float below 1e-6 m, double below 1e-15 m.
   CHECK(moved < (engine == "bullet-f64" ? 1e-9 : 1e-5));
@@ -44,7 +44,7 @@ TEST_CASE("bullet_engine: a box at rest stays", "[bullet][bullet_engine]") {
 TEST_CASE("bullet_engine: free fall, exactly along z", "[bullet][bullet_engine]") {
   const std::string engine = any_engine();
   const Layout layout = layout_of({box({1.237, 0.791, 1.3}, {0.613, 0.447, 0.379})});
-  const Run fall = run(engine, layout, constant(0, 0.5), {});
+  const Run fall = run(engine, layout, constant(0, 0.5), at_once());
   CAPTURE(engine);
   CHECK(fall.displacement().z() == Approx(-0.5 * kGravity * 0.25 * (1 + kStep / 0.5)).epsilon(1e-5));
   // The rounding of the given coordinates to float is not a displacement.
@@ -63,7 +63,7 @@ TEST_CASE("bullet_engine: a box slides at a - mu g", "[bullet][bullet_engine]") 
   CHECK(slide.state.velocity[0].x() == Approx(-0.5 * limit).epsilon(1e-5));
   CHECK(std::abs(slide.displacement().y()) < 1e-6);
   CHECK(std::abs(slide.displacement().z()) < 1e-6);
-  CHECK(slide.record.end.tilt[0] < 1e-3F);
+  CHECK(slide.record.end.end_tilt[0] < 1e-3F);
 }
 
 TEST_CASE("bullet_engine: sliding begins at mu g, along the axes and along the diagonal", "[bullet][bullet_engine]") {
@@ -84,9 +84,9 @@ TEST_CASE("bullet_engine: tipping begins at g l/h", "[bullet][bullet_engine]") {
   const double limit = 0.5 * kGravity;
   const Run below = run(engine, one_box(kTall), after_rest({0.98 * limit, 0, 0}, 3), open_floor(1.0));
   const Run above = run(engine, one_box(kTall), after_rest({1.02 * limit, 0, 0}, 3), open_floor(1.0));
-  CAPTURE(engine, below.record.end.tilt[0], above.record.end.tilt[0]);
-  CHECK(below.record.end.tilt[0] < 0.5F);
-  CHECK(above.record.end.tilt[0] == Approx(90).margin(0.5));
+  CAPTURE(engine, below.record.end.end_tilt[0], above.record.end.end_tilt[0]);
+  CHECK(below.record.end.end_tilt[0] < 0.5F);
+  CHECK(above.record.end.end_tilt[0] == Approx(90).margin(0.5));
 }
 
 TEST_CASE("bullet_engine: an offset centre of mass tips at g x/z", "[bullet][bullet_engine]") {

@@ -10,7 +10,7 @@ namespace {
 std::string any_engine() { return GENERATE(as<std::string>{}, "bullet", "bullet-f64", "bullet-stock"); }
 
 Settings frictionless_container(std::vector<std::string> open_sides) {
-  Settings settings;
+  Settings settings = at_once();
   settings.container.open_sides = std::move(open_sides);
   settings.box_friction = 0.0;
   return settings;
@@ -59,7 +59,7 @@ TEST_CASE("container_panels: boxes leave through an open side, and through no ot
 TEST_CASE("container_panels: the floor ends where a side is open", "[bullet][container_panels]") {
   const std::string engine = any_engine();
   CAPTURE(engine);
-  Settings settings;
+  Settings settings = at_once();
   settings.container.open_sides = {"rear"};
   const Vec3 size(0.5, 0.5, 0.2);
   // The centre of mass is 5 cm in front of the sill, and 5 cm beyond it.

@@ -12,7 +12,7 @@ constexpr double kStep = 1.0 / 240;  ///< s
 std::string any_engine() { return GENERATE(as<std::string>{}, "bullet", "bullet-f64", "bullet-stock"); }
 
 Settings free_container(double box_friction, double ground_friction) {
-  Settings settings;
+  Settings settings = at_once();
   settings.container.motion = ContainerMotion::free;
   settings.container.friction = 1.0;
   settings.container.ground_friction = ground_friction;

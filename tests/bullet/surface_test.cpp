@@ -45,7 +45,7 @@ double rebound(const std::string& engine, const Settings& given) {
 
 TEST_CASE("surface: friction is the product of both sides", "[bullet][surface]") {
   const std::string engine = any_engine();
-  Settings settings;
+  Settings settings = at_once();
   settings.container.size = {20, 20, 10};
   settings.container.friction = 0.5;
   settings.box_friction = 0.8;

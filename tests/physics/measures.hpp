@@ -139,7 +139,7 @@ inline Layout bundled_layout(const std::string& name, const Settings& settings) 
 
 /// A small container for random scenes.
 inline Settings small_container(Accuracy accuracy) {
-  Settings settings;
+  Settings settings = scenes::at_once();
   settings.container.size = {2.4, 1.6, 12};
   settings.native.accuracy = accuracy;
   return settings;

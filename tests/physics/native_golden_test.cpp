@@ -17,7 +17,7 @@ namespace {
 
 /// A whole load, far over its limit.
 Run brake() {
-  Settings settings;
+  Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   const Layout layout = bundled_layout("BR5_020_layer_h60", settings);
   const Acceleration acceleration = acceleration_of({{0.4, Vec3(1.2 * kGravity, 0, 0)}, {0.1, Vec3::Zero()}});
@@ -26,7 +26,7 @@ Run brake() {
 
 /// Slides, leans, and comes back; one of the boxes has an offset centre of mass.
 Run lean() {
-  Settings settings;
+  Settings settings = at_once();
   settings.materials[2].centre_of_mass = {0.05, 0.1, 0.03};
   Layout layout = stack(6, {2, 1, 0}, {0.6, 0.5, 0.3});
   layout.boxes[3].material = 2;

@@ -75,7 +75,7 @@ void check_worst(const Worst& worst, const Bounds& bounds) {
 }
 
 void check_real_loads(const Bounds& bounds) {
-  Settings settings;
+  Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   const Acceleration acceleration =
       acceleration_of({{0.45, Vec3(0.8 * kGravity, 0, 0)}, {0.35, Vec3(0, 0.5 * kGravity, 0)}});

@@ -20,7 +20,7 @@ std::vector<Acceleration> accelerations() {
 }
 
 Settings screening_settings(bool jump, bool freeze) {
-  Settings settings;
+  Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   settings.native.jump = jump;
   settings.native.freeze = freeze;

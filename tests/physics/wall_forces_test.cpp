@@ -114,7 +114,7 @@ TEST_CASE("wall_forces: all sides together balance weight and change of momentum
 TEST_CASE("wall_forces: measuring changes no bit", "[physics][walls]") {
   const Layout layout = bundled_layout("BR5_020_layer_h60", Settings{});
   for (const char* engine : {"native", "bullet"}) {
-    Settings settings;
+    Settings settings = at_once();
     settings.native.accuracy = Accuracy::screening;
     const Acceleration acceleration = constant(9, 0.4);
     const Run without = run(engine, layout, acceleration, settings);

@@ -21,7 +21,8 @@ LAYOUTS = [SOURCE / "configs/layouts" / name for name in ("seed_example.txt", "B
 LONG_LAYOUT = SOURCE / "configs/layouts/unstable_BR15_077_bpjs.txt"  # takes seconds with accuracy="reference"
 PATIENCE = float(os.environ.get("PATIENCE", 100))  # s
 
-SLIDE = [[0.0, 1.0, 7.0, 0.0, 0.0]]  # a box on the floor slides by 1.05 m
+SLIDE = [[0.0, 1.0, 7.0, 0.0, 0.0]]  # a box on the floor slides by SLIDES, until it rests again
+SLIDES = 0.5 * 7.0 / (0.5 * 9.81) * (7.0 - 0.5 * 9.81)  # m
 REST = [[0.0, 1.0, 0.0, 0.0, 0.0]]
 BOX = np.array([[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0]])
 STACK = np.array([[1.0, 1.0, 0.0, 1.5, 1.5, 0.5, 1.0], [1.0, 1.0, 0.5, 1.5, 1.5, 1.0, 1.0]])

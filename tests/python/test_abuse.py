@@ -126,8 +126,9 @@ class LifeTest(unittest.TestCase):
         self.assertIn("closed", repr(screen))
         screen.close()
         screen.cancel()
-        for call in (lambda: screen.evaluate([BOX]), lambda: screen.record([BOX], "x.h5"), lambda: screen.replay(BOX),
-                     lambda: next(screen.stream([BOX])), lambda: screen.read_layout("x"), screen.__enter__):
+        for call in (lambda: screen.evaluate([BOX]), lambda: screen.holds([BOX]), lambda: screen.record([BOX], "x.h5"),
+                     lambda: screen.replay(BOX), lambda: next(screen.stream([BOX])), lambda: screen.read_layout("x"),
+                     screen.__enter__):
             with self.assertRaisesRegex(ValueError, "the screen is closed"):
                 call()
 
@@ -189,6 +190,7 @@ def interrupted(call):
     return False
 folder = tempfile.mkdtemp()
 assert interrupted(lambda: screen.evaluate(layouts))
+assert interrupted(lambda: screen.holds(layouts))
 assert interrupted(lambda: list(screen.stream(layouts)))
 assert interrupted(lambda: screen.record(layouts, folder + "/results.h5"))
 assert interrupted(lambda: screen.replay(layouts[0]))

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 
 import holdfast
-from samples import BOX, BRAKE, LAYOUTS, REST, SLIDE, STACK, main, screened
+from samples import BOX, BRAKE, LAYOUTS, REST, SLIDE, SLIDES, STACK, main, screened
 
 
 class RecordTest(unittest.TestCase):
@@ -45,15 +45,18 @@ class ReplayTest(unittest.TestCase):
         with holdfast.Screen([REST, holdfast.Acceleration("slide", SLIDE)]) as screen:
             for wanted in (1, -1, "slide", np.int64(1), holdfast.Acceleration("another", SLIDE)):
                 replay = screen.replay(BOX, wanted)
-                self.assertEqual(replay.displacement.shape, (11, 1, 3))
-                self.assertEqual(replay.orientation.shape, (11, 1, 4))
-                self.assertEqual(replay.angular_velocity.shape, (11, 1, 3))
-                np.testing.assert_allclose(replay.displacement[:, 0, 0], -0.5 * (7 - 0.5 * 9.81) * replay.time**2, atol=1e-3)
+                self.assertEqual(replay.displacement.shape, (16, 1, 3))
+                self.assertEqual(replay.orientation.shape, (16, 1, 4))
+                self.assertEqual(replay.angular_velocity.shape, (16, 1, 3))
+                pushed = replay.time <= 1
+                np.testing.assert_allclose(replay.displacement[pushed, 0, 0], -0.5 * (7 - 0.5 * 9.81) * replay.time[pushed]**2,
+                                           atol=1e-3)
+                self.assertAlmostEqual(float(replay.displacement[-1, 0, 0]), -SLIDES, 3)
                 self.assertEqual(replay.verdict.moved, 1)
                 self.assertTrue(replay.box_outcomes["moved"][0])
             np.testing.assert_array_equal(screen.replay(BOX, 0).displacement, 0.0)
             self.assertEqual(screen.replay(BOX, 1).verdict.state_hash, screen.evaluate([BOX]).state_hash[0, 1])
-            self.assertEqual(repr(replay), "<holdfast.Replay of 1 boxes, 11 samples>")
+            self.assertEqual(repr(replay), "<holdfast.Replay of 1 boxes, 16 samples>")
 
     def test_the_series_are_those_of_the_program(self):
         world = screened(LAYOUTS[:1], [BRAKE])[0]
@@ -61,7 +64,7 @@ class ReplayTest(unittest.TestCase):
             replay = screen.replay(screen.read_layout(LAYOUTS[0]))
         self.assertEqual(f"{int(replay.verdict.state_hash):016x}", world["state_hash"])
         end = np.linalg.norm(replay.displacement[-1], axis=-1).max()
-        self.assertEqual(np.float32(end), np.float32(replay.verdict.max_displacement))
+        self.assertEqual(np.float32(end), np.float32(replay.verdict.end_displacement))
 
     def test_what_cannot_be_replayed_is_an_error(self):
         with holdfast.Screen([SLIDE], errors="mark") as screen:

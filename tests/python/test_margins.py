@@ -16,27 +16,43 @@ class MarginsTest(unittest.TestCase):
             done = subprocess.run([PROGRAM, "margins", "--layouts", *LAYOUTS, "--accuracy", "screening", "--json", "--quiet",
                                    "-o", f"{folder}/margins.h5"], check=True, capture_output=True, text=True)
         lines = [json.loads(line) for line in done.stdout.splitlines()]
-        expected = [list(line["margins_g"].values()) for line in lines if "margins_g" in line]
+        lines = [line for line in lines if "margins_g" in line]
         with holdfast.Screen([[[0.0, 1.0, 0.0, 0.0, 0.0]]], accuracy="screening", unit="cm") as screen:
             margins = screen.margins([screen.read_layout(path) for path in LAYOUTS], names=["a", "b", "c"])
-        np.testing.assert_array_equal(margins.margin, expected)
+        for found, name in ((margins.margin, "margins_g"), (margins.critical_box, "critical_boxes"),
+                            (margins.margin_within_limits, "margins_within_limits_g"),
+                            (margins.critical_box_within_limits, "critical_boxes_within_limits")):
+            np.testing.assert_array_equal(found, [list(line[name].values()) for line in lines], name)
+        self.assertTrue((margins.margin <= margins.margin_within_limits).all())
         np.testing.assert_allclose(margins.margin[0], [0.5, 80 / 212, 1.5, 59 / 212], atol=0.006)
-        self.assertEqual(margins.critical_box[0].tolist(), [2, 2, -1, 2])
+        self.assertEqual(margins.critical_box[0].tolist(), [3, 3, 0, 3])
         self.assertEqual(margins.weakest[0], "right")
         self.assertTrue((margins.trials > 0).all() and (margins.cpu_seconds > 0).all())
         frame = margins.frame()
-        self.assertEqual(frame.shape, (12, 5))
+        self.assertEqual(frame.shape, (12, 7))
         self.assertEqual(frame["direction"].iloc[:4].tolist(), ["front", "rear", "left", "right"])
         self.assertIn("3 layouts, the least", repr(margins))
         self.assertTrue(np.isnan([margins.low, margins.median, margins.high]).all())
         self.assertNotIn("low", frame)
-        self.assertIn("<th>a</th>", margins._repr_html_())
+        self.assertIn("<th>a</th><td>0.50 / 0.50 g</td>", margins._repr_html_())
+
+    def test_layouts_are_judged_within_limits(self):
+        shifted = BOX + [0.03 - 2, 0, 0, 0.03 - 2, 0, 0, 0]  # a gap of 3 cm to the front wall
+        with holdfast.Screen([[[0.0, 1.0, 0.0, 0.0, 0.0]]]) as screen:
+            margins = screen.margins([shifted])
+        np.testing.assert_allclose(margins.margin[0], 0.5, atol=0.006)
+        np.testing.assert_allclose(margins.margin_within_limits[0], [1.5, 0.5, 0.5, 0.5], atol=0.006)
+        self.assertEqual((margins.critical_box[0, 0], margins.critical_box_within_limits[0, 0]), (1, 0))
+        self.assertEqual(margins.weakest, ["rear"])
+        np.testing.assert_allclose(margins.over([0.75, 0.5, 0.5, 0.5]), 1.0, atol=0.02)
+        np.testing.assert_allclose(margins.over([0.75, 0, 0, 0]), 2.0, atol=0.02)
 
     def test_replicas_tell_how_far_friction_moves_them(self):
         with holdfast.Screen([[[0.0, 1.0, 0.0, 0.0, 0.0]]], config="[Screening]\nReplicas = 32\n") as screen:
             margins = screen.margins([BOX, STACK])
         self.assertEqual(margins.low.shape, (2, 4))
-        self.assertTrue((margins.low < margins.margin).all() and (margins.margin < margins.high).all())
+        within_limits = margins.margin_within_limits
+        self.assertTrue((margins.low < within_limits).all() and (within_limits < margins.high).all())
         np.testing.assert_allclose(margins.median, 0.5, atol=0.03)
         np.testing.assert_array_equal(margins.frame()["high"], margins.high.ravel())
 

@@ -71,7 +71,7 @@ class DeapTest(unittest.TestCase):
                 population = list(population)
                 calls.append(len(population))
                 layouts = [decode(one) for one in population]
-                holds = screen.evaluate(layouts).holds.all(axis=1)
+                holds = screen.holds(layouts)
                 return [(float(sum(layout[:, 4]) * held),) for layout, held in zip(layouts, holds)]
 
             toolbox.register("evaluate", decode)

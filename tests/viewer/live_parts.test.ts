@@ -139,12 +139,13 @@ test("speed is that of the latest pictures; what is possible is the engine's alo
 });
 
 test("what a replay says of the file", () => {
-  const world = { engine: "native", stateHash: "00ff", verdict: 0 };
+  const world = { engine: "native", stateHash: "00ff", verdict: 0, endTime: 3 };
   const said = (hash: string, change = {}, software = "holdfast 2.0.0") =>
     bitsSentence({ software }, { ...world, ...change }, "2.0.0", hash);
   assert.deepEqual(said("00ff"), { same: true, text: "The same bits as the file" });
   assert.match(said("00fe").text, /Other bits than the file's, whose hash is 00ff/);
-  assert.match(said("00fe", {}, "holdfast 0.9.0").text, /of holdfast 0\.9\.0, this page of 1\.0\.0/);
+  assert.match(said("00fe", {}, "holdfast 0.9.0").text, /of holdfast 0\.9\.0, this page of 2\.0\.0/);
+  assert.match(said("00fe", { endTime: -0.9 }).text, /ended while it settled/);
   assert.match(said("00ff", { engine: "bullet" }).text, /of the engine bullet: there are no bits/);
 });
 

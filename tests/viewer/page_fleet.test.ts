@@ -15,7 +15,41 @@ test("a file opens as the fleet, and its table is saved", async () => {
     .trim()
     .split("\n");
   assert.equal(lines.length, 17);
-  assert.match(lines[0], /^layout,acceleration,verdict,boxes/);
+  assert.match(lines[0], /^layout,acceleration,verdict,judged_at,.*,peak_displacement_m,/);
+  await page.close();
+});
+
+test("the overview has the caveats, both margins, and what is not modelled", async () => {
+  const page = await openPage({ file: "rich.h5" });
+  const aside = await page.innerText("aside");
+  assert.match(aside, /caveats\s+marginal\s+6/i);
+  assert.match(aside, /Straps, air bags and stretch film are not modelled\./);
+  await page.keyboard.press("ArrowDown");
+  const detail = await page.innerText(".detail");
+  assert.match(detail, /largest displacement\s+[\d.]+ cm\s+displacement at the end/);
+  assert.match(detail, /critical box\s+\d+/);
+  assert.match(detail, /margins in place\s+front [\d.]+ g.*\s+margins within the limits\s+front [\d.]+ g/);
+  const scales = await page.innerText(".tools select[aria-label=Colour]");
+  assert.match(scales, /largest displacement, m\s+margin within the limits, g\s+margin in place, g/);
+  await page.close();
+});
+
+test("a file of an earlier version says that it is judged at the end", async () => {
+  const page = await openPage({ file: "earlier.h5" });
+  assert.match(await page.innerText("aside"), /This file is of an earlier version: .* by where boxes are at the end/);
+  assert.doesNotMatch(await page.innerText("aside"), /caveats/i);
+  const scales = await page.innerText(".tools select[aria-label=Colour]");
+  assert.match(scales, /displacement at the end, m\s+margin in place, g/);
+  assert.doesNotMatch(scales, /within the limits/);
+  await page.close();
+});
+
+test("worlds that ended early are at least what their cells say", async () => {
+  const page = await openPage({ file: "early.h5" });
+  await page.fill("input[type=search]", "BR15");
+  await page.focus(".matrix");
+  await page.keyboard.press("ArrowDown");
+  assert.match(await page.innerText(".detail"), /at least moved[\s\S]*moved\s+at least 1/);
   await page.close();
 });
 

@@ -59,7 +59,7 @@ async function check(page: Page, name: string): Promise<void> {
 for (const dark of [false, true])
   test(`a world looks like its picture, ${dark ? "dark" : "light"}`, async () => {
     const page = await openPage({ file: "demo.h5", dark });
-    await show(page, "world=4&time=1.2&ghost=1&box=59");
+    await show(page, "world=4&time=1.2&ghost=1&box=60");
     await page.keyboard.press("1");
     await check(page, `world-${dark ? "dark" : "light"}`);
     await page.close();
@@ -74,7 +74,7 @@ test("boxes taken apart, and coloured by displacement, look like their picture",
 
 test("a picture of another time is told apart", async () => {
   const page = await openPage({ file: "demo.h5" });
-  await show(page, "world=4&time=0&ghost=1&box=59");
+  await show(page, "world=4&time=0&ghost=1&box=60");
   await page.keyboard.press("1");
   await assert.rejects(check(page, "world-light"), /differ/);
   await page.close();

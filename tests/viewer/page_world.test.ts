@@ -39,27 +39,27 @@ async function colours(page: Page): Promise<number> {
   });
 }
 
-test("from the fleet to the box that went first, with the keyboard alone", async () => {
+test("from the fleet to the critical box, with the keyboard alone", async () => {
   const page = await openPage({ file: "demo.h5" });
   await page.keyboard.press("n");
   await shown(page);
   assert.ok((await colours(page)) > 100, "the load is drawn");
-  assert.match(await page.innerText(".panel"), /went first/i);
+  assert.match(await page.innerText(".panel"), /critical box\s+Box \d+ .*beyond a limit first, at −?\d\.\d\d s/i);
   await page.focus(".panel .link");
   await page.keyboard.press("Enter");
-  assert.match(await page.innerText(".panel .box"), /displacement at the end/);
+  assert.match(await page.innerText(".panel .box"), /largest displacement\s+[\d.]+ cm\s+displacement at the end/);
   await page.keyboard.press("f");
   await page.keyboard.press("m");
   await page.waitForSelector("main.fleet");
   await page.close();
 });
 
-test("arrows go by sample, with shift by first move; the address follows", async () => {
+test("arrows go by sample, with shift to where a box is beyond a limit; the address follows", async () => {
   const page = await openWorld("demo.h5", 4);
   await page.keyboard.press("ArrowRight");
   await reads(page, /^0\.10 s$/);
   await page.keyboard.press("Shift+ArrowRight");
-  await reads(page, /^0\.[5-9]0 s$/);
+  await reads(page, /^0\.[5-9]\d s$/);
   await page.waitForFunction(() => /world=4&time=0\.[5-9]/.test(location.hash));
   await page.keyboard.press("End");
   await reads(page, /^3\.00 s$/);
@@ -151,7 +151,8 @@ test("the video is a WebM of one run through time", async () => {
 test("a file with margins, wall forces and replicas shows them", async () => {
   const page = await openWorld("rich.h5", 4, "&colouring=margin");
   const panel = await page.innerText(".panel");
-  assert.match(panel, /Stands .* g front/);
+  assert.match(panel, /In place, within 5 mm, up to [\d.]+ g front/);
+  assert.match(panel, /Within the limits up to [\d.]+ g front/);
   assert.match(panel, /replica/);
   assert.match(panel, /walls, share of en12642-xl/i);
   assert.match(await page.innerText(".colours"), /front .* g/);
@@ -162,6 +163,66 @@ test("a world without series says so, and shows where boxes end", async () => {
   const page = await openWorld("no-series.h5", 4);
   assert.ok((await colours(page)) > 100);
   assert.match(await page.innerText(".boxes"), /cm/);
+  await page.close();
+});
+
+test("a world that is unstable is that of settling, before 0", async () => {
+  const page = await openWorld("demo.h5", 12);
+  const panel = await page.innerText(".panel");
+  assert.match(panel, /unstable[\s\S]*settled under gravity alone; it was not accelerated/);
+  assert.match(panel, /beyond a limit first, at −0\.\d\d s/);
+  await page.keyboard.press("Home");
+  await reads(page, /^−1\.00 s$/);
+  assert.equal(await page.getAttribute(".line canvas", "aria-valuemin"), "-1.000");
+  await page.keyboard.press("Shift+ArrowRight");
+  await reads(page, /^−0\.\d\d s$/);
+  await page.keyboard.press("End");
+  await reads(page, /^0\.00 s$/);
+  await page.keyboard.press(" ");
+  await reads(page, /^−0\.[1-9]/);
+  await page.close();
+});
+
+test("a world says what has to be known beside its verdict, and what is not modelled", async () => {
+  const page = await openWorld("demo.h5", 5);
+  const panel = await page.innerText(".panel");
+  assert.match(panel, /A friction coefficient is within 2 % of what the acceleration asks for/);
+  assert.match(panel, /Straps, air bags and stretch film are not modelled\./);
+  assert.doesNotMatch(panel, /at least|earlier version/);
+  await page.close();
+});
+
+test("a world that ended early is at least its verdict", async () => {
+  const page = await openWorld("early.h5", 4);
+  const panel = await page.innerText(".panel");
+  assert.match(panel, /at least moved[\s\S]*at least 1 moved[\s\S]*It ended when that was decided/);
+  await page.close();
+});
+
+test("a world of an earlier version is judged at the end, alone and beside another one", async () => {
+  const page = await openWorld("earlier.h5", 4);
+  const panel = await page.innerText(".panel");
+  assert.match(panel, /at least fell[\s\S]*lower by more than the limit at the end/);
+  assert.match(panel, /This file is of an earlier version/);
+  assert.match(panel, /Box \d+ went farthest beyond a limit: [\d.]+ cm of displacement, where the limit is 10\.0 cm/);
+  assert.doesNotMatch(await page.innerText(".options select"), /first/);
+  await page.keyboard.press("x");
+  await page.waitForSelector(".scene + .scene");
+  await page.setInputFiles("input[aria-label='Second results file']", `${RESULTS}/demo.h5`);
+  await page.waitForFunction(() =>
+    /judged at\s+the end\s+any time/.test(document.querySelector<HTMLElement>(".compare")?.innerText ?? ""),
+  );
+  await page.close();
+});
+
+test("boxes count from 1, in the address too", async () => {
+  const page = await openWorld("demo.h5", 4, "&box=60");
+  assert.match(await page.innerText(".panel .box"), /^box 60/i);
+  await page.focus(".scroller");
+  await page.keyboard.press("ArrowDown");
+  const box = (await page.innerText(".panel .box h2")).replace(/\D/g, "");
+  assert.notEqual(box, "60");
+  await page.waitForFunction((id) => location.hash.includes(`box=${id}`), box);
   await page.close();
 });
 

@@ -75,7 +75,7 @@ for (const scheme of ["light", "dark"]) {
     await page.close();
     continue;
   }
-  await show(page, `world=${world}&time=1.2&ghost=1&box=59`);
+  await show(page, `world=${world}&time=1.2&ghost=1&box=60`);
   await page.keyboard.press("1");
   await save(page, `world-${scheme}`);
   if (scheme === "light") {

@@ -1,10 +1,19 @@
 import assert from "node:assert/strict";
-import { closeSync, fstatSync, openSync, readSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { closeSync, fstatSync, mkdtempSync, openSync, readFileSync, readSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
 import { test } from "node:test";
 import { type ByteSource, cached } from "../../viewer/src/data/byte_source";
+import { isBeyond } from "../../viewer/src/data/excursions";
 import { Hdf5File } from "../../viewer/src/data/hdf5_file";
+import { STOP_REASON_CODES, VERDICT_CODES } from "../../viewer/src/data/outcome";
 import { ResultsReader } from "../../viewer/src/data/read_results";
-import { RESULTS } from "./places";
+import type { Excursions } from "../../viewer/src/data/results";
+import { fleetCsv } from "../../viewer/src/fleet/csv";
+import { rowsOf } from "../../viewer/src/fleet/rows";
+import { tiltOf, times } from "../../viewer/src/time/poses";
+import { PROGRAM, RESULTS } from "./places";
 
 /** A file on the disk, and how many bytes were read of it. */
 function onDisk(name: string): ByteSource & { bytesRead: number; close: () => void } {
@@ -54,6 +63,126 @@ test("the last sample of a world is where the summary says it ends", async () =>
   }
 });
 
+test("peaks are not less than what the series shows, and first times not later", async () => {
+  const { reader } = await open("demo.h5");
+  const { thresholds, worlds } = reader.results;
+  for (let index = 0; index < worlds.layout.length; ++index) {
+    const { boxes, series } = reader.world(index);
+    const count = boxes.id.length;
+    assert.equal(boxes.judged, boxes.peak);
+    for (let sample = 0; sample < series!.time.length; ++sample)
+      for (let box = 0; box < count; ++box) {
+        const at = sample * count + box;
+        const [x, y, z] = series!.displacement.subarray(3 * at, 3 * at + 3);
+        const now: Excursions = {
+          displacement: Float32Array.of(Math.hypot(x, y, z)),
+          drop: Float32Array.of(-z),
+          tilt: Float32Array.of(tiltOf(series!.orientation, 4 * box, 4 * at)),
+        };
+        const name = `box ${box + 1} of world ${index} at ${series!.time[sample]} s`;
+        assert.ok(now.displacement[0] <= boxes.peak.displacement[box] + 1e-6, name);
+        assert.ok(now.drop[0] <= boxes.peak.drop[box] + 1e-6, name);
+        assert.ok(now.tilt[0] <= boxes.peak.tilt[box] + 1e-3, name);
+        if (isBeyond(now, 0, thresholds)) assert.ok(boxes.firstBeyond[box] <= series!.time[sample] + 1e-6, name);
+      }
+    const flags = (of: "fallen" | "moved" | "tilted" | "unstable") => boxes[of].reduce((sum, flag) => sum + flag, 0);
+    for (const of of ["fallen", "moved", "tilted", "unstable"] as const)
+      assert.equal(worlds[of][index], flags(of), `${of} of world ${index}`);
+  }
+});
+
+test("the critical box is the file's: the first that is beyond a limit", async () => {
+  const { reader } = await open("demo.h5");
+  const { worlds } = reader.results;
+  for (let index = 0; index < worlds.layout.length; ++index) {
+    const { boxes, criticalBox, verdict } = reader.world(index);
+    assert.equal(criticalBox, worlds.criticalBox[index]);
+    const times = boxes.firstBeyond.filter((time) => !Number.isNaN(time));
+    assert.equal(verdict === VERDICT_CODES.stayed, times.length === 0);
+    if (times.length > 0) assert.equal(boxes.firstBeyond[criticalBox - 1], Math.min(...times));
+  }
+  assert.equal(worlds.criticalBox[2], 0, "nothing moves, and no box is named");
+});
+
+test("a world that is unstable is that of settling: before 0, from the layout, and not accelerated", async () => {
+  for (const name of ["demo.h5", "no-series.h5"]) {
+    const { reader } = await open(name);
+    const world = reader.world(12);
+    assert.equal(world.verdict, VERDICT_CODES.unstable);
+    assert.ok(!world.accelerated);
+    const span = times(world);
+    assert.deepEqual([span[0], span[span.length - 1]], [-1, Math.max(world.endTime, -1)]);
+    assert.ok(world.boxes.firstBeyond.some((time) => time < 0) && !world.boxes.firstBeyond.some((time) => time > 0));
+    assert.deepEqual(world.boxes.peak, world.boxes.settling);
+    const { boxes } = world.loaded!;
+    world.boxes.reference.forEach((place, i) => {
+      const [box, axis] = [Math.floor(i / 3), i % 3];
+      assert.ok(Math.abs(place - (boxes[7 * box + axis] + boxes[7 * box + axis + 3]) / 2) < 1e-6);
+    });
+    assert.ok(reader.world(4).accelerated);
+    assert.equal(times(reader.world(4))[0], 0);
+  }
+});
+
+test("a world that ended with a box beyond a limit says so", async () => {
+  const { reader } = await open("early.h5");
+  const world = reader.world(4);
+  assert.equal(world.stopReason, STOP_REASON_CODES.decided);
+  assert.ok(world.endTime < 3);
+  assert.ok(world.boxes.firstBeyond.some((time) => Math.abs(time - world.endTime) < 1e-6));
+});
+
+test("a file of an earlier version is judged by where boxes are at the end", async () => {
+  const { reader } = await open("earlier.h5");
+  const { results } = reader;
+  const { worlds } = results;
+  assert.ok(results.judgedAtEnd);
+  assert.ok(!(await open("demo.h5")).reader.results.judgedAtEnd);
+  assert.equal(results.margins?.withinLimits, null);
+  assert.ok(!worlds.verdict.includes(5), "a verdict that is no longer given");
+  assert.equal(worlds.verdict[0], VERDICT_CODES.moved);
+  assert.equal(worlds.verdict[4], VERDICT_CODES.fell);
+  assert.deepEqual(worlds.fallenAtEnd, worlds.fallen);
+  const { boxes, accelerated } = reader.world(4);
+  assert.ok(accelerated);
+  assert.equal(boxes.judged, boxes.end);
+  assert.ok(boxes.peak.displacement.every((peak, box) => peak >= boxes.end.displacement[box] - 1e-6));
+  for (const column of [boxes.peak.drop, boxes.peak.tilt, boxes.firstBeyond]) assert.ok(column.every(Number.isNaN));
+});
+
+for (const name of ["demo.h5", "early.h5", "rich.h5", "earlier.h5"])
+  test(`the table of ${name} is that of the program`, async () => {
+    const { reader } = await open(name);
+    const folder = mkdtempSync(path.join(tmpdir(), "holdfast-page-"));
+    try {
+      execFileSync(PROGRAM, ["summary", `${RESULTS}/${name}`, "--csv", folder]);
+      const program = readTable(readFileSync(path.join(folder, "worlds.csv"), "utf8"));
+      const page = readTable(fleetCsv(reader.results, rowsOf(reader.results)));
+      assert.equal(page.length, program.length);
+      for (const [index, world] of page.entries())
+        for (const heading of Object.keys(world).filter((of) => of in program[index])) {
+          // The program takes them from the end, and the page from the file, where it has them.
+          if (reader.results.judgedAtEnd && /^peak_/.test(heading)) continue;
+          const [said, known] = [world[heading], program[index][heading]];
+          // Of an earlier version it is found when a world is opened.
+          const shown =
+            heading === "critical_box" && said === "" && known !== "" ? String(reader.world(index).criticalBox) : said;
+          const same = shown === known || Math.abs(Number(shown) - Number(known)) <= 1e-6 * Math.abs(Number(known));
+          assert.ok(same, `${heading} of world ${index}: ${shown}, not ${known}`);
+        }
+      assert.ok(Object.keys(page[0]).filter((heading) => heading in program[0]).length >= 18);
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+
+/** Lines of a table whose fields have no commas. */
+function readTable(text: string): Record<string, string>[] {
+  const [head, ...lines] = text.trim().split(/\r?\n/);
+  const headings = head.split(",");
+  return lines.map((line) => Object.fromEntries(line.split(",").map((field, i) => [headings[i], field])));
+}
+
 test("boxes stand where the layout has them", async () => {
   const { reader } = await open("demo.h5");
   const { boxes } = reader.world(0);
@@ -70,7 +199,10 @@ test("margins, wall forces and replicas are there when the run made them", async
   assert.equal(plain.results.margins, null);
   assert.equal(plain.world(0).walls, null);
   const { reader } = await open("rich.h5");
-  assert.equal(reader.results.margins?.margin.length, 8);
+  const { inPlace, withinLimits } = reader.results.margins!;
+  assert.equal(inPlace.margin.length, 8);
+  assert.ok(withinLimits!.margin.every((margin, i) => margin >= inPlace.margin[i]));
+  assert.ok(withinLimits!.criticalBox.some((box) => box > 0));
   assert.ok(reader.results.replicas!.count.some((count) => count > 0));
   const { walls, series } = reader.world(0);
   assert.equal(walls?.peak.length, 6);

@@ -30,11 +30,91 @@ async function unfinished() {
   rmSync(parts, { recursive: true, force: true });
 }
 
-async function foreign() {
+async function library() {
   const hdf5 = await import(`${root}/viewer/node_modules/h5wasm/dist/node/hdf5_hl.js`);
   await hdf5.ready;
+  return hdf5;
+}
+
+async function foreign() {
+  const hdf5 = await library();
   const file = new hdf5.File(at("foreign.h5"), "w");
   file.create_dataset({ name: "temperature", data: new Float64Array([1, 2, 3]) });
+  file.close();
+}
+
+/** What files have since version 3, by which worlds are judged. */
+const SINCE_3 =
+  /\/(status_time|caveats|fallen_at_end|critical_box|first_beyond|peak_(drop|tilt|speed)|settling_peak_\w+|end_(displacement|kinetic_energy)|\w+_within_limits)$/;
+/** The same names where earlier versions have them too. */
+const SINCE_1 = /^\/(boxes\/end_|margins\/critical_box$)/;
+/** Worlds of the file below that have ended early. */
+const ENDED_EARLY = [0, 4];
+
+/** A file of version 2, with what another one has: worlds are judged by where boxes are at the end. */
+async function earlier(name, from) {
+  const hdf5 = await library();
+  const source = new hdf5.File(at(from), "r");
+  const file = new hdf5.File(at(name), "w");
+  const put = (path, data, shape, dtype) => {
+    const names = path.split("/").slice(1);
+    const group = names.slice(0, -1).reduce((of, next) => of.get(next) ?? of.create_group(next), file);
+    group.create_dataset({ name: names[names.length - 1], data, shape, dtype });
+  };
+  const copy = (group, path) => {
+    const target = path === "" ? file : file.get(path);
+    for (const [key, { value, shape, dtype }] of Object.entries(group.attrs))
+      if (key !== "format_version") target.create_attribute(key, value, shape, dtype);
+    for (const key of group.keys()) {
+      const entity = group.get(key);
+      const inside = `${path}/${key}`;
+      if (entity instanceof hdf5.Group) {
+        target.create_group(key);
+        copy(entity, inside);
+      } else if (!JUDGED.has(inside) && (!SINCE_3.test(inside) || SINCE_1.test(inside)))
+        put(inside, entity.value, entity.shape, entity.dtype);
+    }
+  };
+  const column = (path) => source.get(path).value;
+  const JUDGED = new Set([
+    "/worlds/stop_reason",
+    ...["verdict", "fallen_boxes", "moved_boxes", "tilted_boxes"].map((of) => `/summary/worlds/${of}`),
+    ...["fallen", "moved", "tilted"].map((of) => `/summary/boxes/${of}`),
+  ]);
+  copy(source, "");
+  file.create_attribute("format_version", 2);
+
+  const displacement = column("boxes/end_displacement");
+  const drop = Float32Array.from(column("boxes/id"), (_, box) => -displacement[3 * box + 2]);
+  const length = drop.map((_, box) => Math.hypot(...displacement.subarray(3 * box, 3 * box + 3)));
+  const flags = {
+    fallen: Uint8Array.from(drop, (value) => (value > 0.05 ? 1 : 0)),
+    moved: Uint8Array.from(length, (value) => (value > 0.1 ? 1 : 0)),
+    tilted: Uint8Array.from(column("boxes/end_tilt"), (value) => (value > 10 ? 1 : 0)),
+  };
+  put("/summary/boxes/drop", drop);
+  for (const [of, values] of Object.entries(flags)) put(`/summary/boxes/${of}`, values);
+  const boxes = column("worlds/box_count");
+  const begin = Array.from(column("worlds/box_begin"), Number);
+  const ofWorld = (values, world) => Array.from(values.subarray(begin[world], begin[world] + boxes[world]));
+  const count = (values) => Uint32Array.from(boxes, (_, world) => ofWorld(values, world).reduce((a, b) => a + b, 0));
+  for (const of of Object.keys(flags)) put(`/summary/worlds/${of}_boxes`, count(flags[of]));
+  put(
+    "/summary/worlds/max_displacement",
+    Float32Array.from(boxes, (_, world) => Math.max(...ofWorld(length, world))),
+  );
+  const [fallen, moved, tilted] = [flags.fallen, flags.moved, flags.tilted].map(count);
+  const verdict = Uint8Array.from(boxes, (_, world) =>
+    fallen[world] > 0 ? 2 : moved[world] + tilted[world] > 0 ? 1 : 0,
+  );
+  const stopReason = column("worlds/stop_reason").slice();
+  for (const world of ENDED_EARLY) {
+    verdict[world] = 5;
+    stopReason[world] = 4;
+  }
+  put("/summary/worlds/verdict", verdict);
+  put("/worlds/stop_reason", stopReason);
+  source.close();
   file.close();
 }
 
@@ -42,6 +122,8 @@ mkdirSync(folder, { recursive: true });
 screen("demo.h5", "--layouts", ...layouts, "--norm", "road");
 const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27"];
 screen("rich.h5", "--layouts", ...layouts.slice(0, 2), "--norm", "road", ...analyses);
+screen("early.h5", "--layouts", ...layouts, "--norm", "road", "--stop-when", "moved");
+await earlier("earlier.h5", "rich.h5");
 screen("no-series.h5", "--layouts", ...layouts, "--norm", "road", "--no-series");
 const { status } = spawnSync(program, ["view", at("demo.h5"), "--no-open", "-o", at("demo.html")], {
   stdio: "inherit",

@@ -26,6 +26,12 @@ test("a filter wants all of its words", () => {
   assert.deepEqual(order("name", "b 1"), [0]);
 });
 
+test("boxes count from 1 in the address", () => {
+  assert.equal(toHash({ ...START, world: 0, box: 59 }), "world=0&box=60");
+  assert.equal(fromHash("#world=0&box=60").box, 59);
+  assert.equal(fromHash("#world=0&box=0").box, null);
+});
+
 test("the address says what is shown, and nothing that is so anyway", () => {
   const state = { ...START, world: 0, box: 3, time: 1.25, ghost: true, filter: "a b" };
   assert.deepEqual(fromHash(`#${toHash(state)}`), state);

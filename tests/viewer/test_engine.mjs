@@ -25,7 +25,10 @@ test("every bundled layout under every bundled acceleration ends in the bits of 
     assert.equal(outcome.fallen, world.fallen_boxes);
     assert.equal(outcome.moved, world.moved_boxes);
     assert.equal(outcome.steps, world.steps);
-    assert.equal(outcome.maxDisplacement, world.max_displacement_m);
+    assert.equal(outcome.unstable, world.unstable_boxes);
+    assert.equal(outcome.criticalBox, world.critical_box);
+    assert.equal(outcome.peakDisplacement, world.peak_displacement_m);
+    assert.equal(outcome.endDisplacement, world.end_displacement_m);
   }
   assert.deepEqual(different, []);
   t.diagnostic(
@@ -38,7 +41,7 @@ test("a world in pieces ends as a whole one", () => {
   const inputs = inputsOf(engine, world);
   const { stateHash, endTime } = engine.screen(inputs);
   const live = engine.world(inputs);
-  assert.equal(live.endTime, endTime);
+  assert.ok(live.endTime >= endTime, "the latest end, after the time to come to rest");
   for (let time = 0; live.time < live.endTime; time += 1 / 60) live.advance(time);
   assert.equal(live.stateHash(), stateHash);
   assert.equal(live.poses().length, 7 * live.boxCount);

@@ -1,10 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { freeWay, supported } from "../../viewer/src/box/cause";
-import type { BoxColumns, World } from "../../viewer/src/data/results";
-import { accelerationAt } from "../../viewer/src/time/acceleration";
-import { firstMoves, orderOfMoves } from "../../viewer/src/time/first_moves";
-import { between, slerp } from "../../viewer/src/time/poses";
+import { beginOfMotion, freeWay, supported } from "../../viewer/src/box/cause";
+import { criticalBox, excursionsTo } from "../../viewer/src/data/excursions";
+import { STOP_REASON_CODES, VERDICT_CODES } from "../../viewer/src/data/outcome";
+import type { BoxColumns, Series, World } from "../../viewer/src/data/results";
+import { caveatsOf } from "../../viewer/src/data/status";
+import { meaningOf, verdictText } from "../../viewer/src/data/verdict";
+import { accelerationAt, accelerationSteps } from "../../viewer/src/time/acceleration";
+import { between, slerp, tiltOf, times } from "../../viewer/src/time/poses";
+import { markers } from "../../viewer/src/time/strips";
+import { margin, seconds } from "../../viewer/src/ui/text";
+
+const LIMITS = { move: 0.1, drop: 0.05, tilt: 10 };
 
 test("a time lies between two samples", () => {
   const time = Float64Array.of(0, 0.1, 0.3);
@@ -60,18 +67,96 @@ test("a base is supported by what it stands on", () => {
   assert.ok(Math.abs(supported(pile, 2) - 0.8) < 1e-5);
 });
 
-test("who moves first comes first", () => {
+test("a box begins to move in the first sample in which it has used up a tenth of a limit", () => {
   // Three samples of two boxes: the second moves 2 cm in the first step, the first box in the next.
   const displacement = new Float32Array(18);
   displacement[3 * 3] = 0.02;
   displacement[3 * 4] = 0.03;
   displacement[3 * 5] = 0.05;
   const orientation = Float32Array.from({ length: 24 }, (_, i) => (i % 4 === 0 ? 1 : 0));
-  const world = {
-    boxes: { id: Uint32Array.of(1, 2) },
-    series: { time: Float64Array.of(0, 0.1, 0.2), displacement, orientation },
-  } as unknown as World;
-  const first = firstMoves(world, { move: 0.1, drop: 0.05, tilt: 10 });
-  assert.deepEqual([...first], [2, 1]);
-  assert.deepEqual(orderOfMoves(world, first), [1, 0]);
+  const series = { time: Float64Array.of(0, 0.1, 0.2), displacement, orientation } as unknown as Series;
+  assert.equal(beginOfMotion(series, 2, 0, LIMITS), 2);
+  assert.equal(beginOfMotion(series, 2, 1, LIMITS), 1);
+  assert.equal(beginOfMotion({ ...series, displacement: new Float32Array(18) }, 2, 0, LIMITS), -1);
+});
+
+test("a tilt is exact where it is small, whatever the sign of the quaternion", () => {
+  const turn = (degree: number, sign: number) => {
+    const half = (degree * Math.PI) / 360;
+    return [sign * Math.cos(half), 0, sign * Math.sin(half), 0];
+  };
+  for (const [degree, sign] of [
+    [1e-4, 1],
+    [10, -1],
+    [180, 1],
+  ])
+    assert.ok(Math.abs(tiltOf([...turn(30, 1), ...turn(30 + degree, sign)], 0, 4) - degree) < 1e-9);
+});
+
+test("the critical box is the one that is beyond a limit first, or else has used up most of one", () => {
+  const displacement = Float32Array.of(0.3, 0, 0, 0.12, 0, 0, 0.01, 0, -0.04);
+  const of = excursionsTo(displacement, Float32Array.of(0, 11, 0));
+  const never = () => new Float32Array(3).fill(Number.NaN);
+  assert.equal(criticalBox(Float32Array.of(0.4, 0.2, Number.NaN), of, LIMITS), 2);
+  assert.equal(
+    criticalBox(Float32Array.of(Number.NaN, 0.2, 0.2), of, LIMITS),
+    2,
+    "of those at a time, the first of the layout",
+  );
+  assert.equal(criticalBox(Float32Array.of(0.4, Number.NaN, -0.1), of, LIMITS), 3, "while settling is before");
+  assert.equal(criticalBox(never(), of, LIMITS), 1);
+  const within = excursionsTo(Float32Array.of(0.05, 0, 0, 0, 0, 0, 0.01, 0, -0.04), new Float32Array(3));
+  assert.equal(
+    criticalBox(never(), within, LIMITS),
+    3,
+    "four of five centimetres down are more than five of ten aside",
+  );
+  assert.equal(criticalBox(never(), excursionsTo(new Float32Array(9), new Float32Array(3)), LIMITS), 0);
+});
+
+test("a world that ended early is at least its verdict; one that is unstable is no worse than that", () => {
+  const { moved, unstable } = VERDICT_CODES;
+  const { decided, timeout } = STOP_REASON_CODES;
+  assert.equal(verdictText(moved, decided), "at least moved");
+  assert.equal(verdictText(moved, timeout), "moved");
+  assert.equal(verdictText(unstable, decided), "unstable");
+});
+
+test("meanings are of the whole journey, or of the end in a file of an earlier version; caveats are sentences", () => {
+  assert.match(meaningOf(VERDICT_CODES.stayed, false), /ever/);
+  assert.match(meaningOf(VERDICT_CODES.stayed, true), /at the end/);
+  assert.deepEqual(
+    caveatsOf(1 | 4).map(({ name }) => name),
+    ["not at rest", "marginal"],
+  );
+  assert.deepEqual(caveatsOf(0), []);
+});
+
+test("a world that is unstable begins before 0, and is not accelerated", () => {
+  const segments = [{ start: 0, duration: 1, value: [7.848, 0, 0] as [number, number, number] }];
+  const world = { segments, accelerated: false, series: null, beginTime: -2, endTime: 0 } as unknown as World;
+  assert.deepEqual([...times(world)], [-2, 0]);
+  assert.deepEqual(accelerationSteps(world, -2, 0), [{ time: -2, value: [0, 0, 0] }]);
+  const other = { ...world, accelerated: true, beginTime: 0, endTime: 3 };
+  assert.deepEqual(
+    accelerationSteps(other, 0, 3).map(({ time, value }) => [time, value[0]]),
+    [
+      [0, 7.848],
+      [1, 0],
+    ],
+  );
+});
+
+test("marks are where boxes are beyond a limit first, those of the same time together", () => {
+  assert.deepEqual(markers(Float32Array.of(0.5, Number.NaN, -0.25, 0.5)), [
+    { time: -0.25, boxes: [2] },
+    { time: 0.5, boxes: [0, 3] },
+  ]);
+});
+
+test("times have a sign, and none where they are 0; the largest margin that is tried is open", () => {
+  assert.equal(seconds(-0.9), "−0.90 s");
+  assert.equal(seconds(-0.001), "0.00 s");
+  assert.equal(margin(0.302), "0.30 g");
+  assert.equal(margin(1.5), "1.50+ g");
 });

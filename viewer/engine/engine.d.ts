@@ -27,7 +27,7 @@ export interface World {
   readonly boxCount: number;
   /** s */
   readonly time: number;
-  /** s */
+  /** s, the latest: a load that rests earlier stays as it is until then */
   readonly endTime: number;
   advance(time: number): void;
   /** Rows of seven numbers: centre of mass (m), quaternion w x y z. */

@@ -185,7 +185,7 @@ class World {
           throw error;
         }
       }));
-    /** Time at which the world ends, s. */
+    /** The latest time at which the world ends, s: it has `RunOutSeconds` after its acceleration to come to rest. */
     this.endTime = this.times()[1];
   }
 

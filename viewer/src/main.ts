@@ -92,7 +92,7 @@ class App {
       ArrowLeft: world((view) => view.timePanel.stepSample(-1)),
       "shift+ArrowRight": world((view) => view.timePanel.stepMarker(1)),
       "shift+ArrowLeft": world((view) => view.timePanel.stepMarker(-1)),
-      Home: world((view) => view.clock.seek(0)),
+      Home: world((view) => view.clock.seek(view.clock.begin)),
       End: world((view) => view.clock.seek(view.clock.end)),
       ...views,
       f: either((view) => view.focus()),

@@ -16,7 +16,7 @@ namespace holdfast::internal {
 namespace {
 
 std::optional<Error> why_no_damage(const Engine& engine, const Settings& settings) {
-  if (engine.traits().shows_every_step && settings.container.motion == ContainerMotion::prescribed) return std::nullopt;
+  if (settings.container.motion == ContainerMotion::prescribed) return std::nullopt;
   return Error{.what = "damage is not recorded by this engine, or not with this motion of the container",
                .value = engine.traits().name,
                .accepted = "leave damage out, or take native, bullet or bullet-f64 with Motion = prescribed"};

@@ -21,13 +21,6 @@ namespace holdfast::internal {
 
 namespace {
 
-std::optional<Error> why_no_load_shift(const Engine& engine, const Settings& /*settings*/) {
-  if (engine.traits().shows_every_step) return std::nullopt;
-  return Error{.what = "load shift is not recorded by this engine, which does not show every step",
-               .value = engine.traits().name,
-               .accepted = "leave it out, or take another engine"};
-}
-
 constexpr WorldNumber kShiftNumbers[] = {
     {"load_shift", "f8", "Farthest that the load's centre of gravity is displaced, m; NaN without ``LoadShift``.",
      [](const Findings& found) { return found.value<LoadShift>().peak.norm(); }, "farthest_m"},
@@ -92,7 +85,6 @@ Result<std::string> shift_table(ResultsReader& results) {
 const Analysis kLoadShift = {.key = "LoadShift",
                              .option = "Also record how far the centre of gravity of the load is displaced",
                              .enabled = [](const Settings& settings) { return settings.screening.load_shift; },
-                             .why_not = why_no_load_shift,
                              .method = {.recorder = [](const Settings& /*settings*/, const BoxView& boxes,
                                                        const StateView& settled) -> std::unique_ptr<AnalysisRecorder> {
                                return std::make_unique<LoadShiftRecorder>(boxes, settled);

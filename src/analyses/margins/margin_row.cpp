@@ -40,6 +40,8 @@ void margins_json(nlohmann::ordered_json& json, const LayoutRecord& layout) {
     const std::string direction(kMarginDirections.at(i).name);
     json["margins_g"][direction] = margins.margin.at(i);
     json["critical_boxes"][direction] = margins.critical_box.at(i);
+    json["margins_within_limits_g"][direction] = margins.margin_within_limits.at(i);
+    json["critical_boxes_within_limits"][direction] = margins.critical_box_within_limits.at(i);
   }
   json["cpu_seconds"] = margins.cpu_seconds;
 }
@@ -61,12 +63,15 @@ std::optional<Error> write_margin_csv(ResultsReader& results, const std::functio
   Result<std::vector<MarginSpread>> spreads = std::vector<MarginSpread>(info.layouts.size());
   if (has_spread) spreads = read_layouts<MarginSpread>(results, 0, info.layouts.size());
   if (!spreads) return spreads.error();
-  write(fmt::format("layout,direction,margin_g,critical_box{}\r\n", has_spread ? ",low_g,median_g,high_g" : ""));
+  write(fmt::format("layout,direction,margin_g,critical_box,margin_within_limits_g,critical_box_within_limits{}\r\n",
+                    has_spread ? ",low_g,median_g,high_g" : ""));
   for (std::size_t i = 0; i < margins->size(); ++i)
     for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
       const LayoutMargins& layout = (*margins)[i];
-      std::string line = fmt::format("{},{},{},{}", csv_field(info.layouts[i]), kMarginDirections.at(direction).name,
-                                     csv_number(layout.margin.at(direction)), layout.critical_box.at(direction));
+      std::string line = fmt::format(
+          "{},{},{},{},{},{}", csv_field(info.layouts[i]), kMarginDirections.at(direction).name,
+          csv_number(layout.margin.at(direction)), layout.critical_box.at(direction),
+          csv_number(layout.margin_within_limits.at(direction)), layout.critical_box_within_limits.at(direction));
       if (has_spread)
         for (const auto* quantile : {&(*spreads)[i].low, &(*spreads)[i].median, &(*spreads)[i].high})
           line += "," + csv_number(quantile->at(direction));

@@ -1,40 +1,69 @@
 #include "analyses/margins/margin_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
+#include "core/engine/journey.hpp"
+#include "core/engine/series_recorder.hpp"
+#include "core/model/verdict.hpp"
 #include "core/model/world.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
-/// A box that has this acceleration is too far away just when the patience ends, g.
-constexpr double kLeastAcceleration =
-    2.0 * kMarginDisplacement / (kMarginPatience * kMarginPatience * kStandardGravity);
+/// What a margin is within.
+enum Kind : std::size_t { in_place, within_limits, kinds };
 
-/// What became of the load under one acceleration.
-struct Trial {
-  bool holds = false;
-  std::size_t box = 0;        ///< where it does not hold: the box that is farthest from where it was
-  double acceleration = 0.0;  ///< of that box, on the average, g; 0 where none went far and some still move
+/// A box that goes beyond.
+struct Departure {
+  std::size_t box = 0;
+  double acceleration = 0.0;  ///< with which it has gone, on the average, g; 0 where that is not known
+};
+
+/// What became of the load under one acceleration: of each kind the first departure, if there is one.
+using Trial = std::array<std::optional<Departure>, kinds>;
+
+/// Accelerations that are known to hold, and not to hold, of one kind in one direction.
+struct Bracket {
+  double holds = 0.0;
+  double fails = std::numeric_limits<double>::infinity();
+  Departure departure;  ///< at `fails`
+
+  void take(double size, const std::optional<Departure>& beyond) {
+    if (!beyond) {
+      holds = std::max(holds, size);
+    } else if (size < fails) {
+      fails = size;
+      departure = *beyond;
+    }
+  }
+  bool is_closed() const { return holds >= kLargestMargin || fails - holds <= kMarginWidth; }
 };
 
 class MarginSearch {
  public:
-  MarginSearch(const Engine& engine, WorldBatch& batch, const std::atomic<bool>& abort)
-      : batch_(batch), abort_(abort), simulation_(engine.build(batch)), start_(batch.state) {}
+  MarginSearch(const Engine& engine, WorldBatch& batch, const Settings& settings, const std::atomic<bool>& abort)
+      : batch_(batch),
+        settings_(settings),
+        abort_(abort),
+        limits_(recording_plan(settings, false).thresholds),
+        simulation_(engine.build(batch)),
+        start_(batch.state),
+        journey_(engine, *batch.worlds.front().acceleration, settings) {}
 
   std::optional<LayoutMargins> run() {
-    const Trial gravity = run_trial(Vec3::Zero());
-    if (aborted()) return std::nullopt;
-    if (!gravity.holds) {
-      margins_.margin.fill(-std::clamp(gravity.acceleration, kLeastAcceleration, 1.0));
-      margins_.critical_box.fill(id_of(gravity.box));
+    if (const std::optional<Departure> unstable = settle()) {
+      for (auto* margin : {&margins_.margin, &margins_.margin_within_limits})
+        margin->fill(-std::clamp(unstable->acceleration, kMarginWidth, 1.0));
+      for (auto* box : {&margins_.critical_box, &margins_.critical_box_within_limits}) box->fill(id_of(unstable->box));
       return margins_;
     }
+    if (aborted()) return std::nullopt;
     simulation_->mark(0);
     start_ = batch_.state;
     for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
@@ -49,78 +78,121 @@ class MarginSearch {
 
   bool aborted() const { return abort_.load(std::memory_order_relaxed); }
 
+  /// Gravity alone until the load rests. The box that goes beyond a limit, if one does.
+  std::optional<Departure> settle() {
+    const double begin = journey_.time();
+    while (journey_.settles()) {
+      if (aborted()) return std::nullopt;
+      const double reached = step(journey_.phase());
+      if (const auto beyond = find_departure(within_limits, reached - begin)) return beyond;
+      journey_.reach(reached, simulation_->rests(0),
+                     is_quiet(view(batch_.state, batch_.worlds.front()), settings_.sleeping_threshold));
+    }
+    return std::nullopt;
+  }
+
   void search(std::size_t direction) {
-    double holds = 0.0;
-    double fails = kLargestMargin;
-    double wanted = 0.5 * kLargestMargin;
-    double stride = kMarginWidth;
-    bool any_failed = false;
-    // The largest acceleration is not known to fail before it is tried.
-    while ((!any_failed && holds < kLargestMargin) || (any_failed && fails - holds > kMarginWidth)) {
-      const Trial trial = run_trial(push_acceleration(direction, wanted));
-      if (aborted()) return;
-      if (!trial.holds) {
-        any_failed = true;
-        fails = wanted;
-        margins_.critical_box.at(direction) = id_of(trial.box);
-        stride = kMarginWidth;
-        // As far below the estimate as the bracket is to be wide, so that this holds and the next one ends the search.
-        wanted = fails - trial.acceleration - 0.5 * kMarginWidth;
-        if (trial.acceleration == 0.0 || wanted <= holds || wanted > fails - 0.5 * kMarginWidth)
-          wanted = 0.5 * (holds + fails);
-      } else {
-        holds = wanted;
-        wanted = any_failed ? std::min(holds + stride, 0.5 * (holds + fails)) : kLargestMargin;
-        if (any_failed && fails - holds <= 2.0 * kMarginWidth) wanted = 0.5 * (holds + fails);
-        stride *= 2.0;
+    std::array<Bracket, kinds> brackets;
+    for (const Kind kind : {in_place, within_limits}) {
+      Bracket& bracket = brackets.at(kind);
+      double stride = kMarginWidth;
+      bool failed_last = false;
+      // The other kind's trials may have closed it, or told where to look.
+      double wanted = kind == in_place ? 0.5 * kLargestMargin : std::min(bracket.fails, kLargestMargin);
+      if (wanted == bracket.fails) wanted = next_below(bracket);
+      while (!bracket.is_closed()) {
+        const Trial trial = run_trial(push_acceleration(direction, wanted), kind);
+        if (aborted()) return;
+        brackets[in_place].take(wanted, trial[in_place]);
+        // A load that leaves its place has not been followed any further.
+        if (kind == within_limits || !trial[in_place] || trial[within_limits])
+          brackets[within_limits].take(wanted, trial[within_limits]);
+        failed_last = trial.at(kind).has_value();
+        const double middle = 0.5 * (bracket.holds + bracket.fails);
+        if (failed_last) {
+          stride = kMarginWidth;
+          wanted = next_below(bracket);
+        } else if (std::isinf(bracket.fails)) {
+          wanted = kLargestMargin;
+        } else {
+          wanted =
+              bracket.fails - bracket.holds <= 2.0 * kMarginWidth ? middle : std::min(bracket.holds + stride, middle);
+          stride *= 2.0;
+        }
       }
     }
-    margins_.margin.at(direction) = holds;
+    margins_.margin.at(direction) = brackets[in_place].holds;
+    margins_.margin_within_limits.at(direction) = brackets[within_limits].holds;
+    if (!std::isinf(brackets[in_place].fails))
+      margins_.critical_box.at(direction) = id_of(brackets[in_place].departure.box);
+    if (!std::isinf(brackets[within_limits].fails))
+      margins_.critical_box_within_limits.at(direction) = id_of(brackets[within_limits].departure.box);
   }
 
-  /// Applies a constant acceleration of the container to the load where it was marked; leaves the batch at the end.
-  Trial run_trial(const Vec3& acceleration) {
-    if (margins_.trials++ > 0) simulation_->rewind(0);
-    const Phase phase{0.0, kMarginPatience, acceleration};
-    AdvanceRequest request{0, phase, 0.0};
-    while (request.reached < phase.end) {
-      if (aborted()) return {};
-      request.output_time = request.reached;
-      simulation_->advance({&request, 1});
-      simulation_->read_back(0, batch_.state);
-      if (const std::optional<Trial> failure = find_departure(request.reached)) return *failure;
-    }
-    return {.holds = is_at_rest()};
+  /// Where the margin is by the departure at the upper end of the bracket: as far below it as the bracket is to be
+  /// wide, so that this holds and the next trial ends the search.
+  static double next_below(const Bracket& bracket) {
+    const double wanted = bracket.fails - bracket.departure.acceleration - 0.5 * kMarginWidth;
+    const bool usable =
+        bracket.departure.acceleration > 0.0 && wanted > bracket.holds && wanted <= bracket.fails - 0.5 * kMarginWidth;
+    return usable ? wanted : 0.5 * (bracket.holds + bracket.fails);
   }
 
-  /// The box that is farthest from where it was, if it is too far.
-  std::optional<Trial> find_departure(double time) const {
-    const std::vector<Vec3>& now = batch_.state.position;
+  double step(const Phase& phase) {
+    AdvanceRequest request{0, phase};
+    simulation_->advance({&request, 1});
+    simulation_->read_back(0, batch_.state);
+    return request.reached;
+  }
+
+  /// Applies a constant acceleration of the container to the load where it was marked, until a box goes beyond what the
+  /// kind allows; leaves the batch at the end.
+  Trial run_trial(const Vec3& acceleration, Kind kind) {
+    ++margins_.trials;
+    simulation_->rewind(0);
+    const Phase phase{0.0, kMarginDuration, acceleration};
     Trial trial;
-    double farthest = kMarginDisplacement;
-    for (std::size_t box = 0; box < now.size(); ++box) {
-      const double distance = (now[box] - start_.position[box]).norm();
-      if (!std::isfinite(distance)) return Trial{.box = box};
-      if (distance <= farthest) continue;
-      farthest = distance;
-      trial.box = box;
-      trial.acceleration = 2.0 * distance / (time * time) / kStandardGravity;
+    for (double reached = 0.0; reached < phase.end;) {
+      if (aborted()) return trial;
+      reached = step(phase);
+      if (simulation_->rests(0)) break;
+      for (const Kind each : {in_place, within_limits})
+        if (!trial.at(each)) trial.at(each) = find_departure(each, reached);
+      if (trial.at(kind)) break;
     }
-    if (trial.acceleration == 0.0) return std::nullopt;
     return trial;
   }
 
-  bool is_at_rest() const {
-    const auto none = [](const Vec3& v) { return v == Vec3::Zero(); };
-    const StateColumns& state = batch_.state;
-    return std::all_of(state.velocity.begin(), state.velocity.end(), none) &&
-           std::all_of(state.angular_velocity.begin(), state.angular_velocity.end(), none);
+  /// The first box that is beyond what the kind allows, if any is, and how the farthest one has got there.
+  /// @param time since it was at its start, s
+  std::optional<Departure> find_departure(Kind kind, double time) const {
+    const StateColumns& now = batch_.state;
+    std::optional<Departure> departure;
+    double farthest = 0.0;
+    for (std::size_t box = 0; box < now.position.size(); ++box) {
+      const Vec3 moved_by = now.position[box] - start_.position[box];
+      if (!moved_by.allFinite()) return Departure{.box = box};
+      const double distance = moved_by.norm();
+      const Rotation turn = now.orientation[box] * start_.orientation[box].conjugate();
+      const bool beyond =
+          kind == in_place
+              ? distance > kMarginDisplacement
+              : is_beyond({static_cast<float>(distance), static_cast<float>(-moved_by.z()), tilt_of(turn)}, limits_);
+      if (!beyond) continue;
+      if (!departure) departure = Departure{.box = box};
+      farthest = std::max(farthest, distance);
+    }
+    if (departure) departure->acceleration = 2.0 * farthest / (time * time) / kStandardGravity;
+    return departure;
   }
 
   WorldBatch& batch_;
+  const Settings& settings_;
   const std::atomic<bool>& abort_;
+  Thresholds limits_;
   std::unique_ptr<Simulation> simulation_;
   StateColumns start_;  ///< where a trial begins
+  Journey journey_;
   LayoutMargins margins_;
 };
 
@@ -130,11 +202,11 @@ std::optional<LayoutMargins> find_margins(const Engine& engine, const Layout& la
                                           const std::atomic<bool>& abort) {
   // What engines take from it is how strong accelerations may become.
   Acceleration strongest;
-  strongest.segments.push_back({0.0, kMarginPatience, push_acceleration(0, kLargestMargin)});
+  strongest.segments.push_back({0.0, kMarginDuration, push_acceleration(0, kLargestMargin)});
   const Layout* const layouts[] = {&layout};
   const Acceleration* const accelerations[] = {&strongest};
   WorldBatch batch = make_batch(layouts, accelerations, settings);
-  return MarginSearch(engine, batch, abort).run();
+  return MarginSearch(engine, batch, settings, abort).run();
 }
 
 }  // namespace holdfast::internal

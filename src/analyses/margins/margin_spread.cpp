@@ -31,7 +31,7 @@ std::optional<MarginSpread> find_margin_spread(const Engine& engine, const Layou
     const std::optional<LayoutMargins> found =
         find_margins(engine, inputs.layout(++number), with_friction(settings, draw), abort);
     if (!found) return std::nullopt;
-    for (std::size_t i = 0; i < kDirectionCount; ++i) margins.at(i).push_back(found->margin.at(i));
+    for (std::size_t i = 0; i < kDirectionCount; ++i) margins.at(i).push_back(found->margin_within_limits.at(i));
   }
   MarginSpread spread;
   for (std::size_t i = 0; i < kDirectionCount; ++i) {

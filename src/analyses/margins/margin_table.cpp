@@ -20,17 +20,26 @@ namespace holdfast::internal {
 
 namespace {
 
-/// The margins of a layout beside what a norm needs, g; nothing is needed where that is 0.
+/// The margins of a layout beside what a norm needs, g; nothing is needed where that is 0. What is judged is the margin
+/// within the limits, as worlds are; files of an earlier version have only that in place.
 struct Judged {
   const LayoutMargins& margins;
   const MarginSpread& spread;
   const std::array<double, kDirectionCount>& needed;
+  bool has_limits = true;
+
+  double margin(std::size_t direction) const {
+    return has_limits ? margins.margin_within_limits.at(direction) : margins.margin.at(direction);
+  }
+  std::uint32_t critical_box(std::size_t direction) const {
+    return has_limits ? margins.critical_box_within_limits.at(direction) : margins.critical_box.at(direction);
+  }
 
   /// What share of what is needed the layout stands in a direction; without a norm, its margin.
   double share(std::size_t direction) const {
     const bool any = std::any_of(needed.begin(), needed.end(), [](double need) { return need > 0.0; });
     const double need = any ? needed.at(direction) : 1.0;
-    return need > 0.0 ? margins.margin.at(direction) / need : std::numeric_limits<double>::infinity();
+    return need > 0.0 ? margin(direction) / need : std::numeric_limits<double>::infinity();
   }
 
   /// The direction of the least share; the first of several.
@@ -48,28 +57,29 @@ std::string size_text(double margin) {
   return margin < kLargestMargin ? fmt::format("{:.2f}", margin) : fmt::format("{:.2f}+", margin);
 }
 
+/// In place, and within the limits where the file has that.
+std::string cell_of(const Judged& layout, std::size_t direction) {
+  const std::string in_place = size_text(layout.margins.margin.at(direction));
+  return layout.has_limits ? fmt::format("{} / {:>5}", in_place, size_text(layout.margin(direction))) : in_place;
+}
+
 std::string verdict_of(const Judged& layout) {
   const std::size_t direction = layout.weakest();
-  const std::uint32_t box = layout.margins.critical_box.at(direction);
-  if (layout.margins.margin.at(direction) < 0.0) return fmt::format("does not stand, box {}", box);
+  const std::uint32_t box = layout.critical_box(direction);
+  if (layout.margin(direction) < 0.0) return fmt::format("unstable, box {}", box);
   if (box == 0) return "-";
   const std::string range =
       std::isnan(layout.spread.low.at(direction))
           ? ""
           : fmt::format(", {:.2f} to {:.2f} g", layout.spread.low.at(direction), layout.spread.high.at(direction));
   const double need = layout.needed.at(direction);
+  // A margin is exact to its width.
   const std::string lack =
-      need > layout.margins.margin.at(direction) ? fmt::format("; needs {} g", number_text(need)) : "";
+      need > layout.margin(direction) + kMarginWidth ? fmt::format("; needs {} g", number_text(need)) : "";
   return fmt::format("{}, box {}{}{}", kMarginDirections.at(direction).name, box, range, lack);
 }
 
-std::string line_of(std::string_view name, std::size_t width, const std::array<double, kDirectionCount>& margins,
-                    std::string_view verdict) {
-  std::string line = fmt::format("  {:<{}}", name, width);
-  for (const double margin : margins) line += fmt::format("  {:>6}", size_text(margin));
-  if (!verdict.empty()) line += "  ";
-  return line.append(verdict) + '\n';
-}
+constexpr int kCellWidth = 15;
 
 }  // namespace
 
@@ -86,24 +96,33 @@ Result<std::string> margin_table(ResultsReader& results) {
   const auto needed = norm ? norm->needed_margins() : std::array<double, kDirectionCount>{};
 
   std::vector<std::size_t> order;
-  const auto least = [&](std::size_t i) { return Judged{(*margins)[i], (*spreads)[i], needed}.least(); };
+  const bool has_limits = info.version >= 3;
+  const auto judged = [&](std::size_t i) { return Judged{(*margins)[i], (*spreads)[i], needed, has_limits}; };
   for (std::size_t i = 0; i < margins->size(); ++i)
-    if (!std::isnan(least(i))) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return least(a) < least(b); });
+    if (!std::isnan(judged(i).least())) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return judged(a).least() < judged(b).least(); });
   const std::size_t shown = std::min(order.size(), kLayoutsShown);
 
   const std::string needed_name = norm ? fmt::format("needed by {}", norm->name()) : "layout";
   std::size_t width = needed_name.size();
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, printable(info.layouts[order[i]]).size());
-  std::string text = "\nmargins: the largest constant acceleration that a layout stands, in g\n";
+  std::string text = fmt::format(
+      "\nmargins: the largest acceleration, in g and lasting, under which every box stays in its place (5 mm){}\n",
+      has_limits ? " / within the limits" : "");
   text += fmt::format("  {:<{}}", "layout", width);
-  for (const MarginDirection& direction : kMarginDirections) text += fmt::format("  {:>6}", direction.name);
+  for (const MarginDirection& direction : kMarginDirections) text += fmt::format("{:>{}}", direction.name, kCellWidth);
   text += has_spread ? "  weakest, and from 5 to 95 % of its replicas\n" : "  weakest\n";
-  if (norm) text += line_of(needed_name, width, needed, "");
+  if (norm) {
+    text += fmt::format("  {:<{}}", needed_name, width);
+    for (const double need : needed) text += fmt::format("{:>{}}", size_text(need), kCellWidth);
+    text += '\n';
+  }
   for (std::size_t i = 0; i < shown; ++i) {
-    const LayoutMargins& layout = (*margins)[order[i]];
-    text += line_of(printable(info.layouts[order[i]]), width, layout.margin,
-                    verdict_of({layout, (*spreads)[order[i]], needed}));
+    text += fmt::format("  {:<{}}", printable(info.layouts[order[i]]), width);
+    for (std::size_t direction = 0; direction < kDirectionCount; ++direction)
+      text += fmt::format("{:>{}}", cell_of(judged(order[i]), direction), kCellWidth);
+    text += "  " + verdict_of(judged(order[i])) + '\n';
   }
   if (order.size() > shown) text += fmt::format("  and {} more that stand better\n", order.size() - shown);
   return text;

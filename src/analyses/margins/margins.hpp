@@ -18,7 +18,8 @@ inline constexpr std::array<double, kDirectionCount> kUnknownMargins = {
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
-/// Margins of a layout's replicas, g, one entry per direction; see `margin_spread.hpp`. NaN where they are not known.
+/// Margins within the limits of a layout's replicas, g, one entry per direction; see `margin_spread.hpp`. NaN where
+/// they are not known.
 struct MarginSpread {
   std::array<double, kDirectionCount> low = kUnknownMargins;     ///< 5 % of the replicas stand less
   std::array<double, kDirectionCount> median = kUnknownMargins;  ///< half of them
@@ -27,12 +28,11 @@ struct MarginSpread {
 
   template <class Visit>
   static void describe(Visit&& visit) {
-    visit(
-        DatasetContent{
-            "/margin_spread/low", Axis::layouts, "g",
-            "margin in each direction that 5 % of the layout's replicas do not reach; NaN if it is not known, as "
-            "the next two"},
-        &MarginSpread::low);
+    visit(DatasetContent{"/margin_spread/low", Axis::layouts, "g",
+                         "margin within the limits, in each direction, that 5 % of the layout's replicas do not reach; "
+                         "NaN if it is not "
+                         "known, as the next two"},
+          &MarginSpread::low);
     visit(DatasetContent{"/margin_spread/median", Axis::layouts, "g", "margin that half of them reach"},
           &MarginSpread::median);
     visit(DatasetContent{"/margin_spread/high", Axis::layouts, "g", "margin that 5 % of them reach"},
@@ -42,14 +42,17 @@ struct MarginSpread {
   }
 };
 
-/// How much a layout stands in each direction, see `margin_search.hpp`; one entry per direction.
+/// How much a layout stands in each direction, see `margin_search.hpp`; one entry per direction. A critical box is a
+/// position in the layout, from 1: the box that is beyond first where the acceleration is a little larger; 0 where none
+/// is up to the largest acceleration that is tried.
 struct LayoutMargins {
-  /// Largest constant acceleration that the layout stands, g; NaN where it is not known. Negative: the layout does not
-  /// stand under gravity alone, and this is minus the largest acceleration with which a box begins to move.
+  /// Largest constant acceleration under which every box stays in its place, within 5 mm, g; NaN where it is not known.
+  /// Negative: the layout is unstable under gravity alone, and this is minus the acceleration with which a box leaves.
   std::array<double, kDirectionCount> margin = kUnknownMargins;
-  /// The box that goes first where the acceleration is a little larger: position in the layout, from 1; 0 where none
-  /// does up to the largest acceleration that is tried.
   std::array<std::uint32_t, kDirectionCount> critical_box = {};
+  /// The same where every box stays within the limits of the verdict.
+  std::array<double, kDirectionCount> margin_within_limits = kUnknownMargins;
+  std::array<std::uint32_t, kDirectionCount> critical_box_within_limits = {};
   std::uint32_t trials = 0;  ///< accelerations that were tried, in all directions
   double cpu_seconds = 0.0;  ///< s
 
@@ -58,14 +61,20 @@ struct LayoutMargins {
     visit(
         DatasetContent{
             "/margins/margin", Axis::layouts, "g",
-            "largest constant acceleration that the layout stands, towards the front, the rear, the left and the "
-            "right; negative: it does not stand under gravity alone; NaN if it is not known"},
+            "largest constant acceleration, for as long as anything moves, under which no box leaves its place by more "
+            "than 5 mm, towards the front, the rear, the left and the right; negative: the layout is unstable under "
+            "gravity alone; NaN if it is not known"},
         &LayoutMargins::margin);
-    visit(
-        DatasetContent{
-            "/margins/critical_box", Axis::layouts, "1",
-            "box that goes first above the margin: position in the layout file, from 1; 0: none up to 1.5 g"},
-        &LayoutMargins::critical_box);
+    visit(DatasetContent{"/margins/critical_box", Axis::layouts, "1",
+                         "box that leaves its place first above that margin: position in the layout file, from 1; 0: "
+                         "none up to 1.5 g"},
+          &LayoutMargins::critical_box);
+    visit(DatasetContent{"/margins/margin_within_limits", Axis::layouts, "g",
+                         "the same where no box goes beyond a limit of the verdict", 3},
+          &LayoutMargins::margin_within_limits);
+    visit(DatasetContent{"/margins/critical_box_within_limits", Axis::layouts, "1",
+                         "box that is beyond a limit first above that margin; 0: none up to 1.5 g", 3},
+          &LayoutMargins::critical_box_within_limits);
     visit(DatasetContent{"/margins/trials", Axis::layouts, "1", "accelerations that were tried to find the margins"},
           &LayoutMargins::trials);
     visit(DatasetContent{"/margins/cpu_seconds", Axis::layouts, "s", "processor time to find the margins"},

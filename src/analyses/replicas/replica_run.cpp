@@ -23,7 +23,14 @@ Acceleration scaled(const Acceleration& acceleration, double factor) {
 }
 
 Verdict verdict_of(const WorldRecord& world, const Thresholds& thresholds) {
-  return judge_world(world.row, world.end, thresholds).verdict;
+  return judge_world(world.row, world.end, by_run(thresholds)).verdict;
+}
+
+/// Only whether a replica stays is asked.
+RecordingPlan plan_of(const Settings& settings, const Acceleration& acceleration) {
+  RecordingPlan plan = recording_plan(settings, false);
+  plan.stop_when = StopWhen::moved;
+  return plan_for(std::move(plan), acceleration);
 }
 
 class ReplicaRun {
@@ -35,7 +42,7 @@ class ReplicaRun {
         acceleration_(acceleration),
         settings_(settings),
         abort_(abort),
-        plan_(recording_plan(settings, false)),
+        plan_(plan_of(settings, acceleration)),
         planned_(static_cast<std::uint32_t>(settings.screening.replicas)),
         inputs_(layout, settings),
         box_failures_(layout.boxes.size()) {}
@@ -69,9 +76,12 @@ class ReplicaRun {
     for (const ReplicaDraw& draw : inputs_.draws()) lower_friction(least, draw);
     const std::optional<std::vector<WorldRecord>> worlds = simulate_draws({&least, 1}, outcome_.count);
     if (!worlds) return std::nullopt;
-    const std::vector<float>& peaks = worlds->front().end.peak_displacement;
-    return verdict_of(worlds->front(), plan_.thresholds) == Verdict::stayed &&
-           std::all_of(peaks.begin(), peaks.end(), [](float peak) { return peak <= kRestDisplacement; });
+    const EndTable& end = worlds->front().end;
+    const auto rest = [](const std::vector<float>& peaks) {
+      return std::all_of(peaks.begin(), peaks.end(), [](float peak) { return peak <= kRestDisplacement; });
+    };
+    return verdict_of(worlds->front(), plan_.thresholds) == Verdict::stayed && rest(end.peak_displacement) &&
+           rest(end.settling_peak_displacement);
   }
 
   /// False when aborted.
@@ -89,7 +99,7 @@ class ReplicaRun {
     if (verdict_of(world, plan_.thresholds) == Verdict::stayed) return;
     ++outcome_.failed;
     for (std::size_t i = 0; i < box_failures_.size(); ++i) {
-      const BoxVerdict box = judge_box(world.end, i, plan_.thresholds);
+      const BoxVerdict box = judge_box(world.end, i, by_run(plan_.thresholds));
       if (box.fallen || box.moved || box.tilted || box.unstable) ++box_failures_[i];
     }
   }

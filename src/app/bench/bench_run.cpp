@@ -97,8 +97,8 @@ std::optional<Error> take_results(const std::string& path, BenchSample& sample) 
     const std::uint64_t box_begin = rows->front().box_begin;
     const auto ends = results->ends(box_begin, rows->back().box_begin + rows->back().boxes - box_begin);
     if (!ends) return ends.error();
-    append_bytes(ends->displacement, bytes);
-    append_bytes(ends->tilt, bytes);
+    append_bytes(ends->end_displacement, bytes);
+    append_bytes(ends->end_tilt, bytes);
     append_bytes(ends->peak_displacement, bytes);
     append_bytes(ends->peak_kinetic_energy, bytes);
     hashes += sha256_of(bytes);

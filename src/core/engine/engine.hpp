@@ -45,8 +45,8 @@ struct EngineTraits {
   bool measures_walls = false;
   /// True when forces and friction may change while a world goes: `Simulation::set_force` and `set_friction`.
   bool takes_changes = false;
-  /// True when `Simulation::advance` shows the state at the end of every step. A device takes several at once.
-  bool shows_every_step = true;
+  /// True when the engine proves that a load rests: `Simulation::rests`.
+  bool proves_rest = false;
   /// Longest step, s: curves of far shorter samples are resampled, see `resampled`. 0: none are.
   double longest_step = 0.0;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
@@ -55,10 +55,9 @@ struct EngineTraits {
 
 /// A request to advance one world within its current phase, and the answer.
 struct AdvanceRequest {
-  std::size_t world = 0;     ///< index into the batch
-  Phase phase;               ///< stretch of constant acceleration that contains the world's time
-  double output_time = 0.0;  ///< next time that the caller needs a state for, s; not before the world's time
-  double reached = 0.0;  ///< the engine's answer: the world's time now, s; exactly `phase.end` at the end of the phase
+  std::size_t world = 0;  ///< index into the batch
+  Phase phase;            ///< stretch of constant acceleration that contains the world's time
+  double reached = 0.0;   ///< the engine's answer: the world's time now, s; exactly `phase.end` at the end of the phase
 };
 
 /// A force on a box from outside, beside gravity and contacts.
@@ -77,12 +76,10 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  /// Advances each world from its current time by one step or more, never past the end of its phase. The worlds may be
-  /// at different times. There is one request unless `EngineTraits::all_together`.
+  /// Advances each world from its current time by one step, never past the end of its phase. The worlds may be at
+  /// different times. There is one request unless `EngineTraits::all_together`.
   ///
-  /// The engine divides the phase into its own steps. It may take several of them before it returns, but must return at
-  /// the last end of a step that is not after `output_time`, and at the first one after it: the caller interpolates
-  /// between these two. Steps during which nothing moves may be taken all at once, past `output_time`.
+  /// The engine divides the phase into its own steps. Steps during which nothing moves may be taken all at once.
   virtual void advance(std::span<AdvanceRequest> requests) = 0;
 
   /// Remembers where a world is; it may be rewound to there any number of times, and then goes on in a new phase, as if
@@ -95,6 +92,10 @@ class Simulation {
   /// For engines with `EngineTraits::takes_changes`.
   virtual void set_force(std::size_t /*world*/, std::size_t /*box*/, const BoxForce& /*force*/) {}
   virtual void set_friction(std::size_t /*world*/, const ContactSettings& /*contact*/) {}
+
+  /// True when the engine has proved, in the last `advance`, that every box rests until the acceleration changes: no
+  /// step was computed. For engines with `EngineTraits::proves_rest`.
+  virtual bool rests(std::size_t /*world*/) const { return false; }
 
   /// Writes a world's state into its range of `state`, in the container's frame.
   virtual void read_back(std::size_t world, StateColumns& state) const = 0;
@@ -110,7 +111,7 @@ class Simulation {
   virtual Status status(std::size_t /*world*/) const { return Status::ok; }
 };
 
-/// A simulation that takes worlds forward one at a time, and returns after every step.
+/// A simulation that takes worlds forward one at a time.
 class SteppedSimulation : public Simulation {
  public:
   void advance(std::span<AdvanceRequest> requests) final {

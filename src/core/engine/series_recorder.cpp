@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/engine/interpolation.hpp"
 
@@ -35,32 +34,63 @@ RecordingPlan recording_plan(const Settings& settings, bool series, const Analys
   return plan;
 }
 
-void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, const StateView& settled) {
+RecordingPlan plan_for(RecordingPlan plan, const Acceleration& acceleration) {
+  if (!acceleration.purpose.empty()) plan.stop_when = StopWhen::end;
+  return plan;
+}
+
+void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, double time) {
   boxes_ = boxes;
-  const std::size_t count = boxes.mass.size();
-  const StateView& reference = plan_.reference_pose == ReferencePose::layout ? layout : settled;
-  reference_position_.assign(reference.position.begin(), reference.position.end());
-  reference_orientation_.assign(reference.orientation.begin(), reference.orientation.end());
-  last_linear_acceleration_.assign(count, Vec3::Zero());
-
-  for (const auto& make : plan_.analyses) analyses_.push_back(make(boxes, settled));
-
+  layout_.position.assign(layout.position.begin(), layout.position.end());
+  layout_.orientation.assign(layout.orientation.begin(), layout.orientation.end());
   BoxTable& table = record_.boxes;
-  EndTable& end = record_.end;
-  for (std::size_t box = 0; box < count; ++box) {
+  for (std::size_t box = 0; box < boxes.mass.size(); ++box) {
     table.id.push_back(static_cast<std::uint32_t>(box + 1));
     table.material.push_back(boxes.material[box]);
     table.mass.push_back(static_cast<float>(boxes.mass[box]));
     table.size.push_back(to_float(2.0 * boxes.half_extents[box]));
     table.initial_position.push_back(to_float(layout.position[box]));
-    end.settling_displacement.push_back(to_float(settled.position[box] - layout.position[box]));
   }
+  begin_at(time, layout, layout);
+}
+
+void SeriesRecorder::accelerate(const StateView& settled) {
+  EndTable& end = record_.end;
+  end.settling_peak_displacement = end.peak_displacement;
+  end.settling_peak_drop = end.peak_drop;
+  end.settling_peak_tilt = end.peak_tilt;
+  for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
+    end.settling_displacement.push_back(to_float(settled.position[box] - layout_.position[box]));
+  settles_ = false;
+  StateView reference = settled;
+  if (plan_.reference_pose == ReferencePose::layout) {
+    reference.position = layout_.position;
+    reference.orientation = layout_.orientation;
+  }
+  begin_at(0.0, settled, reference);
+}
+
+void SeriesRecorder::begin_at(double time, const StateView& now, const StateView& reference) {
+  const std::size_t count = boxes_.mass.size();
+  reference_position_.assign(reference.position.begin(), reference.position.end());
+  reference_orientation_.assign(reference.orientation.begin(), reference.orientation.end());
+  last_linear_acceleration_.assign(count, Vec3::Zero());
+  largest_tilt_sine_.assign(count, 0.0);
+  analyses_.clear();
+  for (const auto& make : plan_.analyses) analyses_.push_back(make(boxes_, now));
+  begin_ = time;
+  sample_count_ = 0;
+  record_.series = {};
   if (plan_.series) reserve_series(plan_.samples, count);
-  end.peak_displacement.assign(count, 0.0F);
-  end.peak_kinetic_energy.assign(count, 0.0F);
-  end.peak_speed.assign(count, 0.0F);
-  update_peaks(settled);
-  add_sample({0.0, 1.0, {0.0, 0.0, Vec3::Zero(), settled, settled}});
+  EndTable& end = record_.end;
+  for (std::vector<float>* peak :
+       {&end.peak_displacement, &end.peak_drop, &end.peak_tilt, &end.peak_kinetic_energy, &end.peak_speed})
+    peak->assign(count, 0.0F);
+  end.first_beyond.assign(count, std::numeric_limits<float>::quiet_NaN());
+  record_.row.peak_total_kinetic_energy = 0.0;
+  // Where the solver has failed while the load settled, nothing that follows can be trusted.
+  if (std::isnan(record_.row.status_time)) update_peaks(now, time);
+  add_sample({time, 1.0, {time, time, Vec3::Zero(), now, now}});
 }
 
 void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
@@ -78,39 +108,54 @@ void SeriesRecorder::reserve_series(std::size_t samples, std::size_t boxes) {
   series.kinetic_energy.reserve(rows);
 }
 
-double SeriesRecorder::output_time() const {
-  if (!plan_.series && plan_.stop_when == StopWhen::end) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(sample_count_) * plan_.interval;
-}
-
 void SeriesRecorder::step(const Step& step) {
   const double duration = step.end - step.begin;
   last_acceleration_ = step.acceleration;
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box)
     last_linear_acceleration_[box] = (step.after.velocity[box] - step.before.velocity[box]) / duration;
-  update_peaks(step.after);
+  if (step.status != Status::ok && std::isnan(record_.row.status_time)) record_.row.status_time = step.begin;
+  if (std::isnan(record_.row.status_time)) update_peaks(step.after, step.end);
   for (const auto& analysis : analyses_) analysis->step(step);
-  decided_ = decides(step.after);
-  while (output_time() <= step.end + kSameInstant) {
-    const bool at_end = std::abs(output_time() - step.end) <= kSameInstant;
-    add_sample({output_time(), at_end ? 1.0 : (output_time() - step.begin) / duration, step});
+  while (next_sample() <= step.end + kSameInstant) {
+    const bool at_end = std::abs(next_sample() - step.end) <= kSameInstant;
+    add_sample({next_sample(), at_end ? 1.0 : (next_sample() - step.begin) / duration, step});
   }
+}
+
+bool SeriesRecorder::decided() const {
+  switch (plan_.stop_when) {
+    case StopWhen::end:
+      return false;
+    case StopWhen::moved:
+      return beyond_;
+    case StopWhen::fallen:
+      return settles_ ? beyond_ : fallen_;
+  }
+  return false;
 }
 
 void SeriesRecorder::finish(const Outcome& outcome, const StateView& end) {
   const Series& series = record_.series;
   if (plan_.series && outcome.end_time - series.time.back() > kSameInstant)
     add_sample({outcome.end_time, 1.0, {outcome.end_time, outcome.end_time, last_acceleration_, end, end}});
-
+  EndTable& table = record_.end;
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
-    record_.end.displacement.push_back(displacement(end.position[box], box));
-    record_.end.tilt.push_back(tilt(end.orientation[box], box));
-    record_.end.kinetic_energy.push_back(
+    table.end_displacement.push_back(displacement(end.position[box], box));
+    table.end_tilt.push_back(tilt_of(turn(end.orientation[box], box)));
+    table.end_kinetic_energy.push_back(
         static_cast<float>(kinetic_energy(box, end.velocity[box], end.angular_velocity[box], end.orientation[box])));
+  }
+  if (settles_) {
+    table.settling_peak_displacement = table.peak_displacement;
+    table.settling_peak_drop = table.peak_drop;
+    table.settling_peak_tilt = table.peak_tilt;
+    table.settling_displacement = table.end_displacement;
   }
   for (const auto& analysis : analyses_) analysis->finish(record_.found);
   WorldRow& row = record_.row;
   row.status = outcome.status;
+  if (row.status != Status::ok && std::isnan(row.status_time)) row.status_time = outcome.end_time;
+  row.caveats = outcome.caveats;
   row.stop_reason = outcome.stop_reason;
   row.end_time = outcome.end_time;
   row.boxes = static_cast<std::uint32_t>(boxes_.mass.size());
@@ -153,7 +198,7 @@ void SeriesRecorder::add_sample(const Instant& instant) {
   for (const auto& analysis : analyses_) analysis->sample();
 }
 
-void SeriesRecorder::update_peaks(const StateView& state) {
+void SeriesRecorder::update_peaks(const StateView& state, double time) {
   EndTable& end = record_.end;
   double total_energy = 0.0;
   for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
@@ -161,21 +206,26 @@ void SeriesRecorder::update_peaks(const StateView& state) {
     total_energy += energy;
     end.peak_kinetic_energy[box] = std::max(end.peak_kinetic_energy[box], static_cast<float>(energy));
     end.peak_speed[box] = std::max(end.peak_speed[box], static_cast<float>(state.velocity[box].norm()));
-    end.peak_displacement[box] = std::max(end.peak_displacement[box], length(displacement(state.position[box], box)));
+
+    Excursion peak{end.peak_displacement[box], end.peak_drop[box], end.peak_tilt[box]};
+    const Float3 moved_by = displacement(state.position[box], box);
+    peak.extend({length(moved_by), -moved_by.z, peak.tilt});
+    // sin² of half the angle grows with it, and costs less.
+    const Rotation turned_by = turn(state.orientation[box], box);
+    if (const double sine = turned_by.vec().squaredNorm(); sine > largest_tilt_sine_[box]) {
+      largest_tilt_sine_[box] = sine;
+      peak.tilt = std::max(peak.tilt, tilt_of(turned_by));
+    }
+    end.peak_displacement[box] = peak.displacement;
+    end.peak_drop[box] = peak.drop;
+    end.peak_tilt[box] = peak.tilt;
+    if (std::isnan(end.first_beyond[box]) && is_beyond(peak, plan_.thresholds)) {
+      end.first_beyond[box] = static_cast<float>(time);
+      beyond_ = true;
+    }
+    fallen_ = fallen_ || has_fallen(peak, plan_.thresholds);
   }
   record_.row.peak_total_kinetic_energy = std::max(record_.row.peak_total_kinetic_energy, total_energy);
-}
-
-bool SeriesRecorder::decides(const StateView& state) const {
-  if (plan_.stop_when == StopWhen::end) return false;
-  for (std::size_t box = 0; box < boxes_.mass.size(); ++box) {
-    const Float3 moved_by = displacement(state.position[box], box);
-    if (is_fallen(moved_by, plan_.thresholds)) return true;
-    if (plan_.stop_when == StopWhen::fallen) continue;
-    if (is_moved(moved_by, plan_.thresholds) || is_tilted(tilt(state.orientation[box], box), plan_.thresholds))
-      return true;
-  }
-  return false;
 }
 
 Float3 SeriesRecorder::displacement(const Vec3& position, std::size_t box) const {
@@ -189,10 +239,8 @@ double SeriesRecorder::kinetic_energy(std::size_t box, const Vec3& velocity, con
   return 0.5 * boxes_.mass[box] * velocity.squaredNorm() + 0.5 * spin.dot(boxes_.inertia[box].cwiseProduct(spin));
 }
 
-/// Angle of the rotation since the reference pose, degrees: 2 atan2(|vector part|, |scalar part|).
-float SeriesRecorder::tilt(const Rotation& container_from_body, std::size_t box) const {
-  const Rotation turn = container_from_body * reference_orientation_[box].conjugate();
-  return static_cast<float>(2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())) * 180.0 / std::numbers::pi);
+Rotation SeriesRecorder::turn(const Rotation& container_from_body, std::size_t box) const {
+  return container_from_body * reference_orientation_[box].conjugate();
 }
 
 }  // namespace holdfast::internal

@@ -10,30 +10,17 @@
 
 namespace holdfast::internal {
 
-/// How long all speeds must stay below the sleeping threshold before a world ends, s.
-inline constexpr double kSleepingTime = 0.5;
-
-/// How long a world may continue after the end of the acceleration if it ends by sleeping and there is no timeout, s.
-inline constexpr double kSleepingPatience = 60.0;
-
-/// The latest time at which a world ends, s: the timeout, or the end of the acceleration.
-double latest_end(const Acceleration& acceleration, const Settings& settings);
-
 /// How much of its simulated time a world was spared, since it ended early by StopWhen or was left out by FirstFailure,
 /// s; 0 for every other.
-/// @param latest_end as above
-double time_saved(Status status, StopReason stop_reason, double end_time, double latest_end);
-
-/// The phases that an engine is asked for: those of the acceleration, resampled where they are far shorter than its
-/// steps.
-/// @param end end of the simulated time, s
-std::vector<Phase> phases_for(const Engine& engine, const Acceleration& acceleration, double end);
+/// @param planned_end of the world, see `planned_end`
+double time_saved(Status status, StopReason stop_reason, double end_time, double planned_end);
 
 /// Simulates every world of the batch from settling to its end, and passes the steps to its recorder.
 ///
-/// For each world: gravity alone for the settling time; the start of the recorder at t = 0; every step, none of which
-/// crosses the end of a phase (`phases_for`); the end, early when the recorder has decided. A world whose state is no
-/// longer finite ends at the last finite state, with `Status::non_finite`.
+/// For each world, as `Journey` says: gravity alone until the load rests; from t = 0 every step, none of which crosses
+/// the end of a phase; the end, early when the recorder has decided. A world whose load goes beyond a limit while it
+/// settles is not accelerated. A world whose state is no longer finite ends at the last finite state, with
+/// `Status::non_finite`.
 /// @param batch     columns of the worlds, in the layout's pose; holds the final states afterwards
 /// @param recorders one per world, in the order of the batch
 /// @param abort     checked after every step; when it is set, the simulation stops

@@ -21,6 +21,7 @@ struct Acceleration {
   std::string name;    ///< file name without the folder; labels the results
   std::string sha256;  ///< of the file's bytes, 64 hexadecimal digits
   std::vector<Segment> segments;
+  std::string purpose = {};  ///< what a norm states it for alone, "sliding" or "tipping"; else empty
 
   /// End of the last segment, s; 0 without segments.
   double end_time() const;

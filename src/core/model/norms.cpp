@@ -150,6 +150,7 @@ std::vector<Acceleration> ChosenNorm::accelerations() const {
     if (!stated.purpose.empty()) made.name += '-' + std::string(stated.purpose);
     made.name += '-' + size_in_name(full);
     made.segments = segments_of(norm->profile, at_full_size(stated, full));
+    made.purpose = stated.purpose;
   }
   return accelerations;
 }

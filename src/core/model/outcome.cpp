@@ -15,6 +15,17 @@ std::string name_of(std::span<const OutcomeName> names, Enum value) {
   return found == names.end() ? "unknown" : std::string(found->name);
 }
 
+/// Names of the bits that are set, joined by '+'.
+std::string names_of(std::span<const OutcomeName> names, std::uint32_t bits) {
+  std::string text;
+  for (const OutcomeName& bit : names) {
+    if ((bits & bit.code) == 0) continue;
+    if (!text.empty()) text += '+';
+    text += bit.name;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string to_string(Verdict verdict) { return name_of(kVerdictNames, verdict); }
@@ -22,13 +33,10 @@ std::string to_string(StopReason reason) { return name_of(kStopReasonNames, reas
 std::string to_string(ReplicaVerdict verdict) { return name_of(kReplicaVerdictNames, verdict); }
 
 std::string to_string(Status status) {
-  std::string text;
-  for (const OutcomeName& bit : kStatusNames) {
-    if (!has(status, static_cast<Status>(bit.code))) continue;
-    if (!text.empty()) text += '+';
-    text += bit.name;
-  }
-  return text.empty() ? "ok" : text;
+  const std::string names = names_of(kStatusNames, static_cast<std::uint32_t>(status));
+  return names.empty() ? "ok" : names;
 }
+
+std::string to_string(Caveat caveats) { return names_of(kCaveatNames, static_cast<std::uint32_t>(caveats)); }
 
 }  // namespace holdfast::internal

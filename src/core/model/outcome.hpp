@@ -18,7 +18,7 @@ using holdfast::StopReason;
 using holdfast::Verdict;
 
 /// What a field is of, and where it is shown, as outcome_fields.h explains.
-enum class FieldScope : std::uint8_t { recorded, copied, message, stored, derived, summary };
+enum class FieldScope : std::uint8_t { recorded, message, stored, derived };
 
 /// The columns of a row of outcome_fields.h.
 struct OutcomeField {
@@ -45,10 +45,12 @@ struct OutcomeName {
 #define HOLDFAST_ROW_hash HOLDFAST_CPP_hash
 #define HOLDFAST_ROW_f32 HOLDFAST_CPP_f32
 #define HOLDFAST_ROW_f64 HOLDFAST_CPP_f64
+#define HOLDFAST_ROW_time HOLDFAST_CPP_time
 #define HOLDFAST_ROW_vec3(name) Float3 name = {};
 #define HOLDFAST_ROW_flag HOLDFAST_CPP_flag
 #define HOLDFAST_ROW_text HOLDFAST_CPP_text
 #define HOLDFAST_ROW_status(name) Status name = Status::ok;
+#define HOLDFAST_ROW_caveat(name) Caveat name = Caveat::none;
 #define HOLDFAST_ROW_verdict HOLDFAST_CPP_verdict
 #define HOLDFAST_ROW_stop_reason HOLDFAST_CPP_stop_reason
 #define HOLDFAST_COLUMN_u32(name) std::vector<std::uint32_t> name;
@@ -58,17 +60,13 @@ struct OutcomeName {
 #define HOLDFAST_COLUMN_vec3(name) std::vector<Float3> name;
 
 #define HOLDFAST_IF_FOUND_recorded(code) code
-#define HOLDFAST_IF_FOUND_copied(code) code
 #define HOLDFAST_IF_FOUND_message(code) code
 #define HOLDFAST_IF_FOUND_stored(code) code
 #define HOLDFAST_IF_FOUND_derived(code)
-#define HOLDFAST_IF_FOUND_summary(code)
 #define HOLDFAST_IF_JUDGED_recorded(code)
-#define HOLDFAST_IF_JUDGED_copied(code)
 #define HOLDFAST_IF_JUDGED_message(code)
 #define HOLDFAST_IF_JUDGED_stored(code)
 #define HOLDFAST_IF_JUDGED_derived(code) code
-#define HOLDFAST_IF_JUDGED_summary(code) code
 
 #define HOLDFAST_FOUND_MEMBER(scope, type, name, dataset, label, since, unit, sentence) \
   HOLDFAST_IF_FOUND_##scope(HOLDFAST_ROW_##type(name))
@@ -152,7 +150,6 @@ void visit_box_outcome(Visit&& visit) {
 #define HOLDFAST_WORLD_VALUE_message(name) row.name
 #define HOLDFAST_WORLD_VALUE_derived(name) verdict.name
 #define HOLDFAST_BOX_VALUE_recorded(name) ends.name[box]
-#define HOLDFAST_BOX_VALUE_copied(name) ends.name[box]
 #define HOLDFAST_BOX_VALUE_derived(name) verdict.name
 #define HOLDFAST_VISIT_VALUE(structure, from, scope, type, name, dataset, label, since, unit, sentence)              \
   HOLDFAST_IF_PUBLIC_##scope(                                                                                        \
@@ -173,16 +170,19 @@ void visit_box_values(const EndTable& ends, std::size_t box, const BoxVerdict& v
 #define HOLDFAST_NAME_ROW(name, c_name, code, sentence) OutcomeName{#name, code, sentence},
 inline constexpr OutcomeName kVerdictNames[] = {HOLDFAST_VERDICTS(HOLDFAST_NAME_ROW)};
 inline constexpr OutcomeName kStatusNames[] = {HOLDFAST_STATUS_BITS(HOLDFAST_NAME_ROW)};
+inline constexpr OutcomeName kCaveatNames[] = {HOLDFAST_CAVEAT_BITS(HOLDFAST_NAME_ROW)};
 inline constexpr OutcomeName kStopReasonNames[] = {HOLDFAST_STOP_REASONS(HOLDFAST_NAME_ROW)};
 inline constexpr OutcomeName kReplicaVerdictNames[] = {HOLDFAST_REPLICA_VERDICTS(HOLDFAST_NAME_ROW)};
 
-inline constexpr std::size_t kVerdictCount = std::size(kVerdictNames);
+/// Largest code of a verdict, and one more: codes that are not used any more count.
+inline constexpr std::size_t kVerdictCount = std::size_t{kVerdictNames[std::size(kVerdictNames) - 1].code} + 1;
 inline constexpr std::size_t kReplicaVerdictCount = std::size(kReplicaVerdictNames);
 
-/// Names as in outcome_fields.h, of a status those of its bits, joined by '+': "ok", "non_finite+not_converged".
-/// "unknown" for a code without name, which a damaged file may contain.
+/// Names as in outcome_fields.h, of a status and of caveats those of their bits, joined by '+': "ok", "",
+/// "non_finite+not_converged". "unknown" for a code without name, which a damaged file may contain.
 std::string to_string(Verdict verdict);
 std::string to_string(Status status);
+std::string to_string(Caveat caveats);
 std::string to_string(StopReason reason);
 std::string to_string(ReplicaVerdict verdict);
 

@@ -164,17 +164,22 @@ std::vector<SettingKey> make_table() {
       "Number of worlds simulated at the same time; 0 uses one thread per core.");
   add(OneOf<Schedulers>{}, "Scheduler", "", "tbb", MEMBER(screening.scheduler),
       "How worlds are distributed to threads; it does not affect the results.");
-  add(NotNegative{}, "SettleSeconds", "s", "0", MEMBER(screening.settle_seconds),
-      "Time under gravity alone before t = 0, not recorded.");
-  add(OneOf<ReferencePoses>{}, "ReferencePose", "", "layout", MEMBER(screening.reference_pose),
-      "The pose from which displacement is measured: that of the layout, or the one after settling.");
+  add(NotNegative{}, "SettleSeconds", "s", "2", MEMBER(screening.settle_seconds),
+      "Longest time under gravity alone before t = 0: the load settles until it rests. `holdfast run` and `holdfast "
+      "validate` have 0 where this is not given.");
+  add(NotNegative{}, "RunOutSeconds", "s", "5", MEMBER(screening.run_out_seconds),
+      "Longest time after the end of the acceleration: the load moves on until it rests. Without effect where a "
+      "timeout "
+      "or StoppingCondition ends the world; `holdfast run` has 0 where this is not given.");
+  add(OneOf<ReferencePoses>{}, "ReferencePose", "", "settled", MEMBER(screening.reference_pose),
+      "The pose from which displacement is measured: that of the layout, or the one at t = 0, after settling.");
   add(NotNegative{}, "MoveThreshold", "m", "0.1", MEMBER(screening.move_threshold),
       "A box has moved when its displacement is larger than this.");
   add(Angle{}, "TiltThreshold", "°", "10", MEMBER(screening.tilt_threshold),
       "A box is tilted when it has rotated by more than this.");
   add(OneOf<StopConditions>{}, "StopWhen", "", "end", MEMBER(screening.stop_when),
-      "Whether a world ends early: as soon as a box is beyond any of the three thresholds (`moved`) or has fallen "
-      "(`fallen`); its verdict is then `gave_way`, because boxes may come back.");
+      "When a world ends: at its end, or as soon as its verdict is decided, because a box is beyond any of the three "
+      "limits (`moved`) or has fallen (`fallen`). Its verdict is then at least what it says.");
   add(Truth{}, "FirstFailure", "", "false", MEMBER(screening.first_failure),
       "Whether a layout that does not hold one acceleration is spared the others, whose status is `not_needed`.");
   add(Truth{}, "Margins", "", "false", MEMBER(screening.margins),
@@ -336,9 +341,6 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
   if (settings.batch_simulation && settings.batch_path.empty())
     add("Simulation Settings", "BatchSimulation", "a batch has no folder to read from",
         "give BatchPath, or set BatchSimulation = false");
-  if (settings.screening.reference_pose == ReferencePose::settled && settings.screening.settle_seconds == 0.0)
-    add("Screening", "ReferencePose", "the settled pose is requested without time to settle",
-        "give SettleSeconds, or set ReferencePose = layout");
   const ScreeningSettings& screening = settings.screening;
   if (screening.replicas > 0 && screening.friction_spread == 0.0 && screening.acceleration_spread == 0.0 &&
       screening.play_shift == 0.0)

@@ -80,8 +80,9 @@ struct ScreeningSettings {
   std::string engine = "native";
   int threads = 0;  ///< 0: one per core
   Scheduler scheduler = Scheduler::tbb;
-  double settle_seconds = 0.0;  ///< gravity alone before t = 0, s
-  ReferencePose reference_pose = ReferencePose::layout;
+  double settle_seconds = 2.0;   ///< longest time under gravity alone before t = 0, s
+  double run_out_seconds = 5.0;  ///< longest time after the end of the acceleration, s
+  ReferencePose reference_pose = ReferencePose::settled;
   double drop_threshold = 0.05;  ///< m
   double move_threshold = 0.10;  ///< m
   double tilt_threshold = 10.0;  ///< degrees

@@ -35,22 +35,19 @@ that a layout inside the container in one convention is inside in the other. Fil
 left-handed frame) would be mirrored; convert these to `UpAxis = z`. Acceleration files always use the container's axes.
 )";
 
-constexpr std::string_view kStopWhenNote = R"(StopWhen is the question that a world is asked:
+constexpr std::string_view kStopWhenNote =
+    R"(What the verdicts mean, and what "beyond a limit" is, says [verdicts.md](verdicts.md). StopWhen says when a world ends:
 
-| StopWhen | question | a world ends early |
-| --- | --- | --- |
-| `end` | How are the boxes at the end: did one fall, move or tilt, or did all stay? | never |
-| `moved` | Is a box ever beyond DropThreshold, MoveThreshold or TiltThreshold? | with the first step at whose end one is |
-| `fallen` | Is a box ever beyond DropThreshold? | with the first step at whose end one is |
+| StopWhen | a world ends early |
+| --- | --- |
+| `end` | never, but a load that is unstable is not accelerated |
+| `moved` | with the first step at whose end a box is beyond DropThreshold, MoveThreshold or TiltThreshold |
+| `fallen` | with the first step at whose end a box is beyond DropThreshold |
 
-A world that ends early has the verdict `gave_way` and the stop reason `decided`; its end time, its counts of boxes and its last sample
-are those of that moment. It is not `moved` or `fell`, which are verdicts on the end: boxes that rock, or are pushed back, may come
-back, so that under `end` the same world may have stayed. It remains `gave_way` when it is judged by other thresholds later.
-
-Every other world has the verdict, and to the last bit the state, that it has under `end`. With `moved` what stayed has never been
-beyond a threshold, which is more than `end` asks; with `fallen` nothing that stayed or moved has ever fallen. Steps are looked at
-from t = 0 on, and a world that is decided by its last step has run to its end. A world in which the solver would have failed
-only later is not found out.
+A world that ends early has the stop reason `decided`. Its verdict is at least what it says, since a box that has moved may fall later, and
+its counts of boxes, its peaks and its last sample are those of that moment. It keeps this verdict when it is judged by looser limits later.
+Whether a world stays never depends on StopWhen: every world that does not end early has the verdict, and to the last bit the state, that
+it has under `end`. An acceleration that a norm states for sliding or for tipping alone is never cut short.
 
 FirstFailure spares a layout the accelerations that come after the first one that it does not hold: one under which its verdict is neither
 `stayed` nor `failed`. The worlds that are left out have the status and the verdict `not_needed`; they are counted by themselves, never

@@ -32,6 +32,7 @@ class NativeSimulation final : public SteppedSimulation {
   void set_friction(std::size_t world, const ContactSettings& contact) override {
     worlds_[world]->set_friction(contact);
   }
+  bool rests(std::size_t world) const override { return worlds_[world]->rests(); }
   void read_back(std::size_t world, StateColumns& state) const override { worlds_[world]->read_back(state); }
   SideImpulses side_impulses(std::size_t world) const override { return worlds_[world]->side_impulses(); }
   Counters counters(std::size_t world) const override { return worlds_[world]->counters(); }
@@ -53,6 +54,7 @@ NativeEngine::NativeEngine(const Settings& settings)
       pool_(std::make_shared<native::WorldMemoryPool>(options_)) {
   traits_.name = "native";
   traits_.rewinds = true;
+  traits_.proves_rest = true;
   traits_.measures_walls = true;
   traits_.takes_changes = true;
   traits_.longest_step = 1.0 / options_.steps_per_second;

@@ -184,6 +184,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
   sleeping_.wake(scene_);
   const bool any_moving = find_moving();
+  rests_ = !any_moving;
   if (!any_moving && options_.jump) {
     const std::uint64_t left = plan.step_count() - phase_step_;
     add_resting_pushes(plan.step() * static_cast<double>(left));

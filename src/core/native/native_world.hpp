@@ -37,6 +37,9 @@ class NativeWorld {
   void set_force(std::size_t box, const BoxForce& force);
   void set_friction(const ContactSettings& contact);
 
+  /// True when every body was proved to rest in the last `advance`.
+  bool rests() const { return rests_; }
+
   /// Writes the world's range of the columns.
   void read_back(StateColumns& state) const;
 
@@ -152,6 +155,7 @@ class NativeWorld {
   };
   Mark mark_;
 
+  bool rests_ = false;
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
   bool gravity_changed_ = false;       ///< g − a, or what acts from outside, has changed since the last step

@@ -11,9 +11,7 @@ namespace holdfast::internal {
 namespace {
 
 /// Fields that CSV has: all that are shown, but hashes, which readers take for numbers.
-bool in_csv(const OutcomeField& field) {
-  return !field.label.empty() && field.scope != FieldScope::copied && field.type != "hash";
-}
+bool in_csv(const OutcomeField& field) { return !field.label.empty() && field.type != "hash"; }
 
 std::string world_header() {
   std::string header = "world,layout,acceleration";

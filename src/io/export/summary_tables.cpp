@@ -44,6 +44,7 @@ void write_file(const h5::File& source, const std::string& path, const Threshold
   h5::write_attribute(file, "/", "engine", info.engine);
   for (const std::string_view name : kNamingDatasets) copy_dataset(source, file, dataset_spec(name));
   write_thresholds(file, thresholds);
+  h5::write_attribute(file, "/summary", "judged", std::string_view(info.judged_at_end() ? "at the end" : "by peaks"));
   write_summary_tables(file, *results, thresholds);
   file.close();
   commit_temporary(path);

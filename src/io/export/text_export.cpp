@@ -97,16 +97,16 @@ void write_resumed(ResultsReader& results, const SummarySlice& slice, std::size_
   if (!boxes) throw h5::Failure(boxes.error());
   OutputFile file(path);
   file.write(heading(results.info(), row));
-  file.write("# number of fallen boxes\n" + outcome(row, slice.worlds[world].fallen) + '\n');
+  file.write("# number of fallen boxes\n" + outcome(row, slice.worlds[world].fallen_at_end) + '\n');
   file.write("# id  displacement of the centre of mass x y z [m]  kinetic energy [J]\n");
   std::string lines;
   for (std::size_t box = 0; box < row.boxes; ++box) {
     const std::size_t i = row.box_begin - slice.box_begin + box;
-    const Float3& d = slice.boxes[i].displacement;
-    lines += fmt::format("{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z, slice.boxes[i].kinetic_energy);
+    const Float3& d = slice.ends.end_displacement[i];
+    lines += fmt::format("{} {} {} {} {}\n", boxes->id[box], d.x, d.y, d.z, slice.ends.end_kinetic_energy[i]);
   }
   file.write(lines);
-  file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds[world].total_kinetic_energy) + '\n');
+  file.write("# total kinetic energy [J]\n" + outcome(row, slice.worlds[world].end_kinetic_energy) + '\n');
   file.close();
 }
 
@@ -120,8 +120,8 @@ void export_slice(ResultsReader& results, const SummarySlice& slice, const std::
     write_resumed(results, slice, world, folder + "/" + resumed_file(pair));
     batch.write(fmt::format("{}\t{}\t{}\t{}\n", printable(results.info().layout_name(row.layout)),
                             printable(results.info().acceleration_name(row.acceleration)),
-                            outcome(row, slice.worlds[world].fallen),
-                            outcome(row, slice.worlds[world].total_kinetic_energy)));
+                            outcome(row, slice.worlds[world].fallen_at_end),
+                            outcome(row, slice.worlds[world].end_kinetic_energy)));
   }
 }
 

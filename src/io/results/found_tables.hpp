@@ -31,6 +31,7 @@ Result<std::vector<Found>> read_found(ResultsReader& results, std::size_t rows, 
     using Entry = EntryOfFound<Found, decltype(member)>;
     constexpr bool kIsColumn = !std::is_same_v<Entry, std::decay_t<decltype(all.front().*member)>>;
     const bool of_samples = content.axis == Axis::samples;
+    if (content.since > results.info().version) return;  // it stays what it is in a new `Found`
     if (error || rows == 0 || (kIsColumn && depth < (of_samples ? Depth::samples : Depth::boxes))) return;
     const Result<EntryRange> range = range_of(content.axis);
     std::uint64_t count = 0;

@@ -36,7 +36,9 @@ The row of a world says where its entries begin:
 
 Within a world, rows are sorted by sample, then by box: `row = row_begin + sample * box_count + box`.
 The file stores displacements, not positions; the position of a centre of mass is
-`initial_position + displacement` (plus `settling_displacement` when `ReferencePose = settled`).
+`initial_position + displacement`, plus `settling_displacement` when `ReferencePose = settled`, unless the world is
+unstable: it was not accelerated, its series is that of settling, with negative times, and displacements are from the
+layout's pose. What the verdicts and peaks mean is in [verdicts.md](verdicts.md).
 The container's frame has x along its length (front wall at 0), y across, z up.
 
 ## How to read it
@@ -61,7 +63,8 @@ with h5py.File("results.h5") as f:
     table = pd.DataFrame({k: f["summary/worlds"][k][:] for k in f["summary/worlds"]})
     table["layout"] = f["inputs/layouts/name"].asstr()[:][f["worlds/layout"][:]]
     table["acceleration"] = f["inputs/accelerations/name"].asstr()[:][f["worlds/acceleration"][:]]
-table["verdict"] = pd.Categorical.from_codes(table["verdict"], ["stayed", "moved", "fell", "unstable", "failed", "gave_way", "not_needed"])
+verdicts = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not_needed"}
+table["verdict"] = table["verdict"].map(verdicts)
 ```
 
 The run is described by `dict(f.attrs)`, `f["inputs/config"].asstr()[()]`, and `dict(f["inputs/settings"].attrs)`, which
@@ -80,7 +83,8 @@ has every effective setting as `Section/Key`.
 | `worlds_begin`, `boxes_begin`, … | one attribute per axis: in a part, the index of its first entry in the run; otherwise 0 |
 
 `/summary` has the attributes `drop_threshold` (m), `move_threshold` (m) and `tilt_threshold` (degree): the thresholds
-of its tables. `holdfast summary` derives the tables again for other thresholds, as CSV or a new file.
+of its tables. `holdfast summary` derives the tables again for other thresholds, as CSV or a new file, whose attribute
+`judged` says `by peaks`, or `at the end`, as it is for files of versions 1 and 2, which have no peaks.
 
 ## What the status of a world means
 )";
@@ -147,12 +151,16 @@ std::string results_page() {
   const auto to = std::back_inserter(page);
   page +=
       "\n`/worlds/status` is 0 if nothing went wrong, otherwise the sum of these bits. Read it, or `verdict` in "
-      "`/summary/worlds`, which is then 4 (failed) or 6 (not_needed), before the other numbers of the summary. A world "
-      "that was not "
+      "`/summary/worlds`, before the other numbers of the summary. A world that was not "
       "simulated has no numbers of boxes: in `/summary/worlds` they are 4294967295, the largest number that fits, and "
       "the other numbers are NaN; in CSV these fields are empty, in JSON null.\n\n| bit | name | meaning and cure |\n";
   page += "| --- | --- | --- |\n";
   for (const OutcomeName& bit : kStatusNames)
+    fmt::format_to(to, "| {} | `{}` | {} |\n", bit.code, bit.name, bit.sentence);
+  page +=
+      "\n`/worlds/caveats` is 0, or the sum of bits that change no verdict:\n\n| bit | name | meaning |\n"
+      "| --- | --- | --- |\n";
+  for (const OutcomeName& bit : kCaveatNames)
     fmt::format_to(to, "| {} | `{}` | {} |\n", bit.code, bit.name, bit.sentence);
   page += kParts;
   std::string_view folder;

@@ -58,7 +58,6 @@ Entry unknown() {
 struct ResultsReader::State {
   std::unique_ptr<h5::File> owned;  ///< absent if the file belongs to a writer
   const h5::File* file = nullptr;
-  std::uint64_t version = kFormatVersion;
   ResultsInfo info;
   AxisCounts before{};                               ///< entries of the run before those of the file
   std::map<std::string_view, h5::Dataset> datasets;  ///< kept open: their chunk caches are used for the next world
@@ -90,7 +89,7 @@ struct ResultsReader::State {
   /// The same of a field; a file of an earlier version does not have all.
   template <class Row, class Entry>
   void read_field(const OutcomeField& field, std::uint64_t begin, Entry Row::*member, std::vector<Row>& rows) {
-    if (field.since > version) {
+    if (field.since > info.version) {
       for (Row& row : rows) row.*member = unknown<Entry>();
       return;
     }
@@ -103,7 +102,7 @@ struct ResultsReader::State {
   }
 
   void read_info() {
-    version = check_format(*file);
+    info.version = check_format(*file);
     info.path = file->path();
     const auto text = [&](const char* name) { return h5::read_text_attribute(*file, "/", name); };
     info.software = text("software");
@@ -172,7 +171,7 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
     visit_world_row<WorldRow>(
         [&](const OutcomeField& field, auto member) { state_->read_field(field, begin, member, rows); });
     for (WorldRow& row : rows) {
-      if (state_->version == 1) row.residual_scale = 1.0;
+      if (state_->info.version == 1) row.residual_scale = 1.0;
       row.box_begin -= at(state_->before, Axis::boxes);
       row.sample_begin -= at(state_->before, Axis::samples);
       row.row_begin -= at(state_->before, Axis::rows);
@@ -208,7 +207,7 @@ Result<EndTable> ResultsReader::ends(std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] {
     EndTable table;
     visit_ends<EndTable>([&](const OutcomeField& field, auto member) {
-      if (field.since <= state_->version)
+      if (field.since <= state_->info.version)
         state_->read(field.dataset, begin, count, table.*member);
       else
         (table.*member).assign(count, unknown<EntryOf<std::decay_t<decltype(table.*member)>>>());
@@ -227,16 +226,6 @@ Result<Series> ResultsReader::series(const WorldRow& world) {
                    series.*member);
     };
     visit_series(read);
-    return series;
-  });
-}
-
-Result<Series> ResultsReader::path_of(const WorldRow& world) {
-  return h5::caught_result(state_->file->path(), [&] {
-    Series series;
-    state_->read("/series/time", world.sample_begin, world.sample_count, series.time);
-    state_->read("/series/displacement", world.row_begin, std::uint64_t{world.sample_count} * world.boxes,
-                 series.displacement);
     return series;
   });
 }

@@ -23,7 +23,8 @@ struct EntryRange {
 
 /// The description of a run in its results file.
 struct ResultsInfo {
-  std::string path;  ///< as it was opened, for messages
+  std::string path;           ///< as it was opened, for messages
+  std::uint64_t version = 0;  ///< of its format
   std::string software;
   std::string git_commit;
   std::string engine;
@@ -32,7 +33,7 @@ struct ResultsInfo {
   std::string host;
   std::string fingerprint;
   bool complete = false;           ///< false for a part
-  Thresholds thresholds;           ///< of its summary
+  Thresholds thresholds;           ///< of the run, and of its summary
   std::string norm;                ///< of the run; empty: none
   RunTables analyses;              ///< what the run was asked for beside the verdicts
   std::uint64_t world_begin = 0;   ///< index in the run of the file's first world; 0 unless a part
@@ -45,6 +46,12 @@ struct ResultsInfo {
   bool has(const AnalysisTables& tables) const {
     return std::find(analyses.begin(), analyses.end(), &tables) != analyses.end();
   }
+
+  /// Files of versions 1 and 2 have no peaks: their worlds are judged by where boxes are at the end.
+  bool judged_at_end() const { return version < 3; }
+
+  /// How its worlds are judged by other thresholds, or by its own.
+  Judging judging(const Thresholds& limits) const { return {limits, thresholds, judged_at_end()}; }
 
   /// Names of a world's inputs; for a layout that is not described in the file (a part), its index.
   std::string layout_name(std::uint64_t layout) const;
@@ -89,9 +96,6 @@ class ResultsReader {
 
   /// The series of a world; empty when not recorded.
   Result<Series> series(const WorldRow& world);
-
-  /// The series of a world with time and displacement only.
-  Result<Series> path_of(const WorldRow& world);
 
  private:
   struct State;

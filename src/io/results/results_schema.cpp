@@ -74,13 +74,12 @@ class Collector {
   template <class Row, class Member>
   void operator()(const OutcomeField& field, Member Row::* /*member*/) {
     using Entry = EntryOf<Member>;
-    const bool judged = field.scope == FieldScope::derived || field.scope == FieldScope::summary;
+    const bool judged = field.scope == FieldScope::derived;
     const bool of_worlds = field.dataset.starts_with("/worlds/") || field.dataset.starts_with("/summary/worlds/");
-    specs_.push_back({{field.dataset, of_worlds ? Axis::worlds : Axis::boxes, field.unit, field.sentence},
+    specs_.push_back({{field.dataset, of_worlds ? Axis::worlds : Axis::boxes, field.unit, field.sentence, field.since},
                       element_type_of<Entry>(),
                       width_of<Entry>(),
-                      judged ? Origin::derived : Origin::recorded,
-                      field.since});
+                      judged ? Origin::derived : Origin::recorded});
   }
 
  private:

@@ -62,6 +62,7 @@ struct DatasetContent {
   Axis axis;
   std::string_view units;  ///< "1": a number without unit; "none": text
   std::string_view description;
+  std::uint64_t since = 1;  ///< version of the file that has it first
 };
 
 /// One dataset of the results file.
@@ -69,7 +70,6 @@ struct DatasetSpec : DatasetContent {
   ElementType type;
   std::size_t width;  ///< numbers per entry: 1, or the length of the second dimension
   Origin origin = Origin::recorded;
-  std::uint64_t since = 1;                   ///< version of the file that has it first
   const AnalysisTables* analysis = nullptr;  ///< the dataset is there where a run was asked for it; null: always
 };
 
@@ -87,8 +87,8 @@ inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
 inline constexpr std::size_t kWholeTableBytes = 1024;
 
 /// Version of the layout of the file; it is raised when a reader of the old layout would misread the new one.
-/// Version 2 has max_residual in m/s, and its scale beside it; version 1 has the ratio of the two. Version 3 has
-/// peak speeds of boxes.
+/// Version 2 has max_residual in m/s, and its scale beside it; version 1 has the ratio of the two. Version 3 has what
+/// boxes ever did, by which worlds are judged; in earlier versions they are judged by where boxes are at the end.
 inline constexpr std::uint64_t kFormatVersion = 3;
 inline constexpr std::string_view kFormatName = "holdfast results";
 

@@ -28,22 +28,6 @@ EndTable part_of(const EndTable& end, std::size_t begin, std::size_t count) {
   return part;
 }
 
-/// Verdicts on the boxes of a world. A box whose peak displacement is below the threshold has never moved, so that the
-/// series of most worlds need not be read.
-/// @param first_moves called for the other worlds: times at which their boxes first moved
-template <class FirstMoves>
-std::vector<BoxVerdict> judge_boxes(const EndTable& end, const Thresholds& thresholds, FirstMoves&& first_moves) {
-  std::vector<BoxVerdict> boxes;
-  for (std::size_t i = 0; i < end.displacement.size(); ++i) boxes.push_back(judge_box(end, i, thresholds));
-  const auto& peak = end.peak_displacement;
-  const bool any =
-      std::any_of(peak.begin(), peak.end(), [&](float p) { return !(static_cast<double>(p) <= thresholds.move); });
-  if (!any) return boxes;
-  const std::vector<float> times = first_moves();
-  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].first_move_time = times[i];
-  return boxes;
-}
-
 /// Takes as many of the rows as fit into a slice.
 std::vector<WorldRow> take_slice(std::vector<WorldRow> rows) {
   std::uint64_t boxes = 0;
@@ -67,7 +51,7 @@ void check_ranges(const ResultsInfo& info, const SummarySlice& slice) {
   }
 }
 
-SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, std::uint64_t world_begin,
+SummarySlice derive_slice(ResultsReader& results, const Judging& judging, std::uint64_t world_begin,
                           std::uint64_t box_begin) {
   const std::uint64_t left = results.info().world_count - world_begin;
   SummarySlice slice;
@@ -79,11 +63,8 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
   slice.ends = value_of(results.ends(slice.box_begin, box_count));
   for (const WorldRow& row : slice.rows) {
     const EndTable end = part_of(slice.ends, row.box_begin - slice.box_begin, row.boxes);
-    slice.worlds.push_back(judge_world(row, end, thresholds));
-    const std::vector<BoxVerdict> boxes = judge_boxes(end, thresholds, [&] {
-      const Series series = value_of(results.path_of(row));
-      return first_move_times(series.time, series.displacement, row.boxes, thresholds);
-    });
+    slice.worlds.push_back(judge_world(row, end, judging));
+    const std::vector<BoxVerdict> boxes = judge_boxes(end, judging);
     slice.boxes.insert(slice.boxes.end(), boxes.begin(), boxes.end());
   }
   return slice;
@@ -91,20 +72,21 @@ SummarySlice derive_slice(ResultsReader& results, const Thresholds& thresholds, 
 
 }  // namespace
 
-std::vector<BoxVerdict> judge_boxes(const WorldRecord& world, const Thresholds& thresholds) {
-  return judge_boxes(world.end, thresholds, [&] {
-    return first_move_times(world.series.time, world.series.displacement, world.end.displacement.size(), thresholds);
-  });
+std::vector<BoxVerdict> judge_boxes(const EndTable& end, const Judging& judging) {
+  std::vector<BoxVerdict> boxes;
+  for (std::size_t i = 0; i < end.end_displacement.size(); ++i) boxes.push_back(judge_box(end, i, judging));
+  return boxes;
 }
 
 std::optional<Error> derive_summary(ResultsReader& results, const Thresholds& thresholds,
                                     const std::function<std::optional<Error>(const SummarySlice&)>& visit) {
   return h5::caught("", [&] {
     const ResultsInfo& info = results.info();
+    const Judging judging = info.judging(thresholds);
     // A part may repeat boxes of worlds of the previous part.
     std::uint64_t box = info.complete || info.world_count == 0 ? 0 : value_of(results.worlds(0, 1)).front().box_begin;
     for (std::uint64_t world = 0; world < info.world_count;) {
-      const SummarySlice slice = derive_slice(results, thresholds, world, box);
+      const SummarySlice slice = derive_slice(results, judging, world, box);
       if (const auto error = visit(slice)) throw h5::Failure(*error);
       world += slice.rows.size();
       box += slice.boxes.size();

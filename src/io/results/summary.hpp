@@ -22,8 +22,8 @@ struct SummarySlice {
   std::vector<BoxVerdict> boxes;
 };
 
-/// Verdicts on the boxes of a world, with the times of their first moves.
-std::vector<BoxVerdict> judge_boxes(const WorldRecord& world, const Thresholds& thresholds);
+/// Judgement on the boxes of a world.
+std::vector<BoxVerdict> judge_boxes(const EndTable& end, const Judging& judging);
 
 /// Derives the summary of all worlds in slices, in the order of the file; memory does not grow with the file.
 /// Used for other thresholds, and for printing; the summary in a results file is derived when each world finishes.

@@ -29,7 +29,7 @@ WorldRow row_of(const WorldRecord& world, const RunDescription& run, const AxisC
 void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end, ColumnSet& columns) {
   const std::size_t box_count = world.boxes.id.size();
   const std::size_t sample_count = world.series.time.size();
-  assert(world.end.displacement.size() == box_count && world.end.settling_displacement.size() == box_count);
+  assert(world.end.end_displacement.size() == box_count && world.end.settling_displacement.size() == box_count);
   assert(world.series.displacement.size() == sample_count * box_count);
 
   const auto append_from = [&](const auto& from) {
@@ -39,8 +39,8 @@ void append_world(WorldRecord& world, const RunDescription& run, AxisCounts& end
   visit_boxes(append_from(world.boxes));
   visit_ends<EndTable>(append_from(world.end));
   columns["/boxes/world"].append(std::vector<std::uint64_t>(box_count, at(end, Axis::worlds)));
-  visit_world_verdict<WorldVerdict>(append_from(judge_world(world.row, world.end, run.thresholds)));
-  const std::vector<BoxVerdict> boxes = judge_boxes(world, run.thresholds);
+  visit_world_verdict<WorldVerdict>(append_from(judge_world(world.row, world.end, by_run(run.thresholds))));
+  const std::vector<BoxVerdict> boxes = judge_boxes(world.end, by_run(run.thresholds));
   visit_box_verdict<BoxVerdict>(
       [&](const OutcomeField& field, auto member) { columns[field.dataset].append(boxes, member); });
   for (const AnalysisTables* analysis : run.analyses)

@@ -62,7 +62,6 @@ class OpenClSimulation final : public Simulation {
   }
 
   void advance(std::span<AdvanceRequest> requests) override {
-    std::uint64_t count = std::numeric_limits<std::uint64_t>::max();
     for (WorldStep& step : steps_) step = {};
     for (BodyRange& range : device_.ranges) range.stepping = false;
     for (const AdvanceRequest& request : requests) {
@@ -70,7 +69,6 @@ class OpenClSimulation final : public Simulation {
       if (!world.begun || request.phase.begin != world.phase_begin)
         world = {true, world.lost, request.phase.begin, 0, world.counters};
       const StepPlan plan(request.phase, steps_per_second_);
-      count = std::min(count, steps_to_stop(plan, world.step, request.output_time));
       const Vec3 field = gravity_ - request.phase.acceleration;
       steps_[request.world].field_and_step = {static_cast<float>(field.x()), static_cast<float>(field.y()),
                                               static_cast<float>(field.z()), static_cast<float>(plan.step())};
@@ -79,16 +77,16 @@ class OpenClSimulation final : public Simulation {
 
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = processor_seconds();
-    take_steps(count);
+    take_step();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     const double waited = std::max(0.0, wall.count() - (processor_seconds() - cpu_begin));
 
     for (AdvanceRequest& request : requests) {
       ClockedWorld& world = worlds_[request.world];
-      world.step += count;
+      ++world.step;
       request.reached = StepPlan(request.phase, steps_per_second_).end_of(world.step - 1);
-      world.counters.steps += count;
-      world.counters.solve_iterations += count * sweeps_;
+      ++world.counters.steps;
+      world.counters.solve_iterations += sweeps_;
       world.counters.device_seconds += waited / static_cast<double>(requests.size());
     }
   }
@@ -122,15 +120,6 @@ class OpenClSimulation final : public Simulation {
 
   static Vec3 vector_of(const Float4Column& v) { return {v[0], v[1], v[2]}; }
 
-  /// Number of steps up to the last end of a step that is not after `output_time`; at least one, never past the phase.
-  static std::uint64_t steps_to_stop(const StepPlan& plan, std::uint64_t taken, double output_time) {
-    const std::uint64_t left = plan.step_count() - taken;
-    if (plan.end_of(plan.step_count() - 1) <= output_time) return left;
-    std::uint64_t count = 1;
-    while (count < left && plan.end_of(taken + count) <= output_time) ++count;
-    return count;
-  }
-
   /// Number of bodies of the largest part, or of shapes if there are more.
   std::size_t room_needed() const {
     std::size_t room = device_.shapes.size();
@@ -142,11 +131,11 @@ class OpenClSimulation final : public Simulation {
     return {device_.ranges[part.begin].begin, device_.ranges[part.end - 1].end};
   }
 
-  /// Advances all worlds by `count` steps. A part that overflows the device is halved and repeats these steps.
-  void take_steps(std::uint64_t count) {
+  /// Advances all worlds by a step. A part that overflows the device is halved and repeats it.
+  void take_step() {
     for (std::size_t i = 0; i < parts_.size();) {
       const Part part = parts_[i];
-      if (step_part(part, count)) {
+      if (step_part(part)) {
         ++i;
       } else if (part.world_count() > 1) {
         parts_[i].end = part.begin + part.world_count() / 2;
@@ -159,7 +148,7 @@ class OpenClSimulation final : public Simulation {
   }
 
   /// False, without any change, if the device reports an error or loses data.
-  bool step_part(const Part& part, std::uint64_t count) {
+  bool step_part(const Part& part) {
     std::vector<BodyRange> ranges;
     const BodyRange all = bodies_of(part);
     bool stepping = false;
@@ -178,10 +167,8 @@ class OpenClSimulation final : public Simulation {
       on_device_ = part;
     }
     bool well = session.take_error().empty();
-    for (std::uint64_t i = 0; i < count && well; ++i) {
-      session.step(steps_, ranges);
-      well = session.take_error().empty();
-    }
+    if (well) session.step(steps_, ranges);
+    well = well && session.take_error().empty();
     after_.resize(bodies.size());
     if (well) session.read(after_);
     well = well && session.take_error().empty();
@@ -225,7 +212,6 @@ OpenClEngine::OpenClEngine(const std::string& name, const Settings& settings, co
   const std::size_t fitting = std::max<std::size_t>(1, bodies_at_once_ / kBoxesPerLayout);
   traits_.layouts_per_unit = std::min(static_cast<std::size_t>(settings.opencl.layouts_per_batch), fitting);
   traits_.all_together = true;
-  traits_.shows_every_step = false;
 }
 
 Result<std::unique_ptr<Engine>> OpenClEngine::make(const std::string& name, const Settings& settings) {

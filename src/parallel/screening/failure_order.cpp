@@ -11,7 +11,7 @@ constexpr std::size_t kFirstBlock = 8;
 constexpr std::size_t kLongestBlock = 256;
 
 Verdict verdict_of(const WorldRecord& world, const Thresholds& thresholds) {
-  return judge_world(world.row, world.end, thresholds).verdict;
+  return judge_world(world.row, world.end, by_run(thresholds)).verdict;
 }
 
 }  // namespace

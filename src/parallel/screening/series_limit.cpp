@@ -2,27 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "core/engine/simulate.hpp"
+#include "core/engine/journey.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
 std::string at_most(double number) {
-  return fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, or --no-series", number);
+  return fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, less RunOutSeconds, or --no-series", number);
 }
 
 }  // namespace
 
 double most_samples(const Acceleration& acceleration, const Settings& settings) {
-  return std::floor(latest_end(acceleration, settings) / settings.results_interval) + 2.0;
+  const double longest = std::max(latest_end(acceleration, settings), settings.screening.settle_seconds);
+  return std::floor(longest / settings.results_interval) + 2.0;
 }
 
 std::optional<Error> check_samples(const std::string& path, const Acceleration& acceleration,
                                    const Settings& settings) {
-  const double samples = latest_end(acceleration, settings) / settings.results_interval;
+  const double samples = most_samples(acceleration, settings) - 2.0;
   if (samples <= kMostSamples) return std::nullopt;
   return Error{.file = path,
                .what = "would give a world too many samples",

@@ -17,7 +17,8 @@ inline constexpr double kMostSamples = 200'000;
 /// world's end.
 inline constexpr double kMostRows = 20'000'000;
 
-/// Samples of a world under an acceleration, at most: one at the begin and one at the end besides those in between.
+/// Samples of a world under an acceleration, at most: one at the begin and one at the end besides those in between, of
+/// settling or from t = 0 on.
 double most_samples(const Acceleration& acceleration, const Settings& settings);
 
 /// What the series of an acceleration would be too long for, if they are.

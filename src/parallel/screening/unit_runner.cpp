@@ -175,7 +175,7 @@ std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<const Layo
   std::vector<std::unique_ptr<SeriesRecorder>> owners;
   std::vector<Recorder*> recorders;
   for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
-    RecordingPlan plan = plan_;
+    RecordingPlan plan = plan_for(plan_, *batch.worlds[i].acceleration);
     plan.samples = static_cast<std::size_t>(most_samples(*batch.worlds[i].acceleration, settings_));
     owners.push_back(std::make_unique<SeriesRecorder>(plan));
     recorders.push_back(owners.back().get());

@@ -20,11 +20,8 @@ class ObservingRecorder final : public Recorder {
   ObservingRecorder(const Observer& observer, std::function<void()> seen_enough)
       : observer_(observer), seen_enough_(std::move(seen_enough)) {}
 
-  void start(const BoxView& /*boxes*/, const StateView& /*layout*/, const StateView& settled) override {
-    tell({0.0, 0.0, settled});
-  }
-  /// Every step end is wanted: the next one after the last.
-  double output_time() const override { return enough_ ? std::numeric_limits<double>::infinity() : outcome_.end_time; }
+  void start(const BoxView& /*boxes*/, const StateView& /*layout*/, double /*time*/) override {}
+  void accelerate(const StateView& settled) override { tell({0.0, 0.0, settled}); }
   void step(const Step& step) override { tell({step.end, step.end - step.begin, step.after}); }
   void finish(const Outcome& outcome, const StateView& /*end*/) override { outcome_ = outcome; }
 
@@ -48,6 +45,8 @@ class ObservingRecorder final : public Recorder {
 Settings settings_of(const Scene& scene, const EngineSetting& setting) {
   Settings settings = scene.settings;
   setting.choose(settings);
+  // The world begins and ends with the acceleration of the scene.
+  settings.screening.settle_seconds = settings.screening.run_out_seconds = 0.0;
   for (std::optional<double>* rate : {&settings.steps_per_second, &settings.bullet.steps_per_second})
     if (*rate) **rate /= scene.step_factor;
   return settings;
@@ -108,7 +107,7 @@ std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<co
         std::count_if(boxes.mass.begin(), boxes.mass.end(), [](double mass) { return std::isfinite(mass); });
     outcomes.push_back(owned[world]->outcome());
     cost_.cpu_seconds += outcomes.back().counters.device_seconds;
-    cost_.box_seconds += static_cast<double>(movable) * (outcomes.back().end_time + settings.screening.settle_seconds);
+    cost_.box_seconds += static_cast<double>(movable) * outcomes.back().end_time;
   }
   return outcomes;
 }

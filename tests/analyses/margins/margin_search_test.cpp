@@ -83,17 +83,41 @@ TEST_CASE("margin_search: the seed's example", "[margin_search]") {
   CHECK(margins.margin[2] == kLargestMargin);
 }
 
-TEST_CASE("margin_search: what does not stand has a negative margin", "[margin_search]") {
-  const Settings settings = open_floor(0.5);
+TEST_CASE("margin_search: what is unstable has a negative margin", "[margin_search]") {
+  Settings settings = open_floor(0.5);
+  settings.screening.settle_seconds = 2.0;
   const LayoutMargins falling = margins_of(layout_of({box({9, 9, 0.5}, {1, 1, 1})}), settings);
   for (const double margin : falling.margin) CHECK(margin == Approx(-1.0).margin(0.05));
   CHECK(falling.critical_box == std::array<std::uint32_t, 4>{1, 1, 1, 1});
+  CHECK(falling.margin_within_limits == falling.margin);
   // Nearly half of it is supported: it tips slowly.
   const Layout tipping = layout_of({box({9, 9, 0}, {0.49, 1, 1}), box({9, 9, 1}, {1, 1, 0.4})});
   const LayoutMargins margins = margins_of(tipping, settings);
   CHECK(margins.margin[0] < 0.0);
   CHECK(margins.margin[0] > -0.5);
   CHECK(margins.critical_box[0] == 2);
+}
+
+TEST_CASE("margin_search: a load that falls into place first has the margins of its place", "[margin_search]") {
+  Settings settings = open_floor(0.5);
+  settings.screening.settle_seconds = 2.0;
+  const LayoutMargins margins = margins_of(layout_of({box({9, 9, 0.007}, {1, 1, 0.5})}), settings);
+  for (std::size_t i = 0; i < 4; ++i) {
+    check_margin(margins.margin[i], 0.5);
+    check_margin(margins.margin_within_limits[i], 0.5);
+  }
+}
+
+TEST_CASE("margin_search: a load that closes a gap stays within the limits", "[margin_search]") {
+  // 5 cm in front of the wall: above 0.5 g it slides there and stands.
+  Settings settings;
+  settings.contact.friction_model = FrictionModel::pairs;
+  const LayoutMargins margins = margins_of(layout_of({box({0.05, 1, 0}, {1, 1, 0.3})}), settings);
+  check_margin(margins.margin[0], 0.5);
+  CHECK(margins.margin_within_limits[0] == kLargestMargin);
+  CHECK(margins.critical_box[0] == 1);
+  CHECK(margins.critical_box_within_limits[0] == 0);
+  check_margin(margins.margin_within_limits[1], 0.5);
 }
 
 TEST_CASE("margin_search: nothing comes of a search that is aborted", "[margin_search]") {

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "scenes.hpp"
 
@@ -28,9 +27,21 @@ class HandDriven {
   StateColumns now;  ///< state at the end of the next step
 
   StateView view_of(const StateColumns& state) const { return view(state, batch_.worlds[0]); }
-  void start() { recorder.start(view(batch_.boxes, batch_.worlds[0]), view_of(batch_.state), view_of(now)); }
-  void step(double until, const Vec3& acceleration = Vec3::Zero()) {
-    recorder.step({time_, until, acceleration, view_of(before_), view_of(now)});
+  void start() {
+    recorder.start(view(batch_.boxes, batch_.worlds[0]), view_of(batch_.state), 0.0);
+    recorder.accelerate(view_of(now));
+  }
+  /// The load settles first.
+  void settle_from(double time) {
+    recorder.start(view(batch_.boxes, batch_.worlds[0]), view_of(batch_.state), time);
+    time_ = time;
+  }
+  void accelerate() {
+    recorder.accelerate(view_of(before_));
+    time_ = 0.0;
+  }
+  void step(double until, const Vec3& acceleration = Vec3::Zero(), Status status = Status::ok) {
+    recorder.step({time_, until, acceleration, view_of(before_), view_of(now), status});
     before_ = now;
     time_ = until;
   }
@@ -59,10 +70,8 @@ bool is_positive_zero(float number) { return same_bits(number, 0.0F); }
 TEST_CASE("series_recorder: samples lie at 0, at every interval and at the end", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1});
   world.start();
-  CHECK(world.recorder.output_time() == 0.1);
   world.step(0.08);
   world.step(0.13);
-  CHECK(world.recorder.output_time() == 0.2);
   world.step(0.45);
   const Series series = world.finish().series;
   REQUIRE(series.time.size() == 6);
@@ -115,7 +124,7 @@ TEST_CASE("series_recorder: orientations are interpolated along the shorter arc"
   CHECK(record.series.orientation[1].w == Approx(std::cos(0.05)));
   CHECK(record.series.orientation[1].x == Approx(std::sin(0.05)));
   // The negative quaternion is the same rotation.
-  CHECK(record.end.tilt[0] == Approx(0.2 * 180 / kPi));
+  CHECK(record.end.end_tilt[0] == Approx(0.2 * 180 / kPi));
 }
 
 TEST_CASE("series_recorder: at a breakpoint a sample shows the acceleration before it", "[core][series_recorder]") {
@@ -162,7 +171,7 @@ TEST_CASE("series_recorder: a number too small for a float is 0, not -0", "[core
 }
 
 TEST_CASE("series_recorder: no external force on boxes in a free container", "[core][series_recorder]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.container.motion = ContainerMotion::free;
   CHECK_FALSE(recording_plan(settings, true).external_force);
   HandDriven world(recording_plan(settings, true));
@@ -221,11 +230,11 @@ TEST_CASE("series_recorder: peaks are over all steps, also between samples", "[c
   world.step(0.1);
   const WorldRecord record = world.finish();
   for (const Float3& displacement : record.series.displacement) CHECK(displacement.y == 0.0F);
-  CHECK(record.end.displacement[0].y == 0.0F);
+  CHECK(record.end.end_displacement[0].y == 0.0F);
   CHECK(record.end.peak_displacement[0] == 0.5F);
   CHECK(record.end.peak_kinetic_energy[0] == 3000.0F);
   CHECK(record.end.peak_speed[0] == 2.0F);
-  CHECK(record.end.kinetic_energy[0] == 0.0F);
+  CHECK(record.end.end_kinetic_energy[0] == 0.0F);
   CHECK(record.row.peak_total_kinetic_energy == 3000.0);
 }
 
@@ -240,11 +249,11 @@ TEST_CASE("series_recorder: end values have the same bits as the last sample", "
     world.step(end_time);
     const WorldRecord record = world.finish();
     const Float3& sample = record.series.displacement.back();
-    const Float3& end = record.end.displacement[0];
+    const Float3& end = record.end.end_displacement[0];
     CHECK(same_bits(sample.x, end.x));
     CHECK(same_bits(sample.y, end.y));
     CHECK(same_bits(sample.z, end.z));
-    CHECK(same_bits(record.series.kinetic_energy.back(), record.end.kinetic_energy[0]));
+    CHECK(same_bits(record.series.kinetic_energy.back(), record.end.end_kinetic_energy[0]));
   }
 }
 
@@ -259,9 +268,9 @@ TEST_CASE("series_recorder: displacement and tilt from the layout's or the settl
     const WorldRecord record = world.finish();
     const bool settled = pose == ReferencePose::settled;
     CHECK(record.end.settling_displacement[0].z == -0.25F);
-    CHECK(record.end.displacement[0].z == (settled ? 0.0F : -0.25F));
+    CHECK(record.end.end_displacement[0].z == (settled ? 0.0F : -0.25F));
     CHECK(record.end.peak_displacement[0] == (settled ? 0.0F : 0.25F));
-    CHECK(record.end.tilt[0] == Approx(settled ? 0.0 : 0.5 * 180 / kPi).margin(1e-6));
+    CHECK(record.end.end_tilt[0] == Approx(settled ? 0.0 : 0.5 * 180 / kPi).margin(1e-6));
     CHECK(record.series.fallen_count[0] == (settled ? 0U : 1U));
     // The table always has the layout's pose.
     CHECK(record.boxes.initial_position[0].z == 1.5F);
@@ -271,18 +280,17 @@ TEST_CASE("series_recorder: displacement and tilt from the layout's or the settl
 TEST_CASE("series_recorder: peaks and end values are recorded without series too", "[core][series_recorder]") {
   HandDriven world({.interval = 0.1, .series = false});
   world.start();
-  CHECK(world.recorder.output_time() == std::numeric_limits<double>::infinity());
   world.now.position[0] += Vec3(1, 0, 0);
   world.step(0.5);
   const WorldRecord record = world.finish();
   CHECK(record.series.time.empty());
   CHECK(record.series.displacement.empty());
-  CHECK(record.end.displacement[0].x == 1.0F);
+  CHECK(record.end.end_displacement[0].x == 1.0F);
   CHECK(record.end.peak_displacement[0] == 1.0F);
 }
 
 TEST_CASE("series_recorder: the table of boxes", "[core][series_recorder]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.materials[1] = {.mass = 12.5, .centre_of_mass = {0.25, 0, 0}};
   HandDriven world({.interval = 0.1}, settings);
   world.start();
@@ -297,7 +305,7 @@ TEST_CASE("series_recorder: the table of boxes", "[core][series_recorder]") {
 }
 
 TEST_CASE("series_recorder: the options come from the settings", "[core][series_recorder]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.results_interval = 0.25;
   settings.screening.reference_pose = ReferencePose::settled;
   settings.screening.drop_threshold = 0.3;
@@ -313,7 +321,7 @@ TEST_CASE("series_recorder: the options come from the settings", "[core][series_
   CHECK(plan.thresholds.tilt == 5);
 }
 
-TEST_CASE("series_recorder: a box beyond a threshold decides, and one that comes back does not",
+TEST_CASE("series_recorder: a box that was beyond a limit decides, also when it comes back",
           "[core][series_recorder]") {
   const auto decided = [](StopWhen stop_when, const Vec3& offset, double angle = 0.0) {
     HandDriven world({.stop_when = stop_when});
@@ -326,7 +334,7 @@ TEST_CASE("series_recorder: a box beyond a threshold decides, and one that comes
     world.now.position[0] = place;
     world.now.orientation[0] = Rotation::Identity();
     world.step(0.2);
-    CHECK_FALSE(world.recorder.decided());
+    CHECK(world.recorder.decided() == beyond);
     return beyond;
   };
   const Vec3 slid(0.08, 0.08, 0.0);
@@ -340,19 +348,74 @@ TEST_CASE("series_recorder: a box beyond a threshold decides, and one that comes
   for (const Vec3& offset : {slid, sunk}) CHECK_FALSE(decided(StopWhen::end, offset, 90.0));
 }
 
-TEST_CASE("series_recorder: a pose before the first step does not decide", "[core][series_recorder]") {
-  HandDriven world({.stop_when = StopWhen::moved});
-  world.now.position[0].x() += 0.2;
+TEST_CASE("series_recorder: peaks, the first time beyond a limit, and what comes back", "[core][series_recorder]") {
+  HandDriven world({.interval = 10.0});
   world.start();
-  CHECK_FALSE(world.recorder.decided());
+  const Vec3 place = world.now.position[0];
+  world.now.position[0] = place + Vec3(0.3, 0.4, 0.1);
+  world.now.orientation[0] = Rotation(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
+  world.step(0.125);
+  world.now.position[0] = place + Vec3(0, 0, -0.2);
+  world.now.orientation[0] = Rotation(Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitX()));
+  world.step(0.25);
+  world.now.position[0] = place;
+  world.step(0.375);
+  const EndTable end = world.finish().end;
+  CHECK(end.peak_displacement[0] == Approx(std::sqrt(0.26)));
+  CHECK(end.peak_drop[0] == 0.2F);
+  CHECK(end.peak_tilt[0] == Approx(0.3 * 180 / kPi));
+  CHECK(end.first_beyond[0] == 0.125F);
+  CHECK(end.end_displacement[0].x == 0.0F);
 }
 
-TEST_CASE("series_recorder: what may decide is shown at every interval, also without series",
-          "[core][series_recorder]") {
-  HandDriven world({.interval = 0.1, .series = false, .stop_when = StopWhen::fallen});
+TEST_CASE("series_recorder: nothing is a peak after the first bit of the status", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
   world.start();
-  CHECK(world.recorder.output_time() == 0.1);
-  world.step(0.25);
-  CHECK(world.recorder.output_time() == Approx(0.3));
-  CHECK(world.finish().series.time.empty());
+  world.now.position[0].x() += 0.05;
+  world.step(0.1);
+  world.now.position[0].x() += 1.0;
+  world.step(0.2, Vec3::Zero(), Status::not_converged);
+  world.recorder.finish({.status = Status::not_converged, .stop_reason = StopReason::timeout, .end_time = 0.2},
+                        world.view_of(world.now));
+  const WorldRecord record = world.recorder.take();
+  CHECK(record.row.status_time == 0.1);
+  CHECK(record.end.peak_displacement[0] == 0.05F);
+  CHECK(record.end.end_displacement[0].x == 1.05F);
+  CHECK(std::isnan(record.end.first_beyond[0]));
+}
+
+TEST_CASE("series_recorder: what settling did is kept apart", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.1});
+  world.settle_from(-1.0);
+  world.now.position[0] += Vec3(0, 0, -0.03);
+  world.step(-0.5);
+  CHECK_FALSE(world.recorder.is_unstable());
+  world.now.position[0] += Vec3(0, 0, 0.01);
+  world.step(0.0);
+  world.accelerate();
+  world.now.position[0] += Vec3(0.04, 0, 0);
+  world.step(0.1);
+  const WorldRecord record = world.finish();
+  CHECK(record.end.settling_peak_drop[0] == 0.03F);
+  CHECK(record.end.settling_displacement[0].z == -0.02F);
+  CHECK(record.end.peak_drop[0] == 0.0F);
+  CHECK(record.end.peak_displacement[0] == 0.04F);
+  CHECK(record.series.time == std::vector<double>{0.0, 0.1});
+  CHECK(record.series.displacement[0].z == 0.0F);
+}
+
+TEST_CASE("series_recorder: the series of a world that is unstable is that of settling", "[core][series_recorder]") {
+  HandDriven world({.interval = 0.5});
+  world.settle_from(-1.0);
+  world.now.position[0] += Vec3(0, 0, -0.3);
+  world.step(-0.25);
+  CHECK(world.recorder.is_unstable());
+  CHECK_FALSE(world.recorder.decided());
+  world.step(0.0);
+  const WorldRecord record = world.finish();
+  CHECK(record.series.time == std::vector<double>{-1.0, -0.5, 0.0});
+  CHECK(record.end.first_beyond[0] == -0.25F);
+  CHECK(record.end.peak_drop[0] == 0.3F);
+  CHECK(record.end.settling_peak_drop[0] == 0.3F);
+  CHECK(record.end.settling_displacement[0].z == -0.3F);
 }

@@ -2,8 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
+#include "core/engine/journey.hpp"
+#include "recorded_calls.hpp"
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
@@ -12,58 +13,13 @@ using namespace holdfast::internal::scenes;
 
 namespace {
 
-const Layout kOneBox = layout_of({box({1, 1, 0}, {1, 1, 1})});
-
 /// An acceleration with breakpoints that are no multiples of 1/240 s.
 Acceleration pulse() {
   return acceleration_of({{0.1003, Vec3(0, 0, 0)}, {0.4004, Vec3(2, -1, 0)}, {0.5, Vec3(0, 0, 0)}});
 }
 
-/// The calls that a recorder receives.
-struct Heard {
-  struct Stretch {
-    double begin, end;
-    Vec3 acceleration;
-  };
-  std::vector<Stretch> steps;
-  int starts = 0;
-  int finishes = 0;
-  Outcome outcome;
-  Vec3 settled_position;
-};
-
-/// Stores the calls that it receives; needs no samples.
-class Listener final : public Recorder {
- public:
-  Heard heard;
-
-  void start(const BoxView&, const StateView&, const StateView& settled) override {
-    ++heard.starts;
-    heard.settled_position = settled.position[0];
-  }
-  double output_time() const override { return std::numeric_limits<double>::infinity(); }
-  void step(const Step& step) override { heard.steps.push_back({step.begin, step.end, step.acceleration}); }
-  void finish(const Outcome& outcome, const StateView&) override {
-    ++heard.finishes;
-    heard.outcome = outcome;
-  }
-};
-
-/// Simulates one box with a recorder that stores its calls.
-Heard listen(const Script& script, const Acceleration& acceleration, const Settings& settings) {
-  const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, settings);
-  Listener listener;
-  Recorder* const recorders[] = {&listener};
-  const std::atomic<bool> abort = false;
-  CHECK(simulate(ScriptedEngine(script), batch, settings, recorders, abort));
-  CHECK(listener.heard.starts == 1);
-  CHECK(listener.heard.finishes == 1);
-  return listener.heard;
-}
-
 Settings sleeping() {
-  Settings settings;
+  Settings settings = at_once();
   settings.stopping_condition = StoppingCondition::sleeping;
   return settings;
 }
@@ -72,7 +28,7 @@ Settings sleeping() {
 
 TEST_CASE("simulate: steps follow each other without gap and cross no breakpoint", "[core][simulate]") {
   const Acceleration acceleration = pulse();
-  const Heard heard = listen({}, acceleration, {});
+  const Heard heard = listen({}, acceleration, at_once());
   double time = 0.0;
   for (const Heard::Stretch& step : heard.steps) {
     CHECK(step.begin == time);
@@ -92,14 +48,14 @@ TEST_CASE("simulate: steps follow each other without gap and cross no breakpoint
 
 TEST_CASE("simulate: a pulse gives the exact velocity at any step", "[core][simulate]") {
   for (const double rate : {7.0, 60.0, 240.0}) {
-    const Run one = run(ScriptedEngine({.steps_per_second = rate}), kOneBox, pulse(), {});
+    const Run one = run(ScriptedEngine({.steps_per_second = rate}), kOneBox, pulse(), at_once());
     CHECK(one.state.velocity[0].x() == Approx(-2 * 0.4004).epsilon(1e-12));
     CHECK(one.displacement().y() == Approx(0.5 * 0.4004 * 0.4004 + 0.4004 * 0.5).epsilon(1e-12));
   }
 }
 
 TEST_CASE("simulate: the sampling interval does not affect the motion", "[core][simulate]") {
-  Settings settings;
+  Settings settings = at_once();
   const auto hash = [&](double interval) {
     settings.results_interval = interval;
     return run(ScriptedEngine({}), kOneBox, pulse(), settings).record.row.state_hash;
@@ -110,25 +66,11 @@ TEST_CASE("simulate: the sampling interval does not affect the motion", "[core][
   CHECK(hash(100.0) == expected);
 }
 
-TEST_CASE("simulate: no sample is lost when an engine takes many steps at once", "[core][simulate]") {
-  Settings settings;
-  settings.results_interval = 0.01;
-  const Acceleration acceleration = constant(2.0, 1.0);
-  const Run run_slowly = run(ScriptedEngine({}), kOneBox, acceleration, settings);
-  const Run run_fast = run(ScriptedEngine({.steps_a_call = 100}), kOneBox, acceleration, settings);
-  CHECK(run_fast.record.row.state_hash == run_slowly.record.row.state_hash);
-  CHECK(run_fast.record.series.time == run_slowly.record.series.time);
-  REQUIRE(run_fast.record.series.time.size() == 101);
-  CHECK(run_fast.record.series.displacement.back().x == run_slowly.record.series.displacement.back().x);
-  // Calls end at 100/240, 200/240 and 1 s; between them the position is linear.
-  const double stop = 100.0 / 240;
-  CHECK(run_fast.record.series.displacement[20].x == Approx(-stop * stop * 0.2 / stop));
-}
-
 TEST_CASE("simulate: after the acceleration ends it is zero, and an earlier end shortens it", "[core][simulate]") {
   const Acceleration acceleration = constant(2.0, 1.0);
-  CHECK(latest_end(acceleration, {}) == 1.0);
-  Settings settings;
+  CHECK(latest_end(acceleration, at_once()) == 1.0);
+  CHECK(latest_end(acceleration, {}) == 6.0);
+  Settings settings = at_once();
   settings.timeout = 0.5;
   const Run cut = run(ScriptedEngine({}), kOneBox, acceleration, settings);
   CHECK(cut.record.row.end_time == 0.5);
@@ -141,7 +83,7 @@ TEST_CASE("simulate: after the acceleration ends it is zero, and an earlier end 
 }
 
 TEST_CASE("simulate: an acceleration without duration ends at once, at 0", "[core][simulate]") {
-  const Run none = run(ScriptedEngine({}), kOneBox, Acceleration{}, {});
+  const Run none = run(ScriptedEngine({}), kOneBox, Acceleration{}, at_once());
   CHECK(none.record.row.end_time == 0.0);
   CHECK_FALSE(std::signbit(none.record.row.end_time));
   CHECK(none.record.row.steps == 0);
@@ -149,48 +91,51 @@ TEST_CASE("simulate: an acceleration without duration ends at once, at 0", "[cor
   CHECK(none.displacement() == Vec3(0, 0, 0));
 }
 
-TEST_CASE("simulate: settling is not recorded, and the world starts where it ends", "[core][simulate]") {
-  Settings settings;
-  settings.screening.settle_seconds = 0.35;
-  const Heard heard = listen({}, constant(2.0, 1.0), settings);
-  CHECK(heard.steps.front().begin == 0.0);
-  CHECK(heard.outcome.end_time == 1.0);
-  CHECK(heard.outcome.counters.steps == heard.steps.size() + 84);
-  CHECK(heard.settled_position == Vec3(1.5, 1.5, 0.5));
-
-  const Run one = run(ScriptedEngine({}), kOneBox, constant(2.0, 1.0), settings);
-  CHECK(one.record.series.time.front() == 0.0);
-  CHECK(one.record.series.time.size() == 11);
-  CHECK(one.displacement().x() == Approx(-1.0));
+TEST_CASE("simulate: the bit of the status that comes first in time decides", "[core][simulate]") {
+  // ½ · 2 · t² > 0.1 m from 0.316 s on.
+  Settings settings = at_once();
+  settings.screening.tilt_threshold = 180.0;
+  const Thresholds thresholds = recording_plan(settings, false).thresholds;
+  const auto fails_from = [&](double time) {
+    const Script script{.status = Status::not_converged, .fails_from = time};
+    const Run one = run(ScriptedEngine(script), kOneBox, constant(2.0, 1.0), settings);
+    CHECK(one.record.row.status == Status::not_converged);
+    CHECK(one.record.row.status_time == Approx(time).margin(1.1 / 240));
+    return to_string(judge_world(one.record.row, one.record.end, by_run(thresholds)).verdict);
+  };
+  CHECK(fails_from(0.3) == "failed");
+  CHECK(fails_from(0.33) == "moved");
+  CHECK(fails_from(0.9) == "moved");
 }
 
 TEST_CASE("simulate: a state that is not finite ends the world at its last finite state", "[core][simulate]") {
   const Acceleration acceleration = constant(2.0, 1.0);
-  const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, acceleration, {});
+  const Run one = run(ScriptedEngine({.breaks_at = 0.42}), kOneBox, acceleration, at_once());
   const WorldRow& outcome = one.record.row;
   CHECK(outcome.status == Status::non_finite);
   CHECK(outcome.stop_reason == StopReason::failed);
   CHECK(outcome.end_time == Approx(100.0 / 240));
   CHECK(one.displacement().x() == Approx(-outcome.end_time * outcome.end_time));
   CHECK(one.record.series.time.back() == outcome.end_time);
-  CHECK(one.record.series.displacement.back().x == one.record.end.displacement[0].x);
-  CHECK(std::isfinite(one.record.end.kinetic_energy[0]));
+  CHECK(one.record.series.displacement.back().x == one.record.end.end_displacement[0].x);
+  CHECK(std::isfinite(one.record.end.end_kinetic_energy[0]));
   CHECK(std::isfinite(one.record.row.peak_total_kinetic_energy));
 }
 
 TEST_CASE("simulate: a state that is not finite while settling", "[core][simulate]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.screening.settle_seconds = 1.0;
+  settings.screening.tilt_threshold = 180.0;
   const Heard heard = listen({.breaks_at = -0.5}, constant(2.0, 1.0), settings);
   CHECK(heard.outcome.status == Status::non_finite);
   CHECK(heard.outcome.stop_reason == StopReason::failed);
-  CHECK(heard.outcome.end_time == 0.0);
-  CHECK(heard.steps.empty());
-  CHECK(heard.settled_position == Vec3(1.5, 1.5, 0.5));
+  CHECK(heard.outcome.end_time == Approx(-0.5).margin(1.0 / 240));
+  CHECK(heard.accelerations == 0);
 
   const Run one = run(ScriptedEngine({.breaks_at = -0.5}), kOneBox, constant(2.0, 1.0), settings);
-  CHECK(one.record.series.time == std::vector<double>{0.0});
+  CHECK(one.record.series.time.front() == -1.0);
   CHECK(one.displacement() == Vec3(0, 0, 0));
+  CHECK(to_string(judge_world(one.record.row, one.record.end, by_run({.tilt = 180})).verdict) == "failed");
 }
 
 TEST_CASE("simulate: a world that fails does not affect the others", "[core][simulate]") {
@@ -199,8 +144,9 @@ TEST_CASE("simulate: a world that fails does not affect the others", "[core][sim
   const std::vector<Layout> layouts = {kOneBox, kOneBox, kOneBox};
   for (const bool all_together : {false, true}) {
     for (const double settle : {0.0, 0.6}) {
-      Settings settings;
+      Settings settings = at_once();
       settings.screening.settle_seconds = settle;
+      settings.screening.tilt_threshold = 180.0;
       const double breaks_at = settle > 0 ? -0.3 : 0.5;
       const ScriptedEngine engine({.all_together = all_together, .breaks_at = breaks_at, .breaking_world = 1});
       const std::vector<Run> runs = run_all(engine, layouts, accelerations, settings);
@@ -215,11 +161,11 @@ TEST_CASE("simulate: a world that fails does not affect the others", "[core][sim
 }
 
 TEST_CASE("simulate: problems that the engine finds are in the status", "[core][simulate]") {
-  const Run one = run(ScriptedEngine({.status = Status::not_converged}), kOneBox, constant(1, 1), {});
+  const Run one = run(ScriptedEngine({.status = Status::not_converged}), kOneBox, constant(1, 1), at_once());
   CHECK(one.record.row.status == Status::not_converged);
   CHECK(one.record.row.stop_reason == StopReason::timeout);
   const Run both =
-      run(ScriptedEngine({.breaks_at = 0.5, .status = Status::not_converged}), kOneBox, constant(1, 1), {});
+      run(ScriptedEngine({.breaks_at = 0.5, .status = Status::not_converged}), kOneBox, constant(1, 1), at_once());
   CHECK(both.record.row.status == (Status::not_converged | Status::non_finite));
 }
 
@@ -255,15 +201,15 @@ TEST_CASE("simulate: a world that never sleeps ends at the timeout, or after a m
 TEST_CASE("simulate: an abort ends the simulation", "[core][simulate]") {
   const Acceleration acceleration = constant(1.0, 1.0);
   const Acceleration* const accelerations[] = {&acceleration};
-  WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, {});
+  WorldBatch batch = scenes::batch_of(std::span(&kOneBox, 1), accelerations, at_once());
   std::atomic<bool> abort = false;
 
   /// Aborts at its third step.
   class Aborting final : public Recorder {
    public:
     explicit Aborting(std::atomic<bool>& flag) : flag_(flag) {}
-    void start(const BoxView&, const StateView&, const StateView&) override {}
-    double output_time() const override { return 0.0; }
+    void start(const BoxView&, const StateView&, double) override {}
+    void accelerate(const StateView&) override {}
     void step(const Step&) override { flag_ = ++steps == 3; }
     void finish(const Outcome&, const StateView&) override { finished = true; }
     int steps = 0;
@@ -273,13 +219,11 @@ TEST_CASE("simulate: an abort ends the simulation", "[core][simulate]") {
     std::atomic<bool>& flag_;
   } recorder(abort);
   Recorder* const recorders[] = {&recorder};
-  CHECK_FALSE(simulate(ScriptedEngine({}), batch, {}, recorders, abort));
+  CHECK_FALSE(simulate(ScriptedEngine({}), batch, at_once(), recorders, abort));
   CHECK(recorder.steps == 3);
   CHECK_FALSE(recorder.finished);
-
-  Settings settling;
-  settling.screening.settle_seconds = 1.0;
-  CHECK_FALSE(simulate(ScriptedEngine({}), batch, settling, recorders, abort));
+  // Settling too.
+  CHECK_FALSE(simulate(ScriptedEngine({}), batch, {}, recorders, abort));
   CHECK(recorder.steps == 3);
 }
 
@@ -288,11 +232,11 @@ TEST_CASE("simulate: a world is the same alone, in a batch and together with oth
   const Acceleration one = pulse();
   const Acceleration other = constant(-1.0, 1.3);
   const Acceleration* const accelerations[] = {&one, &other};
-  const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, accelerations, {});
-  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, {});
+  const std::vector<Run> batch = run_all(ScriptedEngine({}), layouts, accelerations, at_once());
+  const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, at_once());
   REQUIRE(batch.size() == 6);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const Run alone = run(ScriptedEngine({}), layouts[i / 2], *accelerations[i % 2], {});
+    const Run alone = run(ScriptedEngine({}), layouts[i / 2], *accelerations[i % 2], at_once());
     for (const Run* same : {&batch[i], &together[i]}) {
       CHECK(same->record.row.state_hash == alone.record.row.state_hash);
       CHECK(same->record.series.time == alone.record.series.time);
@@ -307,8 +251,9 @@ TEST_CASE("simulate: worlds that advance together keep their own accelerations",
   const Acceleration first = pulse();
   const Acceleration second = acceleration_of({{0.3001, Vec3(0, 3, 0)}, {0.9, Vec3(1, 0, 0)}});
   const Acceleration* const accelerations[] = {&first, &second};
-  Settings settings;
+  Settings settings = at_once();
   settings.screening.settle_seconds = 0.1;
+  settings.screening.tilt_threshold = 180.0;
   const std::vector<Run> alone = run_all(ScriptedEngine({}), layouts, accelerations, settings);
   const std::vector<Run> together = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);
   REQUIRE(together.size() == 4);
@@ -325,7 +270,7 @@ TEST_CASE("simulate: worlds that advance together end separately", "[core][simul
   const Acceleration acceleration = pulse();
   const Acceleration* const accelerations[] = {&acceleration};
   const Script script{.all_together = true, .breaks_at = 0.2, .breaking_world = 1};
-  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, accelerations, {});
+  const std::vector<Run> runs = run_all(ScriptedEngine(script), layouts, accelerations, at_once());
   CHECK(runs[0].record.row.stop_reason == StopReason::timeout);
   CHECK(runs[0].record.row.end_time == acceleration.end_time());
   CHECK(runs[1].record.row.stop_reason == StopReason::failed);
@@ -333,14 +278,14 @@ TEST_CASE("simulate: worlds that advance together end separately", "[core][simul
 }
 
 TEST_CASE("simulate: a world whose engine lost contacts fails with the last valid state", "[core][simulate]") {
-  const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), {});
+  const Run lost = run(ScriptedEngine({.status = Status::capacity}), kOneBox, pulse(), at_once());
   CHECK(lost.record.row.stop_reason == StopReason::failed);
   CHECK(has(lost.record.row.status, Status::capacity));
   CHECK(lost.record.row.end_time == 0.0);
 }
 
 TEST_CASE("simulate: a world ends with the step that decides it", "[core][simulate]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.screening.stop_when = StopWhen::moved;
   // ½ · 2 · t² > 0.1 m from 0.316 s on; the rotation about z is 10° at 0.175 s.
   settings.screening.tilt_threshold = 180.0;
@@ -350,7 +295,7 @@ TEST_CASE("simulate: a world ends with the step that decides it", "[core][simula
   CHECK(early.record.row.end_time == 76.0 / 240);
   CHECK(early.record.row.steps == 76);
   CHECK(early.record.series.time.back() == early.record.row.end_time);
-  CHECK(time_saved(Status::ok, StopReason::decided, early.record.row.end_time, latest_end(acceleration, settings)) ==
+  CHECK(time_saved(Status::ok, StopReason::decided, early.record.row.end_time, planned_end(acceleration, settings)) ==
         1.0 - 76.0 / 240);
   settings.screening.tilt_threshold = 10.0;
   CHECK(run(ScriptedEngine({}), kOneBox, acceleration, settings).record.row.end_time == 42.0 / 240);
@@ -365,7 +310,7 @@ TEST_CASE("simulate: a world ends with the step that decides it", "[core][simula
 }
 
 TEST_CASE("simulate: a world that is decided by its last step has run to its end", "[core][simulate]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.screening.stop_when = StopWhen::moved;
   settings.screening.tilt_threshold = 180.0;
   const Run whole = run(ScriptedEngine({}), kOneBox, constant(2.0, 76.0 / 240), settings);
@@ -378,7 +323,7 @@ TEST_CASE("simulate: worlds that advance together are decided separately", "[cor
   const Acceleration slow = constant(0.1, 1.0);
   const Acceleration fast = constant(2.0, 1.0);
   const Acceleration* const accelerations[] = {&slow, &fast};
-  Settings settings;
+  Settings settings = at_once();
   settings.screening.stop_when = StopWhen::moved;
   settings.screening.tilt_threshold = 180.0;
   const std::vector<Run> runs = run_all(ScriptedEngine({.all_together = true}), layouts, accelerations, settings);

@@ -168,9 +168,8 @@ TEST_CASE("setting_table: contradictions between keys", "[core][setting_table]")
   s.materials[3].friction = 0.4;
   s.contact.friction_model = FrictionModel::pairs;
   s.batch_simulation = true;
-  s.screening.reference_pose = ReferencePose::settled;
   const std::vector<SettingConflict> conflicts = check_settings(s);
-  REQUIRE(conflicts.size() == 4);
+  REQUIRE(conflicts.size() == 3);
   CHECK(conflicts[0].section == "Material 3");
   CHECK(conflicts[0].name == "Mass");
   CHECK(conflicts[0].error.message() ==
@@ -181,7 +180,4 @@ TEST_CASE("setting_table: contradictions between keys", "[core][setting_table]")
   CHECK(conflicts[2].error.message() ==
         "a batch has no folder to read from: [Simulation Settings] BatchSimulation; "
         "give BatchPath, or set BatchSimulation = false");
-  CHECK(conflicts[3].error.message() ==
-        "the settled pose is requested without time to settle: [Screening] ReferencePose; "
-        "give SettleSeconds, or set ReferencePose = layout");
 }

@@ -133,7 +133,7 @@ TEST_CASE("native_engine: a stack of ten stays below its limit and slides above 
 TEST_CASE("native_engine: free fall is exact", "[core][native_engine]") {
   const Layout layout = layout_of({box({1.237, 0.791, 1.5}, {0.613, 0.447, 0.379})});
   for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
-    Settings settings;
+    Settings settings = at_once();
     settings.native.accuracy = accuracy;
     const Run fall = native_run(layout, constant(1.5, 0.5), settings);
     CHECK(fall.displacement().z() == Approx(-0.5 * kGravity * 0.25).epsilon(1e-12));

@@ -30,7 +30,7 @@ inline Layout one_box(const Vec3& size, double height = 0.0) {
 
 /// A world with its own inputs.
 struct OneWorld {
-  Settings settings;
+  Settings settings = scenes::at_once();
   Layout layout;
   Acceleration acceleration;
   const Acceleration* pointer = &acceleration;

@@ -127,7 +127,7 @@ TEST_CASE("native_world: contacts are solved by the solver that it is given", "[
 }
 
 TEST_CASE("native_world: a step that is solved again starts where its last solve has ended", "[core][native_world]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   RepeatsCounted::Counts counts;
   OneWorld scene(settings, bundled_layout("BR8_009_ep", settings), constant(1.2 * kGravity, 1.0),

@@ -26,7 +26,7 @@ OneWorld two_stacks() {
 
 TEST_CASE("world_invariants: they hold after every step, at every accuracy", "[core][world_invariants]") {
   for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
-    Settings settings;
+    Settings settings = at_once();
     settings.native.accuracy = accuracy;
     settings.contact.restitution = 0.3;
     Random random(7);

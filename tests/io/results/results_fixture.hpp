@@ -85,10 +85,16 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
     world.boxes.mass.push_back(12.5F);
     world.boxes.size.push_back({0.8F, 0.6F, 0.4F});
     world.boxes.initial_position.push_back(vector());
-    world.end.displacement.push_back(vector());
-    world.end.tilt.push_back(100 * number());
-    world.end.kinetic_energy.push_back(number() + 1);
-    world.end.peak_displacement.push_back(length(world.end.displacement.back()) + 0.01F);
+    world.end.end_displacement.push_back(vector());
+    world.end.end_tilt.push_back(100 * number());
+    world.end.end_kinetic_energy.push_back(number() + 1);
+    world.end.peak_displacement.push_back(length(world.end.end_displacement.back()) + 0.01F);
+    world.end.peak_drop.push_back(std::max(0.0F, -world.end.end_displacement.back().z) + 0.01F);
+    world.end.peak_tilt.push_back(world.end.end_tilt.back() + 1);
+    world.end.first_beyond.push_back(0.1F * static_cast<float>(box));
+    world.end.settling_peak_displacement.push_back(0.05F * number());
+    world.end.settling_peak_drop.push_back(0.01F * number());
+    world.end.settling_peak_tilt.push_back(number());
     world.end.peak_kinetic_energy.push_back(2);
     world.end.peak_speed.push_back(number() + 3);
     world.end.settling_displacement.push_back(vector());
@@ -119,7 +125,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
     series.fallen_count.push_back(static_cast<std::uint32_t>(random() % 9));
     for (std::size_t box = 0; box < shape.boxes; ++box) {
       const bool last = sample + 1 == shape.samples;
-      series.displacement.push_back(last ? world.end.displacement[box] : vector());
+      series.displacement.push_back(last ? world.end.end_displacement[box] : vector());
       series.orientation.push_back({1, number(), number(), number()});
       series.angular_velocity.push_back(vector());
       series.linear_acceleration.push_back(vector());

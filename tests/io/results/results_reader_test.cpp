@@ -67,7 +67,7 @@ TEST_CASE("results_reader: damage in the compressed data is an error", "[io][res
   const auto series = reader.series(rows[0]);
   REQUIRE_FALSE(series);
   CHECK(series.error().message().find("cannot be read (/series/force): inflate() failed") != std::string::npos);
-  CHECK(reader.path_of(rows[0]));
+  CHECK(reader.ends(0, 1));
 }
 
 TEST_CASE("results_reader: entries beyond the end are an error", "[io][results]") {

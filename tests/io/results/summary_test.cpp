@@ -24,7 +24,7 @@ std::vector<std::uint32_t> count_fallen(const Run& run, double drop) {
   for (const UnitRecord& unit : run.units)
     for (const WorldRecord& world : unit.worlds) {
       counts.push_back(world.row.stop_reason == StopReason::not_run ? kNotCounted : 0);
-      for (const Float3& d : world.end.displacement) counts.back() += -static_cast<double>(d.z) > drop ? 1 : 0;
+      for (const float peak : world.end.peak_drop) counts.back() += static_cast<double>(peak) > drop ? 1 : 0;
     }
   return counts;
 }
@@ -39,23 +39,16 @@ TEST_CASE("summary: fallen boxes are those of the records, with and without seri
   CHECK(read_column<std::uint32_t>(path, "/summary/worlds/fallen_boxes") == count_fallen(run, 0.05));
 }
 
-TEST_CASE("summary: first_move_time is the first sample beyond the threshold", "[io][results]") {
-  Run run = make_run({{2, 4}});
-  for (WorldRecord& world : run.units[0].worlds) {
-    for (Float3& d : world.series.displacement) d = {};
-    for (std::size_t sample : {2U, 3U}) world.series.displacement[sample * 2 + 1] = {0.3F, 0, 0};
-    world.end.displacement = {{}, {0.3F, 0, 0}};
-    world.end.peak_displacement = {0, 0.3F};
-  }
+TEST_CASE("summary: the time beyond a limit is by the limits of the run, and not known by others", "[io][results]") {
+  const Run run = make_run({{2, 4}});
   const Folder folder;
   const std::string path = folder / "results.h5";
   write_run_to(path, run, never());
-  const auto times = read_column<float>(path, "/summary/boxes/first_move_time");
-  REQUIRE(times.size() == 4);
-  CHECK(std::isnan(times[0]));
-  CHECK(times[1] == 0.2F);
-  CHECK(times[3] == 0.2F);
-  CHECK(read_column<std::uint32_t>(path, "/summary/worlds/moved_boxes") == std::vector<std::uint32_t>{1, 1});
+  CHECK(read_column<float>(path, "/summary/boxes/first_beyond") == std::vector<float>{0.0F, 0.1F, 0.0F, 0.1F});
+  require_ok(write_summary(path, {.drop = 0.15, .move = 0.3, .tilt = 5}, folder / "other.h5"));
+  for (const float time : read_column<float>(folder / "other.h5", "/summary/boxes/first_beyond"))
+    CHECK(std::isnan(time));
+  CHECK(read_column<std::uint32_t>(path, "/summary/worlds/critical_box") == std::vector<std::uint32_t>{1, 1});
 }
 
 TEST_CASE("summary: results for other thresholds are in another file that names its source", "[io][results]") {
@@ -104,9 +97,10 @@ TEST_CASE("summary: CSV has one line per world and per box, quoted where needed"
   CHECK(std::count(worlds.begin(), worlds.end(), '\n') == 1 + 4);
   CHECK(std::count(boxes.begin(), boxes.end(), '\n') == 1 + 6);
   const WorldRecord& first = run.units[0].worlds[0];
-  const std::string verdict = to_string(judge_world(first.row, first.end, {}).verdict);
-  CHECK(worlds.find("\r\n0,\"loading, \"\"0\"\".txt\",braking.txt," + verdict + ",ok,,timeout,") != std::string::npos);
-  CHECK(worlds.find(",failed,bad_layout,überlappt: box 3 and box 7,not_run,0,,,,,,,,,0,") != std::string::npos);
+  const std::string verdict = to_string(judge_world(first.row, first.end, by_run({})).verdict);
+  CHECK(worlds.find("\r\n0,\"loading, \"\"0\"\".txt\",braking.txt," + verdict + ",ok,,,,timeout,") !=
+        std::string::npos);
+  CHECK(worlds.find(",failed,bad_layout,überlappt: box 3 and box 7,,,not_run,0,,,,,,,,,,,,,0,") != std::string::npos);
 }
 
 TEST_CASE("summary: the results of a missing file are an error", "[io][results]") {

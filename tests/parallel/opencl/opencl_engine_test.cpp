@@ -90,7 +90,7 @@ TEST_CASE("opencl_engine: a stack of ten sinks by millimetres and stands", "[par
 }
 
 TEST_CASE("opencl_engine: materials have their own friction and restitution", "[parallel][opencl_engine]") {
-  Settings settings;
+  Settings settings = at_once();
   settings.container.size = {20, 20, 10};
   settings.container.friction = 1.0;
   settings.materials[1].friction = 0.2;
@@ -112,7 +112,7 @@ TEST_CASE("opencl_engine: materials have their own friction and restitution", "[
 
 TEST_CASE("opencl_engine: a free container is refused", "[parallel][opencl_engine]") {
   if (!opencl_engine({})) return;
-  Settings settings;
+  Settings settings = at_once();
   settings.container.motion = ContainerMotion::free;
   const Result<std::unique_ptr<Engine>> engine = make_engine("bullet-opencl", settings);
   REQUIRE_FALSE(engine);
@@ -122,7 +122,7 @@ TEST_CASE("opencl_engine: a free container is refused", "[parallel][opencl_engin
 
 TEST_CASE("opencl_engine: a device that is not there is named", "[parallel][opencl_engine]") {
   if (!opencl_engine({})) return;
-  Settings settings;
+  Settings settings = at_once();
   settings.opencl.device = "abacus";
   const Result<std::unique_ptr<Engine>> engine = make_engine("bullet-opencl", settings);
   REQUIRE_FALSE(engine);

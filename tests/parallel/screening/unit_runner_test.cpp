@@ -20,7 +20,7 @@ TEST_CASE(
   std::ofstream(paths[0]) << "1 1\n0 0 0 80 59 106 1\n";
   const std::vector<ReadAcceleration> accelerations = {
       {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
-  const Settings settings;
+  const Settings settings = at_once();
   const std::vector<std::string> hashes = hash_layouts(paths);
   LayoutFiles layouts(paths, hashes, settings);
   const std::atomic<bool> abort = false;
@@ -61,7 +61,7 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   large << "1 201\n";
   for (int i = 0; i < 201; ++i) large << 2 * i << " 0 0 " << 2 * i + 2 << " 50 50 1\n";
   large.close();
-  Settings settings;
+  Settings settings = at_once();
   settings.results_interval = 1e-5;
   const std::vector<ReadAcceleration> accelerations = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
   const std::vector<std::string> hashes = hash_layouts(paths);

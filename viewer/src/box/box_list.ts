@@ -1,18 +1,33 @@
 import type { World } from "../data/results";
-import type { Derived } from "../load/quantities";
+import { boxVerdict } from "../load/quantities";
 import { element, oncePerFrame } from "../ui/dom";
-import { degrees, metres } from "../ui/text";
+import { degrees, metres, seconds } from "../ui/text";
 
 const ROW = 24;
 
 type Order = "id" | "first" | "moved" | "tilt" | "drop";
 
-const COLUMNS: { order: Order; name: string; title: string }[] = [
-  { order: "id", name: "box", title: "Place in the layout file" },
-  { order: "first", name: "first", title: "Time of the first sample in which it moves, s" },
-  { order: "moved", name: "moved", title: "Displacement at the end, as the verdict uses it" },
-  { order: "tilt", name: "tilt", title: "Rotation at the end" },
-  { order: "drop", name: "drop", title: "How much lower it is at the end" },
+const COLUMNS: { order: Order; name: string; title: string; titleAtEnd: string }[] = [
+  {
+    order: "id",
+    name: "box",
+    title: "Position in the layout file, from 1",
+    titleAtEnd: "Position in the layout file, from 1",
+  },
+  {
+    order: "first",
+    name: "first",
+    title: "When it was beyond a limit first, s",
+    titleAtEnd: "When it was beyond a limit first: a file of an earlier version does not say",
+  },
+  { order: "moved", name: "moved", title: "Largest displacement", titleAtEnd: "Displacement at the end" },
+  { order: "tilt", name: "tilt", title: "Largest angle of rotation", titleAtEnd: "Rotation at the end" },
+  {
+    order: "drop",
+    name: "drop",
+    title: "By how much it was lower at most",
+    titleAtEnd: "How much lower it is at the end",
+  },
 ];
 
 /** All boxes of a world as a table, of which only the rows in sight exist. */
@@ -28,7 +43,7 @@ export class BoxList {
 
   constructor(
     private readonly world: World,
-    private readonly derived: Derived,
+    private readonly judgedAtEnd: boolean,
     private readonly choose: (box: number) => void,
     private readonly hover: (box: number | null) => void,
   ) {
@@ -71,13 +86,14 @@ export class BoxList {
     if (order !== this.order) this.scroller.scrollTop = 0;
     this.order = order;
     const { boxes } = this.world;
-    const { firstMove, endDistance } = this.derived;
+    const { displacement, tilt, drop } = boxes.judged;
+    const { firstBeyond } = boxes;
     const key: Record<Order, (box: number) => number> = {
       id: (box) => boxes.id[box],
-      first: (box) => (firstMove[box] < 0 ? Number.MAX_SAFE_INTEGER : firstMove[box]),
-      moved: (box) => -endDistance[box],
-      tilt: (box) => -boxes.endTilt[box],
-      drop: (box) => -boxes.drop[box],
+      first: (box) => (Number.isNaN(firstBeyond[box]) ? Number.MAX_SAFE_INTEGER : firstBeyond[box]),
+      moved: (box) => -displacement[box],
+      tilt: (box) => -tilt[box],
+      drop: (box) => -drop[box],
     };
     this.sorted = [...boxes.id.keys()].sort((a, b) => key[order](a) - key[order](b) || a - b);
     this.head.replaceChildren(
@@ -86,7 +102,7 @@ export class BoxList {
           "button",
           {
             class: "plain",
-            title: column.title,
+            title: this.judgedAtEnd ? column.titleAtEnd : column.title,
             "aria-pressed": undefined,
             "data-sorted": column.order === order,
             onclick: () => this.sort(column.order),
@@ -112,12 +128,12 @@ export class BoxList {
   private draw(): void {
     const first = Math.floor(this.scroller.scrollTop / ROW);
     const last = Math.min(this.sorted.length, first + Math.ceil(this.scroller.clientHeight / ROW) + 1);
-    const { boxes, series } = this.world;
-    const { firstMove, endDistance, verdict } = this.derived;
+    const { boxes } = this.world;
+    const { firstBeyond } = boxes;
+    const { displacement, tilt, drop } = boxes.judged;
     const rows: HTMLElement[] = [];
     for (let at = first; at < last; ++at) {
       const box = this.sorted[at];
-      const moves = firstMove[box] >= 0 && series;
       rows.push(
         element(
           "div",
@@ -130,11 +146,11 @@ export class BoxList {
             onpointerenter: () => this.hover(box),
             onpointerleave: () => this.hover(null),
           },
-          element("span", {}, element("i", { class: `dot verdict-${verdict[box]}` }), String(boxes.id[box])),
-          element("span", {}, moves ? series.time[firstMove[box]].toFixed(2) : ""),
-          element("span", {}, short(endDistance[box], metres)),
-          element("span", {}, boxes.endTilt[box] < 0.05 ? "" : degrees(boxes.endTilt[box])),
-          element("span", {}, short(boxes.drop[box], metres)),
+          element("span", {}, element("i", { class: `dot verdict-${boxVerdict(boxes, box)}` }), String(boxes.id[box])),
+          element("span", {}, Number.isNaN(firstBeyond[box]) ? "" : seconds(firstBeyond[box]).replace(" s", "")),
+          element("span", {}, short(displacement[box], metres)),
+          element("span", {}, tilt[box] < 0.05 ? "" : degrees(tilt[box])),
+          element("span", {}, short(drop[box], metres)),
         ),
       );
     }

@@ -1,8 +1,16 @@
-import type { BoxColumns, Results, World } from "../data/results";
-import { tiltOf } from "../time/first_moves";
+import { excursionsTo, shareOfLimits } from "../data/excursions";
+import type { BoxColumns, Results, Series, Thresholds, World } from "../data/results";
+import { tiltOf } from "../time/poses";
 import { gravities, metres } from "../ui/text";
 
 const GRAVITY = 9.81;
+/**
+ * A box begins to move in the first sample in which it has used up more than this share of a limit: 1 cm or 1° with the usual ones.
+ * A smaller share takes boxes that only give way to their neighbours, a greater one is too late to see what began.
+ */
+const MOVING = 0.1;
+/** Friction that is as near as this, relative to the push, may hold it or not: as in the program's caveat. */
+const MARGINAL = 0.02;
 /** m: boxes closer than this touch, as loaded. */
 const TOUCH = 0.005;
 
@@ -49,11 +57,24 @@ export function supported(boxes: BoxColumns, box: number): number {
   return Math.min(1, area / (boxes.size[3 * box] * boxes.size[3 * box + 1]));
 }
 
+/** The first sample in which a box moves; -1: it does not. */
+export function beginOfMotion(series: Series, boxes: number, box: number, limits: Thresholds): number {
+  for (let sample = 0; sample < series.time.length; ++sample) {
+    const at = sample * boxes + box;
+    const tilt = Float32Array.of(tiltOf(series.orientation, 4 * box, 4 * at));
+    const now = excursionsTo(series.displacement.subarray(3 * at, 3 * at + 3), tilt);
+    if (shareOfLimits(now, 0, limits) > MOVING) return sample;
+  }
+  return -1;
+}
+
 /** What a box does when it begins to move, and what in the layout lets it. */
-export function causeOf(results: Results, world: World, box: number, sample: number): string[] {
+export function causeOf(results: Results, world: World, box: number): string[] {
   const { boxes, series } = world;
-  if (!series || sample < 0) return [];
+  if (!series) return [];
   const count = boxes.id.length;
+  const sample = beginOfMotion(series, count, box, results.thresholds);
+  if (sample < 0) return [];
   const at = 3 * (sample * count + box);
   const [x, y, z] = series.displacement.subarray(at, at + 3);
   const axis = Math.abs(x) >= Math.abs(y) ? 0 : 1;
@@ -78,7 +99,9 @@ export function causeOf(results: Results, world: World, box: number, sample: num
     const onFloor = low(boxes, box, 2) < TOUCH;
     const friction = Number(results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"]);
     const known = Number.isFinite(friction) && results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"] !== "";
-    if (known && push > friction)
+    if (known && Math.abs(push - friction) <= MARGINAL * push)
+      sentences.push(`The push of ${gravities(push)} is what friction just holds, or just does not.`);
+    else if (known && push > friction)
       sentences.push(`The push of ${gravities(push)} is more than friction holds (${friction.toFixed(2)} g).`);
     else if (known && tips)
       sentences.push(`The push is ${gravities(push)}; it is ${slenderness(boxes, box, axis)} times as high as deep.`);

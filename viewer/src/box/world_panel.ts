@@ -1,17 +1,18 @@
-import { type Results, SIDES, type World } from "../data/results";
-import { causes } from "../data/status";
-import { VERDICTS } from "../data/verdict";
-import { DIRECTIONS } from "../fleet/rows";
-import type { Derived } from "../load/quantities";
-import { tiltOf } from "../time/first_moves";
-import { between, times } from "../time/poses";
+import { isBeyond, shareOfLimits } from "../data/excursions";
+import { VERDICT_CODES } from "../data/outcome";
+import { type Margins, NOT_COUNTED, type Results, SIDES, type World } from "../data/results";
+import { causes, caveatsOf } from "../data/status";
+import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
+import { DIRECTIONS, judgedMargins } from "../fleet/rows";
+import { boxVerdict } from "../load/quantities";
+import { between, tiltOf, times } from "../time/poses";
 import { element } from "../ui/dom";
 import type { Store } from "../ui/state";
-import { degrees, gravities, joules, kilograms, metres, newtons, plural, seconds } from "../ui/text";
+import { degrees, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
 import { BoxList } from "./box_list";
 import { causeOf } from "./cause";
 
-/** The numbers of a world: its verdict, who went first and why, a box, forces on the walls, all boxes. */
+/** The numbers of a world: its verdict, the critical box and why it moves, a box, forces on the walls, all boxes. */
 export class WorldPanel {
   readonly node: HTMLElement;
   readonly list: BoxList;
@@ -22,12 +23,11 @@ export class WorldPanel {
   constructor(
     private readonly results: Results,
     private readonly world: World,
-    private readonly derived: Derived,
     private readonly store: Store,
     private readonly focus: (box: number) => void,
     hover: (box: number | null) => void,
   ) {
-    this.list = new BoxList(world, derived, (box) => store.update({ box }), hover);
+    this.list = new BoxList(world, results.judgedAtEnd, (box) => store.update({ box }), hover);
     this.node = element("aside", { class: "panel" }, this.top, this.box, this.walls, this.list.node);
     this.refresh();
     this.showTime(store.state.time);
@@ -35,97 +35,134 @@ export class WorldPanel {
 
   /** Shows numbers anew that have changed, as those of a live world do. */
   refresh(orderAnew = true): void {
-    const first = this.first();
-    this.top.replaceChildren(this.head(), ...(first ? [first] : []));
+    this.top.replaceChildren(this.head(), ...this.critical());
     this.list.refresh(orderAnew);
     this.showBox(this.store.state.box);
   }
 
   private head(): HTMLElement {
     const { world, results } = this;
-    const verdict = VERDICTS[world.verdict];
-    const { worlds, margins, replicas } = results;
-    const index = world.index;
-    const said: string[] = [];
-    const add = (number: number, text: string) => {
-      if (number > 0 && number < 0xffffffff) said.push(`${number} ${text}`);
-    };
-    add(worlds.fallen[index], "fell");
-    add(worlds.unstable[index], "unstable");
-    add(worlds.moved[index], "moved");
-    add(worlds.tilted[index], "tilted");
-    const of = said.length > 0 ? `${said.join(", ")} of ${plural(world.boxes.id.length, "box")}` : verdict.meaning;
-    const layout = worlds.layout[index];
-    const weakest = margins?.margin.subarray(4 * layout, 4 * layout + 4);
+    const { worlds, margins, replicas, judgedAtEnd } = results;
+    const { index, verdict, stopReason } = world;
+    const soft = (text: string | null) => (text === null ? null : element("p", { class: "soft" }, text));
     return element(
       "section",
       {},
       element(
         "p",
         { class: "title" },
-        element("i", { class: `swatch verdict-${world.verdict}` }, verdict.glyph),
-        element("span", { class: "strong" }, verdict.name),
+        element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
+        element("span", { class: "strong" }, verdictText(verdict, stopReason)),
         element("span", { class: "faint" }, world.engine),
       ),
-      element("p", { class: "soft" }, of),
+      soft(meaningOf(verdict, judgedAtEnd)),
+      soft(this.counts()),
+      isAtLeast(verdict, stopReason)
+        ? element("p", { class: "notable" }, "It ended when that was decided: what would have followed is not known.")
+        : null,
+      judgedAtEnd ? element("p", { class: "notable" }, JUDGED_AT_END) : null,
       ...causes(world.status).map((cause) =>
         element("p", { class: "problem" }, `${cause.meaning} ${cause.cure} ${world.statusText}`.trim()),
       ),
-      weakest
-        ? element(
-            "p",
-            { class: "soft" },
-            `Stands ${DIRECTIONS.map((d, i) => `${gravities(weakest[i])} ${d}`).join(", ")}.`,
-          )
-        : null,
+      Number.isNaN(worlds.statusTime[index])
+        ? null
+        : soft(
+            `The largest displacement, drop and tilt are of the time before, up to ${seconds(worlds.statusTime[index])}.`,
+          ),
+      ...caveatsOf(worlds.caveats[index]).map((caveat) => element("p", { class: "notable" }, caveat.meaning)),
+      ...(margins ? marginSentences(margins, worlds.layout[index]).map(soft) : []),
       replicas && replicas.count[index] > 0
-        ? element(
-            "p",
-            { class: "soft" },
+        ? soft(
             `Fails in ${replicas.failed[index]} of ${plural(replicas.count[index], "replica")} with friction that is not known exactly.`,
           )
         : null,
+      element("p", { class: "faint" }, NOT_MODELLED),
     );
   }
 
-  /** Which box went first, and why. */
-  private first(): HTMLElement | null {
-    const { derived, world, results } = this;
-    const box = derived.moveOrder[0];
-    if (box === undefined || !world.series) return null;
-    const sample = derived.firstMove[box];
-    const after = world.series.time[sample];
-    const before = sample > 0 ? world.series.time[sample - 1] : 0;
-    const same = derived.moveOrder.filter((other) => derived.firstMove[other] === sample).length - 1;
-    return element(
-      "section",
-      {},
-      element("h2", {}, "What went first"),
+  /** How many boxes were beyond which limit; null: none. */
+  private counts(): string | null {
+    const { world, results } = this;
+    const { worlds } = results;
+    const { index } = world;
+    const fallen = worlds.fallen[index];
+    const atEnd = worlds.fallenAtEnd[index];
+    const some = (number: number) => number > 0 && number < NOT_COUNTED;
+    const said = [
+      [worlds.unstable[index], "unstable"],
+      [fallen, fallen === atEnd ? "fell" : `fell (${atEnd} at the end)`],
+      [worlds.moved[index], "moved"],
+      [worlds.tilted[index], "tilted"],
+    ] as const;
+    const kept = said.filter(([number]) => some(number)).map(([number, what]) => `${number} ${what}`);
+    if (kept.length === 0) return null;
+    const least = isAtLeast(world.verdict, world.stopReason) ? "at least " : "";
+    return `Of ${plural(world.boxes.id.length, "box")} ${least}${kept.join(", ")}.`;
+  }
+
+  /** The box that was beyond a limit first, or came nearest to one, and why. */
+  private critical(): HTMLElement[] {
+    const { world, results } = this;
+    const { boxes, criticalBox } = world;
+    const box = criticalBox - 1;
+    if (boxes.id.length === 0) return [];
+    if (box < 0)
+      return [element("section", {}, element("h2", {}, "Critical box"), element("p", {}, "None: no box has moved."))];
+    const first = boxes.firstBeyond[box];
+    return [
       element(
-        "p",
+        "section",
         {},
+        element("h2", {}, "Critical box"),
         element(
-          "button",
-          {
-            class: "link",
-            title: "Go there",
-            onclick: () => {
-              this.store.update({ box, time: after });
-              this.focus(box);
+          "p",
+          {},
+          element(
+            "button",
+            {
+              class: "link",
+              title: "Go there",
+              onclick: () => {
+                this.store.update(Number.isNaN(first) ? { box } : { box, time: first });
+                this.focus(box);
+              },
             },
-          },
-          `Box ${world.boxes.id[box]}`,
+            `Box ${boxes.id[box]}`,
+          ),
+          this.whyCritical(box),
         ),
-        same > 0 ? ` and ${same} more, ` : ", ",
-        sample === 0 ? "at the start." : `between ${before.toFixed(2)} and ${after.toFixed(2)} s.`,
+        ...causeOf(results, world, box).map((sentence) => element("p", { class: "soft" }, sentence)),
       ),
-      ...causeOf(results, world, box, sample).map((sentence) => element("p", { class: "soft" }, sentence)),
-    );
+    ];
+  }
+
+  private whyCritical(box: number): string {
+    const { world, results } = this;
+    const { boxes, index } = world;
+    const limits = results.thresholds;
+    const first = boxes.firstBeyond[box];
+    if (!Number.isNaN(first)) {
+      const more = boxes.firstBeyond.filter((time) => time === first).length - 1;
+      return `${more > 0 ? ` and ${more} more were` : " was"} beyond a limit first, at ${seconds(first)}.`;
+    }
+    const settles = results.worlds.unstable[index] > 0;
+    const of = settles ? boxes.settling : boxes.judged;
+    const sizes = [
+      { size: of.displacement[box], limit: limits.move, text: metres, what: "displacement" },
+      { size: of.drop[box], limit: limits.drop, text: metres, what: "drop" },
+      { size: of.tilt[box], limit: limits.tilt, text: degrees, what: "tilt" },
+    ];
+    const share = shareOfLimits(of, box, limits);
+    const { size, limit, text, what } = sizes.find((one) => one.size / one.limit === share) ?? sizes[0];
+    const numbers = `${text(size)} of ${what}, where the limit is ${text(limit)}${settles ? ", while the load settled" : ""}`;
+    return isBeyond(of, box, limits)
+      ? ` went farthest beyond a limit: ${numbers}.`
+      : ` came nearest to a limit: ${numbers}.`;
   }
 
   showBox(box: number | null): void {
     this.list.select(box);
-    const { boxes, series } = this.world;
+    const { boxes } = this.world;
     if (box === null || box >= boxes.id.length) {
       this.box.replaceChildren(
         element("h2", {}, "Box"),
@@ -133,22 +170,28 @@ export class WorldPanel {
       );
       return;
     }
-    const sample = this.derived.firstMove[box];
+    const first = boxes.firstBeyond[box];
     const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => String(Number((100 * side).toFixed(1))));
     const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => (100 * part).toFixed(1));
     const facts: [string, string][] = [
       ["size", `${size.join(" × ")} cm`],
       ["mass", kilograms(boxes.mass[box])],
       ["material", String(boxes.material[box])],
-      ["displacement at the end", metres(this.derived.endDistance[box])],
-      ["x, y, z in cm", `${x}, ${y}, ${z}`],
-      ["largest on the way", metres(boxes.peakDisplacement[box])],
-      ["drop", metres(boxes.drop[box])],
-      ["tilt", degrees(boxes.endTilt[box])],
+      ["largest displacement", metres(boxes.peak.displacement[box])],
+      ["displacement at the end", metres(boxes.end.displacement[box])],
+      ["x, y, z at the end, cm", `${x}, ${y}, ${z}`],
+      ["largest drop", metres(boxes.peak.drop[box])],
+      ["drop at the end", metres(boxes.end.drop[box])],
+      ["largest tilt", degrees(boxes.peak.tilt[box])],
+      ["tilt at the end", degrees(boxes.end.tilt[box])],
       ["largest kinetic energy", joules(boxes.peakEnergy[box])],
-      ["moves first", series && sample >= 0 ? seconds(series.time[sample]) : "never"],
     ];
-    const verdict = this.derived.verdict[box];
+    const verdict = boxVerdict(boxes, box);
+    if (!this.results.judgedAtEnd)
+      facts.push([
+        "beyond a limit first",
+        Number.isNaN(first) && verdict === VERDICT_CODES.stayed ? "never" : seconds(first),
+      ]);
     this.box.replaceChildren(
       element("h2", {}, `Box ${boxes.id[box]}`),
       element(
@@ -160,8 +203,8 @@ export class WorldPanel {
         element("button", { class: "plain", title: "Focus (F)", onclick: () => this.focus(box) }, "Focus"),
       ),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
-      // What went first has its cause above.
-      ...(box === this.derived.moveOrder[0] ? [] : causeOf(this.results, this.world, box, sample)).map((sentence) =>
+      // The critical box has its cause above.
+      ...(box === this.world.criticalBox - 1 ? [] : causeOf(this.results, this.world, box)).map((sentence) =>
         element("p", { class: "soft" }, sentence),
       ),
     );
@@ -206,10 +249,26 @@ export class WorldPanel {
     const { boxes, series } = this.world;
     const { sample } = between(times(this.world), time);
     const count = boxes.id.length;
-    if (!series) return `box ${boxes.id[box]} · ${metres(this.derived.endDistance[box])} at the end`;
+    if (!series) return `box ${boxes.id[box]} · ${metres(boxes.end.displacement[box])} at the end`;
     const at = 3 * (sample * count + box);
     const far = Math.hypot(...series.displacement.subarray(at, at + 3));
     const tilt = tiltOf(series.orientation, 4 * box, 4 * (sample * count + box));
     return `box ${boxes.id[box]} · ${metres(far)} · ${degrees(tilt)}`;
   }
+}
+
+/** What a layout stands in each direction, as sentences. */
+function marginSentences(margins: Margins, layout: number): string[] {
+  const own = (all: ArrayLike<number>) => DIRECTIONS.map((_, i) => all[4 * layout + i]);
+  const { margin: judged, criticalBox } = judgedMargins(margins);
+  // Of a layout that is unstable it is minus what moves it, in all directions.
+  if (own(judged)[0] < 0)
+    return [`Stands in no direction: box ${own(criticalBox)[0]} is unstable under gravity alone.`];
+  const list = (all: Float64Array) =>
+    own(all)
+      .map((value, i) => `${margin(value)} ${DIRECTIONS[i]}`)
+      .join(", ");
+  const sentences = [`In place, within 5 mm, up to ${list(margins.inPlace.margin)}.`];
+  if (margins.withinLimits) sentences.push(`Within the limits up to ${list(margins.withinLimits.margin)}.`);
+  return sentences;
 }

@@ -1,19 +1,17 @@
 // Written by tools/outcome_types.py from include/holdfast/outcome_fields.h.
 
-/** What became of a world as a whole, by the worst that happened in it. */
+/** What became of a world as a whole: the worst that ever happened in it. docs/verdicts.md */
 export const VERDICT_CODES = {
-  /** no box fell, moved or tilted, nor was any unstable */
+  /** no box was ever beyond a limit */
   stayed: 0,
-  /** a box moved or tilted at the end, and none fell */
+  /** a box was displaced or tilted beyond its limit at some time, and none fell */
   moved: 1,
-  /** a box had fallen at the end */
+  /** a box was lower than before by more than DropThreshold at some time */
   fell: 2,
-  /** a box fell or moved while settling, before any acceleration, and no box did later */
+  /** a box was beyond a limit while the load settled under gravity alone; it was not accelerated */
   unstable: 3,
-  /** the status is not 0, or the world was cancelled: nothing can be said */
+  /** the status is not 0 and no box was beyond a limit before, or the world was cancelled: nothing can be said */
   failed: 4,
-  /** with StopWhen: a box was beyond a threshold, and the world ended there */
-  gave_way: 5,
   /** with FirstFailure: the layout failed another acceleration; not simulated */
   not_needed: 6,
 } as const;
@@ -29,7 +27,7 @@ export const STOP_REASON_CODES = {
   sleeping: 2,
   /** the status says why */
   failed: 3,
-  /** with StopWhen: a box was beyond a threshold, and the verdict is gave_way */
+  /** a box was beyond a limit, with StopWhen or while the load settled: the verdict is at least what it says */
   decided: 4,
 } as const;
 export type StopReasonName = keyof typeof STOP_REASON_CODES;
@@ -56,6 +54,17 @@ export const STATUS_BITS = {
 } as const;
 export type StatusName = keyof typeof STATUS_BITS;
 
+/** Bits of what a reader has to know beside the verdict, which they do not change. */
+export const CAVEAT_BITS = {
+  /** the load was still moving after SettleSeconds, when the acceleration began */
+  not_at_rest: 1,
+  /** a box was still moving when the world ended */
+  still_moving: 2,
+  /** a friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides */
+  marginal: 4,
+} as const;
+export type CaveatName = keyof typeof CAVEAT_BITS;
+
 /** What the replicas of a world say of it: docs/confidence.md. */
 export const REPLICA_VERDICT_CODES = {
   /** there are no replicas */
@@ -76,32 +85,53 @@ export interface WorldOutcome {
   /** index of the acceleration: row of /inputs/accelerations */
   acceleration: number;
   /**
-   * the worst that happened: 0 stayed, 1 moved, 2 fell, 3 unstable (before any acceleration), 4 failed, 5 gave_way
-   * (ended early by StopWhen), 6 not_needed (left out by FirstFailure)
+   * the worst that ever happened: 0 stayed, 1 moved, 2 fell, 3 unstable (while settling, before any acceleration), 4
+   * failed, 6 not_needed (left out by FirstFailure)
    */
   verdict: VerdictName;
   /** what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md */
   status: number;
-  /** why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (by StopWhen) */
+  /**
+   * end of the last step before the first bit of the status was set: peaks are up to here, s; NaN where the status is
+   * 0, or nothing was simulated
+   */
+  statusTime: number;
+  /** what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in docs/results_file.md */
+  caveats: number;
+  /**
+   * why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with StopWhen
+   * or while settling)
+   */
   stopReason: StopReasonName;
   /** boxes of the world; 0 when it was not run */
   boxes: number;
-  /** boxes that had fallen at the end */
+  /** boxes that were ever lowered by more than DropThreshold */
   fallen: number;
-  /** boxes that fell or moved while settling, before any acceleration */
+  /** boxes that were beyond a limit while settling, before any acceleration */
   unstable: number;
-  /** boxes displaced by more than the move threshold at the end */
+  /** boxes that were ever displaced by more than MoveThreshold */
   moved: number;
-  /** boxes rotated by more than the tilt threshold at the end */
+  /** boxes that were ever rotated by more than TiltThreshold */
   tilted: number;
-  /** kinetic energy of all boxes together at the end, J */
-  totalKineticEnergy: number;
-  /** largest kinetic energy of all boxes together, over all steps, J */
-  peakKineticEnergy: number;
-  /** largest displacement of a box at the end, m */
-  maxDisplacement: number;
+  /** boxes that are lower by more than DropThreshold at the end */
+  fallenAtEnd: number;
+  /**
+   * box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0 where
+   * no box has moved at all
+   */
+  criticalBox: number;
   /** largest displacement of a box, over all steps, m */
   peakDisplacement: number;
+  /** by how much a box was lowered at most, over all steps, m */
+  peakDrop: number;
+  /** largest angle of rotation of a box, over all steps, degree */
+  peakTilt: number;
+  /** largest displacement of a box at the end, m */
+  endDisplacement: number;
+  /** largest kinetic energy of all boxes together, over all steps, J */
+  peakKineticEnergy: number;
+  /** kinetic energy of all boxes together at the end, J */
+  endKineticEnergy: number;
   /** simulated time at which the world ended, s */
   endTime: number;
   /** steps that the simulated time is divided into */

@@ -1,19 +1,28 @@
+import { criticalBox, excursionsTo } from "./excursions";
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
-import type {
-  BoxColumns,
-  LoadedLayout,
-  Margins,
-  Replicas,
-  Results,
-  Segment,
-  Series,
-  WallForces,
-  World,
-  WorldColumns,
+import { VERDICT_CODES } from "./outcome";
+import {
+  type BoxColumns,
+  type Excursions,
+  type LoadedLayout,
+  type MarginColumns,
+  type Margins,
+  NOT_COUNTED,
+  type Replicas,
+  type Results,
+  type Segment,
+  type Series,
+  type WallForces,
+  type World,
+  type WorldColumns,
 } from "./results";
 
 /** Versions of the file that this page reads. */
-const VERSIONS = [2, 3];
+const VERSIONS = [1, 2, 3];
+/** The first version that has what boxes ever did. */
+const PEAKS_SINCE = 3;
+/** Code of a verdict of earlier versions: the world ended with a box beyond a limit. */
+const GAVE_WAY = 5;
 
 const uint32 = (numbers: Numbers) => (numbers instanceof Uint32Array ? numbers : Uint32Array.from(numbers));
 
@@ -47,6 +56,9 @@ export class ResultsReader {
     const { worlds } = results;
     const layout = worlds.layout[index];
     const acceleration = worlds.acceleration[index];
+    const endTime = worlds.endTime[index];
+    const accelerated = results.judgedAtEnd || (worlds.verdict[index] !== VERDICT_CODES.unstable && !(endTime < 0));
+    const boxes = this.boxes(index, accelerated);
     return {
       index,
       layout: results.layouts[layout] ?? "",
@@ -56,8 +68,12 @@ export class ResultsReader {
       status: worlds.status[index],
       statusText: file.texts("worlds/status_text", index, index + 1)[0],
       verdict: worlds.verdict[index],
-      endTime: worlds.endTime[index],
-      boxes: this.boxes(index),
+      stopReason: worlds.stopReason[index],
+      accelerated,
+      criticalBox: results.judgedAtEnd ? this.criticalBox(index, boxes) : worlds.criticalBox[index],
+      beginTime: accelerated ? 0 : -Number(results.settings["Screening/SettleSeconds"]),
+      endTime,
+      boxes,
       series: this.series(index),
       walls: this.walls(index),
       stateHash: file.hashes("worlds/state_hash", index, index + 1)[0],
@@ -69,31 +85,54 @@ export class ResultsReader {
     this.file.close();
   }
 
-  private boxes(index: number): BoxColumns {
+  private boxes(index: number, accelerated: boolean): BoxColumns {
     const { file, results } = this;
     const begin = results.worlds.boxBegin[index] - this.offsets.boxes;
     const end = begin + results.worlds.boxes[index];
     const column = (name: string) => file.numbers(name, begin, end);
+    const float = (name: string) => column(name) as Float32Array;
+    const flags = (name: string) => column(`summary/boxes/${name}`) as Uint8Array;
     const reference = Float32Array.from(column("boxes/initial_position"));
-    const settling = column("boxes/settling_displacement") as Float32Array;
-    if (results.settings["Screening/ReferencePose"] === "settled") {
+    const settling = float("boxes/settling_displacement");
+    if (accelerated && results.settings["Screening/ReferencePose"] === "settled")
       for (let i = 0; i < reference.length; ++i) reference[i] += settling[i];
-    }
+    const endDisplacement = float("boxes/end_displacement");
+    const atEnd = excursionsTo(endDisplacement, float("boxes/end_tilt"));
+    const unknown = () => new Float32Array(end - begin).fill(Number.NaN);
+    const peaks = (name: string): Excursions => ({
+      displacement: float(`boxes/${name}_displacement`),
+      drop: float(`boxes/${name}_drop`),
+      tilt: float(`boxes/${name}_tilt`),
+    });
+    const earlier = results.judgedAtEnd;
+    const peak = earlier
+      ? { displacement: float("boxes/peak_displacement"), drop: unknown(), tilt: unknown() }
+      : peaks("peak");
     return {
       id: column("boxes/id") as Uint32Array,
       material: column("boxes/material") as Int32Array,
-      mass: column("boxes/mass") as Float32Array,
-      size: column("boxes/size") as Float32Array,
+      mass: float("boxes/mass"),
+      size: float("boxes/size"),
       reference,
-      settling,
-      endDisplacement: column("boxes/end_displacement") as Float32Array,
-      endTilt: column("boxes/end_tilt") as Float32Array,
-      drop: column("summary/boxes/drop") as Float32Array,
-      peakDisplacement: column("boxes/peak_displacement") as Float32Array,
-      peakEnergy: column("boxes/peak_kinetic_energy") as Float32Array,
-      fallen: column("summary/boxes/fallen") as Uint8Array,
-      moved: column("summary/boxes/moved") as Uint8Array,
+      endDisplacement,
+      end: atEnd,
+      peak,
+      settling: earlier ? excursionsTo(settling, new Float32Array(end - begin)) : peaks("settling_peak"),
+      judged: earlier ? atEnd : peak,
+      peakEnergy: float("boxes/peak_kinetic_energy"),
+      firstBeyond: earlier ? unknown() : float("summary/boxes/first_beyond"),
+      fallen: flags("fallen"),
+      moved: flags("moved"),
+      tilted: flags("tilted"),
+      unstable: flags("unstable"),
     };
+  }
+
+  /** Of a world of an earlier version, by where boxes are at the end. */
+  private criticalBox(index: number, { firstBeyond, settling, end }: BoxColumns): number {
+    const { worlds, thresholds } = this.results;
+    if (firstBeyond.length === 0) return NOT_COUNTED;
+    return criticalBox(firstBeyond, worlds.unstable[index] > 0 ? settling : end, thresholds);
   }
 
   private loaded(layout: number): LoadedLayout | null {
@@ -149,6 +188,7 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
   for (const [key, value] of Object.entries(file.attributes("inputs/settings"))) settings[key] = String(value);
   const metres = (key: string) => Number(settings[`Container/${key}`]) / 100;
   const thresholds = file.attributes("summary");
+  const judgedAtEnd = Number(root.format_version) < PEAKS_SINCE;
   return {
     name,
     size,
@@ -163,12 +203,16 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
       move: Number(thresholds.move_threshold),
       tilt: Number(thresholds.tilt_threshold),
     },
+    judgedAtEnd,
     container: [metres("Length"), metres("Width"), metres("Height")],
     layouts: file.texts("inputs/layouts/name"),
     layoutBoxes: uint32(file.numbers("inputs/layouts/box_count")),
     accelerations: file.texts("inputs/accelerations/name"),
     segments: readSegments(file),
-    worlds: readWorlds(file, Number(root.layouts_begin ?? 0), Number(root.accelerations_begin ?? 0)),
+    worlds: {
+      ...readWorlds(file, Number(root.layouts_begin ?? 0), Number(root.accelerations_begin ?? 0)),
+      ...(judgedAtEnd ? readEnds(file) : readPeaks(file)),
+    },
     hasSeries: file.has("series/displacement"),
     hasWalls: file.has("walls"),
     margins: readMargins(file),
@@ -191,21 +235,31 @@ function readSegments(file: Hdf5File): Segment[][] {
   );
 }
 
-function readWorlds(file: Hdf5File, firstLayout: number, firstAcceleration: number): WorldColumns {
+type Judged =
+  | "verdict"
+  | "statusTime"
+  | "caveats"
+  | "fallenAtEnd"
+  | "criticalBox"
+  | "peakDrop"
+  | "peakTilt"
+  | "endDisplacement";
+
+/** What all versions have. */
+function readWorlds(file: Hdf5File, firstLayout: number, firstAcceleration: number): Omit<WorldColumns, Judged> {
   const world = (name: string) => file.numbers(`worlds/${name}`);
   const summary = (name: string) => file.numbers(`summary/worlds/${name}`);
   return {
     layout: Uint32Array.from(world("layout"), (layout) => layout - firstLayout),
     acceleration: Uint32Array.from(world("acceleration"), (acceleration) => acceleration - firstAcceleration),
     status: uint32(world("status")),
-    verdict: summary("verdict") as Uint8Array,
+    stopReason: world("stop_reason") as Uint8Array,
     boxes: uint32(world("box_count")),
     samples: uint32(world("sample_count")),
     fallen: uint32(summary("fallen_boxes")),
     unstable: uint32(summary("unstable_boxes")),
     moved: uint32(summary("moved_boxes")),
     tilted: uint32(summary("tilted_boxes")),
-    displacement: summary("max_displacement") as Float32Array,
     peakDisplacement: summary("peak_displacement") as Float32Array,
     peakEnergy: summary("peak_kinetic_energy") as Float64Array,
     endTime: world("end_time") as Float64Array,
@@ -216,11 +270,49 @@ function readWorlds(file: Hdf5File, firstLayout: number, firstAcceleration: numb
   };
 }
 
+function readPeaks(file: Hdf5File): Pick<WorldColumns, Judged> {
+  const summary = (name: string) => file.numbers(`summary/worlds/${name}`);
+  return {
+    verdict: summary("verdict") as Uint8Array,
+    statusTime: file.numbers("worlds/status_time") as Float64Array,
+    caveats: uint32(file.numbers("worlds/caveats")),
+    fallenAtEnd: uint32(summary("fallen_at_end")),
+    criticalBox: uint32(summary("critical_box")),
+    peakDrop: summary("peak_drop") as Float32Array,
+    peakTilt: summary("peak_tilt") as Float32Array,
+    endDisplacement: summary("end_displacement") as Float32Array,
+  };
+}
+
+/** The same of an earlier version, as far as it has it. */
+function readEnds(file: Hdf5File): Pick<WorldColumns, Judged> {
+  const summary = (name: string) => file.numbers(`summary/worlds/${name}`);
+  const fallen = uint32(summary("fallen_boxes"));
+  const { fell, moved } = VERDICT_CODES;
+  const unknown = () => new Float32Array(fallen.length).fill(Number.NaN);
+  return {
+    verdict: Uint8Array.from(summary("verdict"), (verdict, world) =>
+      verdict !== GAVE_WAY ? verdict : fallen[world] > 0 ? fell : moved,
+    ),
+    statusTime: new Float64Array(fallen.length).fill(Number.NaN),
+    caveats: new Uint32Array(fallen.length),
+    fallenAtEnd: fallen,
+    criticalBox: new Uint32Array(fallen.length).fill(NOT_COUNTED),
+    peakDrop: unknown(),
+    peakTilt: unknown(),
+    endDisplacement: summary("max_displacement") as Float32Array,
+  };
+}
+
 function readMargins(file: Hdf5File): Margins | null {
   if (!file.has("margins")) return null;
+  const columns = (kind: string): MarginColumns => ({
+    margin: file.numbers(`margins/margin${kind}`) as Float64Array,
+    criticalBox: uint32(file.numbers(`margins/critical_box${kind}`)),
+  });
   return {
-    margin: file.numbers("margins/margin") as Float64Array,
-    criticalBox: uint32(file.numbers("margins/critical_box")),
+    inPlace: columns(""),
+    withinLimits: file.has("margins/margin_within_limits") ? columns("_within_limits") : null,
   };
 }
 

@@ -1,5 +1,8 @@
 /** What the page knows of a results file: plain columns, in the units and frame of docs/results_file.md. */
 
+/** Number of boxes of a world that was not simulated, or that a file of an earlier version does not have. */
+export const NOT_COUNTED = 0xffffffff;
+
 export interface Segment {
   start: number;
   duration: number;
@@ -15,11 +18,15 @@ export interface Thresholds {
   tilt: number;
 }
 
-/** One entry per world of the file. */
+/** One entry per world of the file. Counts are of boxes that were ever so; at the end in a file of an earlier version. */
 export interface WorldColumns {
   layout: Uint32Array;
   acceleration: Uint32Array;
   status: Uint32Array;
+  /** s: peaks are up to here; NaN where the status is 0 */
+  statusTime: Float64Array;
+  caveats: Uint32Array;
+  stopReason: Uint8Array;
   verdict: Uint8Array;
   boxes: Uint32Array;
   samples: Uint32Array;
@@ -27,10 +34,17 @@ export interface WorldColumns {
   unstable: Uint32Array;
   moved: Uint32Array;
   tilted: Uint32Array;
-  /** m, at the end, as the verdict uses it */
-  displacement: Float32Array;
+  fallenAtEnd: Uint32Array;
+  /** from 1; 0: no box has moved */
+  criticalBox: Uint32Array;
   /** m, over all steps */
   peakDisplacement: Float32Array;
+  /** m, over all steps */
+  peakDrop: Float32Array;
+  /** degree, over all steps */
+  peakTilt: Float32Array;
+  /** m */
+  endDisplacement: Float32Array;
   /** J */
   peakEnergy: Float64Array;
   endTime: Float64Array;
@@ -41,10 +55,19 @@ export interface WorldColumns {
   rowBegin: Float64Array;
 }
 
-export interface Margins {
-  /** g, four per layout: front, rear, left, right */
+/** Four per layout: front, rear, left, right. */
+export interface MarginColumns {
+  /** g */
   margin: Float64Array;
+  /** from 1; 0: none up to the largest acceleration that is tried */
   criticalBox: Uint32Array;
+}
+
+export interface Margins {
+  /** every box stays within 5 mm of its place */
+  inPlace: MarginColumns;
+  /** every box stays within the limits of the verdict; null in a file of an earlier version */
+  withinLimits: MarginColumns | null;
 }
 
 export interface Replicas {
@@ -66,6 +89,8 @@ export interface Results {
   created: string;
   settings: Record<string, string>;
   thresholds: Thresholds;
+  /** The file is of an earlier version: worlds are judged by where boxes are at the end, not by all that they did. */
+  judgedAtEnd: boolean;
   /** m: length, width, height */
   container: [number, number, number];
   layouts: string[];
@@ -79,23 +104,39 @@ export interface Results {
   replicas: Replicas | null;
 }
 
+/** How far boxes are from their reference poses: what the limits are compared with. */
+export interface Excursions {
+  /** m, length */
+  displacement: Float32Array;
+  /** m, by how much the centre of mass is lower; never negative */
+  drop: Float32Array;
+  /** degree */
+  tilt: Float32Array;
+}
+
 /** One entry per box, in the order of the layout file; tables of three lie one after the other. */
 export interface BoxColumns {
   id: Uint32Array;
   material: Int32Array;
   mass: Float32Array;
   size: Float32Array;
-  /** m, at t = 0: as loaded, and settled where displacement counts from there */
+  /** m, from where displacement counts: as settled, at t = 0, or as loaded */
   reference: Float32Array;
-  /** m, while settling under gravity alone, before t = 0 */
-  settling: Float32Array;
   endDisplacement: Float32Array;
-  endTilt: Float32Array;
-  drop: Float32Array;
-  peakDisplacement: Float32Array;
+  end: Excursions;
+  /** over all steps; drop and tilt are NaN in a file of an earlier version */
+  peak: Excursions;
+  /** while the load settles, before t = 0; at its end in a file of an earlier version */
+  settling: Excursions;
+  /** what the verdict is from: `peak`, or `end` in a file of an earlier version */
+  judged: Excursions;
   peakEnergy: Float32Array;
+  /** s, when the box was beyond a limit first, negative while settling; NaN: never, or not known */
+  firstBeyond: Float32Array;
   fallen: Uint8Array;
   moved: Uint8Array;
+  tilted: Uint8Array;
+  unstable: Uint8Array;
 }
 
 /** Samples of a world. Tables over samples and boxes lie sample by sample. */
@@ -136,6 +177,13 @@ export interface World {
   status: number;
   statusText: string;
   verdict: number;
+  stopReason: number;
+  /** False: it ended while it settled, before t = 0. */
+  accelerated: boolean;
+  /** from 1; 0: no box has moved */
+  criticalBox: number;
+  /** s: 0, or earlier where only settling is recorded */
+  beginTime: number;
   endTime: number;
   boxes: BoxColumns;
   /** null: the file has no series, or the world was not simulated */

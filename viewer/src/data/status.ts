@@ -1,4 +1,4 @@
-import { STATUS_BITS, type StatusName } from "./outcome";
+import { CAVEAT_BITS, type CaveatName, STATUS_BITS, type StatusName } from "./outcome";
 
 /** What went wrong with a world, and what to do about it. */
 interface Cause {
@@ -7,7 +7,7 @@ interface Cause {
   cure: string;
 }
 
-const SHOWN: Record<StatusName, Cause> = {
+const CAUSES: Record<StatusName, Cause> = {
   bad_layout: {
     name: "bad layout",
     meaning: "The layout could not be used; it was not simulated.",
@@ -45,8 +45,31 @@ const SHOWN: Record<StatusName, Cause> = {
   },
 };
 
+/** What has to be known beside the verdict, which it does not change. */
+interface Caveat {
+  name: string;
+  meaning: string;
+}
+
+const CAVEATS: Record<CaveatName, Caveat> = {
+  not_at_rest: {
+    name: "not at rest",
+    meaning: "The load was still moving after SettleSeconds, when the acceleration began.",
+  },
+  still_moving: { name: "still moving", meaning: "A box was still moving when the world ended." },
+  marginal: {
+    name: "marginal",
+    meaning:
+      "A friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides.",
+  },
+};
+
+/** Names of the bits that are set. */
+export const namesOf = <Name extends string>(bits: Readonly<Record<Name, number>>, set: number): Name[] =>
+  (Object.keys(bits) as Name[]).filter((name) => (set & bits[name]) !== 0);
+
 /** The causes whose bits are set in /worlds/status. */
-export const causes = (status: number): Cause[] =>
-  Object.entries(STATUS_BITS)
-    .filter(([, bit]) => (status & bit) !== 0)
-    .map(([name]) => SHOWN[name as StatusName]);
+export const causes = (status: number): Cause[] => namesOf(STATUS_BITS, status).map((name) => CAUSES[name]);
+
+/** The caveats whose bits are set in /worlds/caveats. */
+export const caveatsOf = (caveats: number): Caveat[] => namesOf(CAVEAT_BITS, caveats).map((name) => CAVEATS[name]);

@@ -1,36 +1,39 @@
-import type { Results } from "../data/results";
-import { VERDICTS } from "../data/verdict";
+import { CAVEAT_BITS, STATUS_BITS, STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
+import { NOT_COUNTED, type Results } from "../data/results";
+import { namesOf } from "../data/status";
 import type { Row } from "./rows";
 
-const NOT_SIMULATED = 0xffffffff;
-
 const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-const number = (value: number) => (Number.isNaN(value) || value === NOT_SIMULATED ? "" : String(value));
+const number = (value: number) => (Number.isNaN(value) || value === NOT_COUNTED ? "" : String(value));
+const nameOf = (codes: Readonly<Record<string, number>>, code: number) =>
+  Object.keys(codes).find((name) => codes[name] === code) ?? "";
 
-/** One line per world of the rows, in their order. */
+/** One line per world of the rows, in their order, with the headings and the names of the program's worlds.csv. */
 export function fleetCsv(results: Results, rows: readonly Row[]): string {
-  const { worlds } = results;
-  const lines = [
-    "layout,acceleration,verdict,boxes,fallen,moved,tilted,unstable,max_displacement_m,peak_displacement_m,status",
+  const { worlds, judgedAtEnd } = results;
+  const columns: [string, (world: number) => string][] = [
+    ["layout", (world) => quoted(results.layouts[worlds.layout[world]])],
+    ["acceleration", (world) => quoted(results.accelerations[worlds.acceleration[world]])],
+    ["verdict", (world) => nameOf(VERDICT_CODES, worlds.verdict[world])],
+    ["judged_at", () => (judgedAtEnd ? "end" : "any_time")],
+    ["status", (world) => namesOf(STATUS_BITS, worlds.status[world]).join("+") || "ok"],
+    ["caveats", (world) => namesOf(CAVEAT_BITS, worlds.caveats[world]).join("+")],
+    ["stop_reason", (world) => nameOf(STOP_REASON_CODES, worlds.stopReason[world])],
+    ["boxes", (world) => number(worlds.boxes[world])],
+    ["fallen_boxes", (world) => number(worlds.fallen[world])],
+    ["unstable_boxes", (world) => number(worlds.unstable[world])],
+    ["moved_boxes", (world) => number(worlds.moved[world])],
+    ["tilted_boxes", (world) => number(worlds.tilted[world])],
+    ["fallen_at_end", (world) => number(worlds.fallenAtEnd[world])],
+    ["critical_box", (world) => number(worlds.criticalBox[world])],
+    ["peak_displacement_m", (world) => number(worlds.peakDisplacement[world])],
+    ["peak_drop_m", (world) => number(worlds.peakDrop[world])],
+    ["peak_tilt_deg", (world) => number(worlds.peakTilt[world])],
+    ["end_displacement_m", (world) => number(worlds.endDisplacement[world])],
+    ["end_time_s", (world) => number(worlds.endTime[world])],
   ];
+  const lines = [columns.map(([heading]) => heading).join(",")];
   for (const row of rows)
-    for (const world of row.worlds) {
-      if (world < 0) continue;
-      lines.push(
-        [
-          quoted(results.layouts[row.layout]),
-          quoted(results.accelerations[worlds.acceleration[world]]),
-          VERDICTS[worlds.verdict[world]].name,
-          number(worlds.boxes[world]),
-          number(worlds.fallen[world]),
-          number(worlds.moved[world]),
-          number(worlds.tilted[world]),
-          number(worlds.unstable[world]),
-          number(worlds.displacement[world]),
-          number(worlds.peakDisplacement[world]),
-          String(worlds.status[world]),
-        ].join(","),
-      );
-    }
+    for (const world of row.worlds) if (world >= 0) lines.push(columns.map(([, value]) => value(world)).join(","));
   return `${lines.join("\n")}\n`;
 }

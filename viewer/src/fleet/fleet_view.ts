@@ -1,13 +1,14 @@
+import { CAVEAT_BITS } from "../data/outcome";
 import type { Results } from "../data/results";
-import { causes } from "../data/status";
-import { VERDICTS } from "../data/verdict";
+import { causes, caveatsOf } from "../data/status";
+import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { choice, download, element } from "../ui/dom";
 import type { Store } from "../ui/state";
-import { count, gravities, metres, plural, seconds } from "../ui/text";
+import { count, degrees, margin, metres, plural, seconds } from "../ui/text";
 import { fleetCsv } from "./csv";
 import { type CellAt, Matrix } from "./matrix";
 import { arranged, DIRECTIONS, type Row, rowsOf, type Scale, type Sort, verdictCounts } from "./rows";
-import { scalesOf } from "./scales";
+import { isOfMargins, scalesOf } from "./scales";
 
 /** The landing page of a file: which loadings fail under what. */
 export class FleetView {
@@ -61,7 +62,7 @@ export class FleetView {
         ),
         this.matrix.node,
       ),
-      element("aside", {}, this.legend(), this.detail, this.facts()),
+      element("aside", {}, this.legend(), this.caveats(), this.detail, this.facts()),
     );
     store.listen((_, changed) => {
       if (changed.has("sort") || changed.has("scale") || changed.has("filter")) this.arrange();
@@ -95,7 +96,7 @@ export class FleetView {
 
   private worldAt(at: CellAt): number {
     const row = this.rows[at.row];
-    if (this.store.state.scale !== "margin") return row.worlds[at.column];
+    if (!isOfMargins(this.store.state.scale)) return row.worlds[at.column];
     // A margin belongs to the layout: its worst world is shown.
     const badness = (world: number) => (world < 0 ? -1 : VERDICTS[this.results.worlds.verdict[world]].badness);
     return [...row.worlds].reduce((worst, world) => (badness(world) > badness(worst) ? world : worst), -1);
@@ -112,6 +113,7 @@ export class FleetView {
       "section",
       {},
       element("h2", {}, "Verdicts"),
+      this.results.judgedAtEnd ? element("p", { class: "notable" }, JUDGED_AT_END) : null,
       element(
         "ul",
         { class: "legend" },
@@ -120,7 +122,7 @@ export class FleetView {
             ? null
             : element(
                 "li",
-                { title: verdict.meaning },
+                { title: meaningOf(code, this.results.judgedAtEnd) },
                 element("i", { class: `swatch verdict-${code}` }, verdict.glyph),
                 element("span", {}, verdict.name),
                 element("b", {}, count(counts[code])),
@@ -128,6 +130,19 @@ export class FleetView {
         ),
       ),
     );
+  }
+
+  /** Worlds of which there is something to know beside their verdicts. */
+  private caveats(): HTMLElement | null {
+    const items = Object.values(CAVEAT_BITS).flatMap((bit) => {
+      const worlds = this.results.worlds.caveats.reduce((sum, caveats) => sum + ((caveats & bit) !== 0 ? 1 : 0), 0);
+      const [{ name, meaning }] = caveatsOf(bit);
+      return worlds === 0
+        ? []
+        : [element("li", { title: meaning }, element("span", {}, name), element("b", {}, count(worlds)))];
+    });
+    if (items.length === 0) return null;
+    return element("section", {}, element("h2", {}, "Caveats"), element("ul", { class: "legend" }, ...items));
   }
 
   /** What the world under the pointer is about. */
@@ -140,26 +155,31 @@ export class FleetView {
       );
       return;
     }
-    const { worlds, layouts, accelerations, margins, replicas } = this.results;
+    const { worlds, layouts, accelerations, margins, replicas, judgedAtEnd } = this.results;
     const layout = this.rows[at.row].layout;
-    const verdict = VERDICTS[worlds.verdict[world]];
+    const verdict = worlds.verdict[world];
+    const least = isAtLeast(verdict, worlds.stopReason[world]) ? "at least " : "";
+    const boxes = (number: number) => (number > 0 ? least : "") + count(number);
     const facts: [string, string][] = [
       ["boxes", count(worlds.boxes[world])],
-      ["fallen", count(worlds.fallen[world])],
-      ["moved", count(worlds.moved[world])],
-      ["tilted", count(worlds.tilted[world])],
-      ["unstable", count(worlds.unstable[world])],
-      ["displacement at the end", metres(worlds.displacement[world])],
-      ["largest on the way", metres(worlds.peakDisplacement[world])],
+      ["fell", boxes(worlds.fallen[world])],
+      ["moved", boxes(worlds.moved[world])],
+      ["tilted", boxes(worlds.tilted[world])],
+      ["unstable", boxes(worlds.unstable[world])],
+      ["fallen at the end", count(worlds.fallenAtEnd[world])],
+      ["critical box", worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none moved"],
+      ["largest displacement", metres(worlds.peakDisplacement[world])],
+      ["displacement at the end", metres(worlds.endDisplacement[world])],
+      ["largest drop", metres(worlds.peakDrop[world])],
+      ["largest tilt", degrees(worlds.peakTilt[world])],
       ["ends at", seconds(worlds.endTime[world])],
     ];
     if (replicas && replicas.count[world] > 0)
       facts.push(["replicas that fail", `${replicas.failed[world]} of ${replicas.count[world]}`]);
-    if (margins)
-      facts.push([
-        "margins",
-        DIRECTIONS.map((name, i) => `${name} ${gravities(margins.margin[4 * layout + i])}`).join(", "),
-      ]);
+    const marginsOf = (all: Float64Array) =>
+      DIRECTIONS.map((name, i) => `${name} ${margin(all[4 * layout + i])}`).join(", ");
+    if (margins) facts.push(["margins in place", marginsOf(margins.inPlace.margin)]);
+    if (margins?.withinLimits) facts.push(["margins within the limits", marginsOf(margins.withinLimits.margin)]);
     this.detail.replaceChildren(
       element("h2", {}, "World"),
       element("p", { class: "strong" }, layouts[layout]),
@@ -167,16 +187,12 @@ export class FleetView {
       element(
         "p",
         {},
-        element("i", { class: `swatch verdict-${worlds.verdict[world]}` }, verdict.glyph),
-        element("span", { class: "strong" }, ` ${verdict.name}`),
+        element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
+        element("span", { class: "strong" }, ` ${verdictText(verdict, worlds.stopReason[world])}`),
       ),
-      element(
-        "p",
-        { class: "soft" },
-        causes(worlds.status[world])
-          .map((cause) => cause.meaning)
-          .join(" ") || verdict.meaning,
-      ),
+      element("p", { class: "soft" }, meaningOf(verdict, judgedAtEnd)),
+      ...causes(worlds.status[world]).map((cause) => element("p", { class: "problem" }, cause.meaning)),
+      ...caveatsOf(worlds.caveats[world]).map((caveat) => element("p", { class: "notable" }, caveat.meaning)),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
     );
   }
@@ -196,6 +212,7 @@ export class FleetView {
       {},
       element("h2", {}, "Run"),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
+      element("p", { class: "faint" }, NOT_MODELLED),
     );
   }
 

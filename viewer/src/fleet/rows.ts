@@ -1,10 +1,17 @@
-import type { Results } from "../data/results";
+import type { MarginColumns, Margins, Results } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 
 export type Sort = "worst" | "margin" | "name";
-export type Scale = "verdict" | "displacement" | "margin" | "share";
+export type Scale = "verdict" | "displacement" | "margin" | "place" | "share";
 
 export const DIRECTIONS = ["front", "rear", "left", "right"] as const;
+
+/** The displacements that worlds are judged by: the largest ones, or in a file of an earlier version those at the end. */
+export const judgedDisplacements = ({ judgedAtEnd, worlds }: Results): Float32Array =>
+  judgedAtEnd ? worlds.endDisplacement : worlds.peakDisplacement;
+
+/** The margins that layouts are judged by: within the limits, as worlds are; an earlier version has only those in place. */
+export const judgedMargins = ({ inPlace, withinLimits }: Margins): MarginColumns => withinLimits ?? inPlace;
 
 /** A layout and its worlds, one per acceleration; -1 where the file has none. */
 export interface Row {
@@ -12,6 +19,7 @@ export interface Row {
   worlds: Int32Array;
   /** of its worst world */
   badness: number;
+  /** m, the largest of its worlds */
   displacement: number;
   /** g, smallest of the four directions; NaN where it is not known */
   margin: number;
@@ -24,14 +32,15 @@ export function rowsOf(results: Results): Row[] {
     worlds: new Int32Array(accelerations.length).fill(-1),
     badness: -1,
     displacement: 0,
-    margin: margins ? smallest(margins.margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
+    margin: margins ? smallest(judgedMargins(margins).margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
   }));
+  const displacements = judgedDisplacements(results);
   for (let world = 0; world < worlds.layout.length; ++world) {
     const row = rows[worlds.layout[world]];
     if (!row) continue;
     row.worlds[worlds.acceleration[world]] = world;
     row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
-    if (worlds.displacement[world] > row.displacement) row.displacement = worlds.displacement[world];
+    if (displacements[world] > row.displacement) row.displacement = displacements[world];
   }
   return rows;
 }

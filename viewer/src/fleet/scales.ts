@@ -1,9 +1,8 @@
 import { VERDICT_CODES } from "../data/outcome";
 import type { Results } from "../data/results";
-import { VERDICTS } from "../data/verdict";
+import { isAtLeast, VERDICTS } from "../data/verdict";
 import { colour, isDark, verdictColour } from "../ui/theme";
-import type { Row, Scale } from "./rows";
-import { DIRECTIONS } from "./rows";
+import { DIRECTIONS, judgedDisplacements, judgedMargins, type Row, type Scale } from "./rows";
 
 /** How a cell of the matrix looks: null where there is nothing. */
 export interface Cell {
@@ -39,10 +38,11 @@ function verdictCell(results: Results, world: number): Cell {
           ? Math.max(worlds.moved[world], worlds.tilted[world])
           : 0;
   const glyph = VERDICTS[verdict].glyph;
+  const least = isAtLeast(verdict, worlds.stopReason[world]) ? "≥ " : "";
   return {
     fill: verdictColour(verdict),
     ink: colour(`verdict-ink-${verdict}`),
-    text: number > 0 ? `${glyph} ${number}` : glyph,
+    text: number > 0 ? `${glyph} ${least}${number}` : glyph,
   };
 }
 
@@ -51,16 +51,22 @@ function valueCell(value: number, share: number, digits: number): Cell | null {
   return { fill: ramp(share), ink: rampInk(share), text: value.toFixed(digits) };
 }
 
+/** Whether the cells of a scale are of layouts, not of worlds. */
+export const isOfMargins = (scale: Scale) => scale === "margin" || scale === "place";
+
 /** The cell of a column; columns are accelerations, or directions for margins. */
 export function cellOf(results: Results, row: Row, column: number, scale: Scale): Cell | null {
-  if (scale === "margin") {
-    const margin = results.margins?.margin[4 * row.layout + column] ?? Number.NaN;
-    return valueCell(margin, marginShare(margin), 2);
+  if (isOfMargins(scale)) {
+    const { margins } = results;
+    if (!margins) return null;
+    const { margin } = scale === "place" ? margins.inPlace : judgedMargins(margins);
+    const value = margin[4 * row.layout + column];
+    return valueCell(value, marginShare(value), 2);
   }
   const world = row.worlds[column];
   if (world < 0) return null;
   if (scale === "displacement") {
-    const displacement = results.worlds.displacement[world];
+    const displacement = judgedDisplacements(results)[world];
     return valueCell(displacement, displacementShare(displacement), 2);
   }
   if (scale === "share") {
@@ -71,15 +77,19 @@ export function cellOf(results: Results, row: Row, column: number, scale: Scale)
 }
 
 export const columnNames = (results: Results, scale: Scale): readonly string[] =>
-  scale === "margin" ? DIRECTIONS : results.accelerations;
+  isOfMargins(scale) ? DIRECTIONS : results.accelerations;
 
 /** Scales that the file has numbers for. */
 export function scalesOf(results: Results): { value: Scale; label: string }[] {
   const scales: { value: Scale; label: string }[] = [
     { value: "verdict", label: "verdict" },
-    { value: "displacement", label: "displacement at the end, m" },
+    {
+      value: "displacement",
+      label: results.judgedAtEnd ? "displacement at the end, m" : "largest displacement, m",
+    },
   ];
-  if (results.margins) scales.push({ value: "margin", label: "margin, g" });
+  if (results.margins?.withinLimits) scales.push({ value: "margin", label: "margin within the limits, g" });
+  if (results.margins) scales.push({ value: "place", label: "margin in place, g" });
   if (results.replicas) scales.push({ value: "share", label: "share of replicas that fail" });
   return scales;
 }

@@ -10,10 +10,8 @@ let pulled: number | null = null;
 
 function frame(began: number, hashed: boolean): Frame {
   const at = world!;
-  const { time, endTime } = at;
   return {
-    time,
-    endTime,
+    time: at.time,
     poses: at.poses(),
     velocities: at.velocities(),
     stateHash: hashed ? at.stateHash() : null,
@@ -60,7 +58,7 @@ async function answer(order: Order) {
       return engine.version;
     case "start":
       start(engine, order);
-      return frame(began, false);
+      return frame(began, order.hashed);
     case "advance":
       change(order.changes);
       world!.advance(order.to);

@@ -17,6 +17,8 @@ const LONGEST_STEP = 0.25;
 const AHEAD = 2;
 /** s of a single step: that of the engine at its least accuracy. */
 const STEP = 1 / 60;
+/** s between two looks at the boxes, which find their largest displacements: a step of the engine at its standard accuracy. */
+const LOOK = 1 / 240;
 
 /** What can be chosen before a world starts. */
 export interface Choices {
@@ -35,6 +37,7 @@ export class LiveDriver implements TimeControl {
   readonly record: LiveRecord;
   readonly meter = new SpeedMeter();
   mode: Mode = "drive";
+  readonly begin = 0;
   speed = 1;
   /** what the engine says of inputs that it cannot use */
   problem = "";
@@ -92,9 +95,24 @@ export class LiveDriver implements TimeControl {
   }
 
   get end(): number {
-    const { endTime } = this.of;
-    if (this.mode === "replay") return endTime;
-    return Math.max(endTime || 0, Math.ceil(this.time + AHEAD), 5);
+    if (this.mode === "replay") return this.of.endTime;
+    return Math.max(this.latestEnd, Math.ceil(this.time + AHEAD), 5);
+  }
+
+  /** s: where a world that nobody drives ends: as that of the file, or after the time that a changed one has to come to rest. */
+  private get latestEnd(): number {
+    const { of } = this;
+    const { settings } = this.file;
+    if (!this.changed && of.accelerated) return of.endTime || 0;
+    const timeout = settings["Simulation Settings/TimeoutInSeconds"];
+    if (timeout) return Number(timeout);
+    const ends = of.segments.map(({ start, duration }) => start + duration);
+    return Math.max(...ends, 0) + Number(settings["Screening/RunOutSeconds"] ?? 0);
+  }
+
+  /** Whether a box is beyond a limit before the start: such a load is not accelerated. */
+  get unstable(): boolean {
+    return !this.record.world.accelerated;
   }
 
   /** True before the first step: boxes can be placed. */
@@ -107,11 +125,12 @@ export class LiveDriver implements TimeControl {
     return this.driven.at(this.time);
   }
 
-  /** A world that does as the file pauses at its end. It can go on from there, and one that is driven goes on. */
+  /** A world that nobody drives pauses at its end. It can go on from there, and one that is driven goes on. */
   private setStop(): void {
-    const { endTime } = this.of;
-    const follows = !this.driven.taken && this.time < endTime;
-    this.stop = this.mode === "replay" || follows ? endTime : LONGEST;
+    const { latestEnd } = this;
+    const follows = !this.driven.taken && this.time < latestEnd;
+    if (this.mode === "replay") this.stop = this.of.endTime;
+    else this.stop = this.unstable ? 0 : follows ? latestEnd : LONGEST;
   }
 
   /** The settings of the world, and with them a configuration that repeats it. */
@@ -166,16 +185,18 @@ export class LiveDriver implements TimeControl {
         this.of.segments.flatMap(({ start, duration, value }) => [start, duration, ...value]),
       );
       try {
-        const frame = await this.client.ask("start", { boxes, segments, settings: this.settings(mode) });
+        // An unstable world of the file has come to its end when it has settled.
+        const hashed = mode === "replay" && this.of.endTime <= 0;
+        const frame = await this.client.ask("start", { boxes, segments, settings: this.settings(mode), hashed });
         this.mode = mode;
-        this.hash = null;
+        this.hash = frame.stateHash;
         this.problem = "";
         if (!keepDriven) this.driven = new DrivenAcceleration(this.of.segments);
         this.told = null;
-        this.setStop();
         this.frictionChanged = false;
         this.meter.clear();
         this.record.restart(boxes, frame, this.acceleration);
+        this.setStop();
         this.record.world.segments = this.segments(this.end);
         this.store.update({ time: 0 });
         this.sampled();
@@ -210,8 +231,8 @@ export class LiveDriver implements TimeControl {
   async step(): Promise<void> {
     this.pause();
     this.setStop();
-    if (this.problem !== "" || this.time >= this.stop) return;
-    await this.advance(this.time + STEP);
+    const to = this.time + STEP;
+    while (this.problem === "" && this.time < Math.min(to, this.stop) - 1e-9) await this.advance(to);
     this.store.update({ time: this.time });
     this.tell();
   }
@@ -231,7 +252,7 @@ export class LiveDriver implements TimeControl {
   accelerate(value: Vector): void {
     if (this.mode === "replay") return;
     this.driven.set(this.time, value);
-    this.stop = LONGEST;
+    this.setStop();
     this.record.world.segments = this.segments(this.end);
     this.tell();
   }
@@ -240,6 +261,7 @@ export class LiveDriver implements TimeControl {
   setFriction(value: number): void {
     this.choices.friction = value;
     this.frictionChanged = !this.atStart;
+    this.setStop();
     if (this.atStart) this.rechoose();
     this.tell();
   }
@@ -259,12 +281,12 @@ export class LiveDriver implements TimeControl {
     }
   }
 
-  /** Until a time, the next sample or the end, whichever comes first; a pull changes with each step. */
+  /** Until a time, the next look, sample or the end, whichever comes first; a pull changes with each step. */
   private advance(wanted: number): Promise<void> {
     return this.inTurn(async () => {
       const { record } = this;
       const changes = this.changes();
-      const to = Math.min(wanted, record.nextSample, this.stop, changes.force ? record.time + STEP : wanted);
+      const to = Math.min(wanted, record.nextSample, this.stop, record.time + (changes.force ? STEP : LOOK));
       const ends = to >= this.stop;
       try {
         const frame = await this.client.ask("advance", { to, changes, hashed: ends && this.mode === "replay" });

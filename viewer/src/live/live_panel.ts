@@ -215,6 +215,7 @@ export class LivePanel {
     const could = Number.isFinite(possible) ? `; the engine alone does ${times(possible)}` : "";
     if (driver.playing) return Number.isFinite(shown) ? `${times(shown)} real time${could}.` : "Runs.";
     if (driver.mode === "replay") return driver.hash ? `Replayed to its end${could}.` : "Replays the file.";
+    if (driver.unstable) return "The load is unstable under gravity alone: it is not accelerated.";
     return driver.time === 0 ? "Stands at the start." : `Paused at ${driver.time.toFixed(2)} s${could}.`;
   }
 

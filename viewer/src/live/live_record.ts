@@ -1,5 +1,7 @@
-import { VERDICT_CODES } from "../data/outcome";
-import type { BoxColumns, Results, Series, World, WorldColumns } from "../data/results";
+import { criticalBox, excursionsTo, isBeyond, noExcursions } from "../data/excursions";
+import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
+import type { BoxColumns, Excursions, Results, Series, World, WorldColumns } from "../data/results";
+import { tiltOf } from "../time/poses";
 import type { Frame } from "./messages";
 
 /** s: between two samples when that of the file's settings is not of use here. */
@@ -64,7 +66,8 @@ export class LiveRecord {
   velocities: Float64Array = new Float64Array();
   /** Rows of seven numbers: the layout that it began with. */
   boxes = new Float64Array();
-  private readonly zeroOrientation: Float64Array;
+  /** Orientations w, x, y, z of the reference pose, and behind them those of now. */
+  private readonly turns: Float64Array;
   private readonly reference: Float64Array;
   private columns = newColumns();
 
@@ -73,23 +76,28 @@ export class LiveRecord {
     const given = Number(file.settings["Export Settings/ResultsIntervallInSeconds"]);
     this.interval = given >= 1 / 60 && given <= 0.2 ? given : SAMPLING;
     this.reference = new Float64Array(3 * count);
-    this.zeroOrientation = new Float64Array(4 * count);
+    this.turns = new Float64Array(8 * count);
     this.displacement = new Float32Array(3 * count);
     this.orientation = new Float32Array(4 * count);
+    const peak = noExcursions(count);
     const columns: BoxColumns = {
       ...of.boxes,
       reference: new Float32Array(3 * count),
-      settling: new Float32Array(3 * count),
       endDisplacement: new Float32Array(3 * count),
-      endTilt: new Float32Array(count),
-      drop: new Float32Array(count),
-      peakDisplacement: new Float32Array(count),
+      end: noExcursions(count),
+      peak,
+      settling: noExcursions(count),
+      judged: peak,
       peakEnergy: new Float32Array(count),
+      firstBeyond: new Float32Array(count),
       fallen: new Uint8Array(count),
       moved: new Uint8Array(count),
+      tilted: new Uint8Array(count),
+      unstable: new Uint8Array(count),
     };
     this.results = {
       ...file,
+      judgedAtEnd: false,
       layouts: [of.layout],
       accelerations: [of.acceleration],
       layoutBoxes: Uint32Array.of(count),
@@ -106,6 +114,10 @@ export class LiveRecord {
       status: 0,
       statusText: "",
       verdict: VERDICT_CODES.stayed,
+      stopReason: STOP_REASON_CODES.timeout,
+      accelerated: true,
+      criticalBox: 0,
+      beginTime: 0,
       boxes: columns,
       series: null,
       walls: null,
@@ -118,26 +130,35 @@ export class LiveRecord {
    * @param frame the world at time 0, after settling
    */
   restart(boxes: Float64Array, frame: Frame, acceleration: ArrayLike<number>): void {
-    const { settings } = this.results;
-    const { reference, settling, peakDisplacement, peakEnergy } = this.world.boxes;
-    const loaded = centresOf(boxes, settings);
-    const settled = settings["Screening/ReferencePose"] === "settled";
+    const { settings, thresholds } = this.results;
+    const { world } = this;
+    const { peak, settling, unstable, firstBeyond, peakEnergy } = world.boxes;
     this.boxes = boxes.slice();
     this.columns = newColumns();
-    for (let box = 0; 7 * box < boxes.length; ++box) {
-      for (let axis = 0; axis < 3; ++axis) {
-        const i = 3 * box + axis;
-        settling[i] = frame.poses[7 * box + axis] - loaded[i];
-        this.reference[i] = settled ? frame.poses[7 * box + axis] : loaded[i];
-      }
-      this.zeroOrientation.set(settled ? frame.poses.subarray(7 * box + 3, 7 * box + 7) : [1, 0, 0, 0], 4 * box);
-    }
-    reference.set(this.reference);
-    peakDisplacement.fill(0);
-    peakEnergy.fill(0);
+    this.refer(frame.poses, false);
+    this.measure(frame);
+    copy(this.excursions(), settling);
+    // How far boxes were on the way there is not known here.
+    for (let box = 0; box < unstable.length; ++box) unstable[box] = isBeyond(settling, box, thresholds) ? 1 : 0;
+    world.accelerated = !unstable.includes(1);
+    if (world.accelerated && settings["Screening/ReferencePose"] === "settled") this.refer(frame.poses, true);
+    for (const column of [peak.displacement, peak.drop, peak.tilt, peakEnergy]) column.fill(0);
+    firstBeyond.fill(Number.NaN);
     this.results.worlds.peakEnergy[0] = 0;
-    this.results.worlds.peakDisplacement[0] = 0;
     this.add(frame, acceleration);
+  }
+
+  /** Takes the poses at time 0, or those as loaded, as what displacement and tilt are from. */
+  private refer(poses: Float64Array, settled: boolean): void {
+    const loaded = centresOf(this.boxes, this.results.settings);
+    for (let box = 0; 3 * box < loaded.length; ++box) {
+      this.reference.set(
+        settled ? poses.subarray(7 * box, 7 * box + 3) : loaded.subarray(3 * box, 3 * box + 3),
+        3 * box,
+      );
+      this.turns.set(settled ? poses.subarray(7 * box + 3, 7 * box + 7) : [1, 0, 0, 0], 4 * box);
+    }
+    this.world.boxes.reference.set(this.reference);
   }
 
   /** s: the time at which the next sample is due. */
@@ -164,60 +185,65 @@ export class LiveRecord {
     for (let box = 0; box < boxes.id.length; ++box) {
       for (let axis = 0; axis < 3; ++axis)
         this.displacement[3 * box + axis] = poses[7 * box + axis] - this.reference[3 * box + axis];
-      this.orientation.set(poses.subarray(7 * box + 3, 7 * box + 7), 4 * box);
-      const energy = energyOf(boxes, box, poses.subarray(7 * box + 3, 7 * box + 7), velocities.subarray(6 * box));
+      const orientation = poses.subarray(7 * box + 3, 7 * box + 7);
+      this.orientation.set(orientation, 4 * box);
+      this.turns.set(orientation, this.orientation.length + 4 * box);
+      const energy = energyOf(boxes, box, orientation, velocities.subarray(6 * box));
       boxes.peakEnergy[box] = Math.max(boxes.peakEnergy[box], energy);
       sum += energy;
     }
     return sum;
   }
 
-  /** Verdict and counts, by the rules of a world that ends now. */
-  private judge(energy: number): void {
-    const { boxes } = this.world;
-    const { worlds, thresholds } = this.results;
-    const { displacement } = this;
-    let [fallen, moved, tilted, unstable, far] = [0, 0, 0, 0, 0];
-    for (let box = 0; box < boxes.id.length; ++box) {
-      const at = displacement.subarray(3 * box, 3 * box + 3);
-      const distance = Math.hypot(at[0], at[1], at[2]);
-      const settled = boxes.settling.subarray(3 * box, 3 * box + 3);
-      boxes.drop[box] = 0 - at[2];
-      boxes.fallen[box] = boxes.drop[box] > thresholds.drop ? 1 : 0;
-      boxes.moved[box] = distance > thresholds.move ? 1 : 0;
-      boxes.endTilt[box] = this.tilt(box);
-      boxes.peakDisplacement[box] = Math.max(boxes.peakDisplacement[box], distance);
-      fallen += boxes.fallen[box];
-      moved += boxes.moved[box];
-      tilted += boxes.endTilt[box] > thresholds.tilt ? 1 : 0;
-      unstable += -settled[2] > thresholds.drop || Math.hypot(...settled) > thresholds.move ? 1 : 0;
-      far = Math.max(far, distance);
-    }
-    boxes.endDisplacement.set(displacement);
-    worlds.fallen[0] = fallen;
-    worlds.moved[0] = moved;
-    worlds.tilted[0] = tilted;
-    worlds.unstable[0] = unstable;
-    worlds.displacement[0] = far;
-    worlds.peakDisplacement[0] = Math.max(worlds.peakDisplacement[0], far);
-    worlds.peakEnergy[0] = Math.max(worlds.peakEnergy[0], energy);
-    worlds.endTime[0] = this.time;
-    this.world.verdict =
-      fallen > 0
-        ? VERDICT_CODES.fell
-        : moved + tilted > 0
-          ? VERDICT_CODES.moved
-          : unstable > 0
-            ? VERDICT_CODES.unstable
-            : VERDICT_CODES.stayed;
-    worlds.verdict[0] = this.world.verdict;
+  /** How far boxes are now. */
+  private excursions(): Excursions {
+    const { turns } = this;
+    const tilt = Float32Array.from(this.world.boxes.id, (_, box) => tiltOf(turns, 4 * box, turns.length / 2 + 4 * box));
+    return excursionsTo(this.displacement, tilt);
   }
 
-  /** Degree, from the reference pose. */
-  private tilt(box: number): number {
-    let cosine = 0;
-    for (let i = 4 * box; i < 4 * box + 4; ++i) cosine += this.zeroOrientation[i] * this.orientation[i];
-    return (2 * Math.acos(Math.min(1, Math.abs(cosine))) * 180) / Math.PI;
+  /** Verdict and counts of all that has happened so far, by the rules of the program. */
+  private judge(energy: number): void {
+    const { world } = this;
+    const { boxes } = world;
+    const { worlds, thresholds } = this.results;
+    const { end, peak, firstBeyond } = boxes;
+    copy(this.excursions(), end);
+    boxes.endDisplacement.set(this.displacement);
+    for (let box = 0; box < boxes.id.length; ++box) {
+      for (const name of ["displacement", "drop", "tilt"] as const)
+        peak[name][box] = Math.max(peak[name][box], end[name][box]);
+      boxes.fallen[box] = peak.drop[box] > thresholds.drop ? 1 : 0;
+      boxes.moved[box] = peak.displacement[box] > thresholds.move ? 1 : 0;
+      boxes.tilted[box] = peak.tilt[box] > thresholds.tilt ? 1 : 0;
+      // When a load went beyond a limit while it settled is not known here.
+      if (world.accelerated && Number.isNaN(firstBeyond[box]) && isBeyond(peak, box, thresholds))
+        firstBeyond[box] = this.time;
+    }
+    const number = (flags: Uint8Array) => flags.reduce((sum, flag) => sum + flag, 0);
+    const most = (column: Float32Array) => column.reduce((largest, value) => Math.max(largest, value), 0);
+    worlds.fallen[0] = number(boxes.fallen);
+    worlds.moved[0] = number(boxes.moved);
+    worlds.tilted[0] = number(boxes.tilted);
+    worlds.unstable[0] = number(boxes.unstable);
+    worlds.fallenAtEnd[0] = end.drop.reduce((sum, drop) => sum + (drop > thresholds.drop ? 1 : 0), 0);
+    worlds.peakDisplacement[0] = most(peak.displacement);
+    worlds.peakDrop[0] = most(peak.drop);
+    worlds.peakTilt[0] = most(peak.tilt);
+    worlds.endDisplacement[0] = most(end.displacement);
+    worlds.peakEnergy[0] = Math.max(worlds.peakEnergy[0], energy);
+    worlds.endTime[0] = this.time;
+    world.criticalBox = worlds.criticalBox[0] = criticalBox(firstBeyond, peak, thresholds);
+    const { unstable, fell, moved, stayed } = VERDICT_CODES;
+    world.verdict =
+      worlds.unstable[0] > 0
+        ? unstable
+        : worlds.fallen[0] > 0
+          ? fell
+          : worlds.moved[0] + worlds.tilted[0] > 0
+            ? moved
+            : stayed;
+    worlds.verdict[0] = world.verdict;
   }
 
   private sample(time: number, acceleration: ArrayLike<number>, energy: number): void {
@@ -225,7 +251,7 @@ export class LiveRecord {
     columns.time.add([time]);
     columns.acceleration.add(acceleration);
     columns.energy.add([energy]);
-    columns.fallen.add([this.results.worlds.fallen[0]]);
+    columns.fallen.add([this.results.worlds.fallenAtEnd[0]]);
     columns.displacement.add(this.displacement);
     columns.orientation.add(this.orientation);
     this.results.worlds.samples[0] = columns.time.values.length;
@@ -233,6 +259,12 @@ export class LiveRecord {
       Object.entries(columns).map(([name, column]) => [name, column.values]),
     ) as unknown as Series;
   }
+}
+
+function copy(from: Excursions, to: Excursions): void {
+  to.displacement.set(from.displacement);
+  to.drop.set(from.drop);
+  to.tilt.set(from.tilt);
 }
 
 /** Kinetic energy of a box of even density, J. */
@@ -261,6 +293,9 @@ function oneWorld(boxes: number): WorldColumns {
     layout: none(),
     acceleration: none(),
     status: none(),
+    statusTime: Float64Array.of(Number.NaN),
+    caveats: none(),
+    stopReason: Uint8Array.of(STOP_REASON_CODES.timeout),
     verdict: new Uint8Array(1),
     boxes: Uint32Array.of(boxes),
     samples: none(),
@@ -268,8 +303,12 @@ function oneWorld(boxes: number): WorldColumns {
     unstable: none(),
     moved: none(),
     tilted: none(),
-    displacement: new Float32Array(1),
+    fallenAtEnd: none(),
+    criticalBox: none(),
     peakDisplacement: new Float32Array(1),
+    peakDrop: new Float32Array(1),
+    peakTilt: new Float32Array(1),
+    endDisplacement: new Float32Array(1),
     peakEnergy: new Float64Array(1),
     endTime: new Float64Array(1),
     cpuSeconds: new Float64Array(1),

@@ -9,6 +9,7 @@ import { element, oncePerFrame } from "../ui/dom";
 import type { Keymap } from "../ui/keys";
 import { pictureOf } from "../ui/picture";
 import type { Store, ViewState } from "../ui/state";
+import { seconds } from "../ui/text";
 import { onTheme } from "../ui/theme";
 import type { EngineClient } from "./engine_client";
 import { LiveDriver } from "./live_driver";
@@ -59,7 +60,6 @@ export class LiveView {
     this.panel = new WorldPanel(
       record.results,
       record.world,
-      this.scene.derived,
       store,
       (box) => this.focus(box),
       (box) => this.scene.hover(box),
@@ -68,7 +68,7 @@ export class LiveView {
       leave: () => store.update({ live: false }),
       save: (kind) => saveFile(kind, this.driver, file, of, client).then((text) => this.drive.say(text)),
     });
-    this.timePanel = new TimePanel(record.world, this.scene.derived.firstMove, this.driver, store, true);
+    this.timePanel = new TimePanel(record.world, this.driver, store, true);
     this.options = new OptionsBar(record.results, record.world, store, actions);
     this.rig.attach(this.scene.canvas);
     this.pointer = new LivePointer(this.scene, this.rig, this.driver, store, (box, event) => this.point(box, event));
@@ -124,7 +124,7 @@ export class LiveView {
   private takeSamples(): void {
     if (this.closed) return;
     this.scene.refresh();
-    this.timePanel.refresh(this.scene.derived.firstMove);
+    this.timePanel.refresh();
     // Rows keep their places while numbers change.
     this.panel.refresh(!this.driver.playing);
   }
@@ -170,7 +170,7 @@ export class LiveView {
     return pictureOf(
       [this.scene.picture(2 * devicePixelRatio)],
       [`${world.layout}, live`],
-      `${this.file.name}, ${this.store.state.time.toFixed(2)} s`,
+      `${this.file.name}, ${seconds(this.store.state.time)}`,
     );
   }
 

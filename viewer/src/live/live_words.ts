@@ -13,12 +13,14 @@ export function whyNotLive(world: World): string | null {
 /** What a world that was replayed to its end says of the file. */
 export function bitsSentence(
   file: Pick<Results, "software">,
-  world: Pick<World, "engine" | "stateHash" | "verdict">,
+  world: Pick<World, "engine" | "stateHash" | "verdict" | "endTime">,
   version: string,
   hash: string,
 ): { same: boolean; text: string } {
   if (world.engine !== "native")
     return { same: false, text: `The file's world is of the engine ${world.engine}: there are no bits to compare.` };
+  if (world.endTime < 0)
+    return { same: false, text: "The file's world ended while it settled: there are no bits of that here." };
   if (hash === world.stateHash) return { same: true, text: "The same bits as the file" };
   if (file.software !== `holdfast ${version}`)
     return { same: false, text: `Other bits than the file's: it is of ${file.software}, this page of ${version}.` };

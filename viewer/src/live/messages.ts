@@ -22,7 +22,6 @@ export interface Changes {
 /** The world at a time. */
 export interface Frame {
   time: number;
-  endTime: number;
   /** rows of seven: centre of mass (m), quaternion w, x, y, z */
   poses: Float64Array;
   /** rows of six: velocity (m/s), angular velocity (rad/s) */
@@ -43,7 +42,7 @@ export interface Saved {
 /** What page and engine say to each other. */
 export interface Orders {
   version: { ask: object; answer: string };
-  start: { ask: LiveInputs; answer: Frame };
+  start: { ask: LiveInputs & { hashed: boolean }; answer: Frame };
   advance: { ask: { to: number; changes: Changes; hashed: boolean }; answer: Frame };
   screen: {
     ask: { layout: string; acceleration: string; boxes: Float64Array; settings: LiveInputs["settings"] };

@@ -1,6 +1,6 @@
-import { VERDICT_CODES } from "../data/outcome";
+import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
-import { VERDICTS } from "../data/verdict";
+import { verdictText } from "../data/verdict";
 import { download } from "../ui/dom";
 import type { EngineClient } from "./engine_client";
 import type { LiveDriver } from "./live_driver";
@@ -33,7 +33,8 @@ export async function saveFile(
       const { outcome, same } = await client.ask("screen", { layout, acceleration, boxes, settings });
       if (!same) throw new Error("The layout cannot be written as a layout file.");
       download(saved, new Blob([text], { type: "text/plain" }));
-      return `${saved}: holdfast screen says ${VERDICTS[VERDICT_CODES[outcome.verdict]].name}, hash ${outcome.stateHash}. Pulls, and changes of friction on the way, are in no file.`;
+      const verdict = verdictText(VERDICT_CODES[outcome.verdict], STOP_REASON_CODES[outcome.stopReason]);
+      return `${saved}: holdfast screen says ${verdict}, hash ${outcome.stateHash}. Pulls, and changes of friction on the way, are in no file.`;
     }
     download(saved, new Blob([text], { type: "text/plain" }));
     return `${saved} is saved.`;

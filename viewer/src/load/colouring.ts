@@ -1,11 +1,11 @@
 import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { VERDICTS } from "../data/verdict";
-import { DIRECTIONS } from "../fleet/rows";
+import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { ramp } from "../fleet/scales";
-import { gravities, kilograms, metres, seconds } from "../ui/text";
+import { kilograms, margin, metres, seconds } from "../ui/text";
 import { colour, isDark } from "../ui/theme";
-import { type Derived, speedsAt, tiltsAt } from "./quantities";
+import { boxVerdict, speedsAt, tiltsAt } from "./quantities";
 
 /** What the colour of a box says. */
 export type Colouring = "verdict" | "displacement" | "speed" | "tilt" | "material" | "mass" | "margin" | "first";
@@ -30,7 +30,7 @@ export function colouringsOf(results: Results, world: World): { value: Colouring
   ];
   if (world.series) list.push({ value: "speed", label: "speed" });
   list.push({ value: "tilt", label: "tilt" });
-  if (world.series) list.push({ value: "first", label: "first move" });
+  if (!results.judgedAtEnd) list.push({ value: "first", label: "first beyond a limit" });
   list.push({ value: "material", label: "material" }, { value: "mass", label: "mass" });
   if (results.margins) list.push({ value: "margin", label: "critical for a margin" });
   return list;
@@ -39,12 +39,13 @@ export function colouringsOf(results: Results, world: World): { value: Colouring
 /** Colour of a box that nothing happens to. */
 export const calm = () => (isDark() ? "#47505a" : "#dcdfdd");
 
-const paintVerdict = (derived: Derived): Painted => {
+const paintVerdict = ({ boxes }: World): Painted => {
   const { stayed, unstable, fell, moved } = VERDICT_CODES;
-  const shown = [stayed, unstable, fell, moved].filter((code) => derived.verdict.includes(code));
+  const verdicts = Array.from(boxes.id, (_, box) => boxVerdict(boxes, box));
+  const shown = [stayed, unstable, fell, moved].filter((code) => verdicts.includes(code));
   const fill = (code: number) => (code === stayed ? calm() : colour(`verdict-${code}`));
   return {
-    fills: Array.from(derived.verdict, fill),
+    fills: verdicts.map(fill),
     legend: shown.map((code) => ({ fill: fill(code), label: VERDICTS[code].name })),
     moving: false,
   };
@@ -69,7 +70,6 @@ export function paint(
   colouring: Colouring,
   results: Results,
   world: World,
-  derived: Derived,
   time: number,
   distance: ArrayLike<number>,
 ): Painted {
@@ -104,44 +104,38 @@ export function paint(
       };
     }
     case "first": {
-      const at = times(world, derived);
-      const known = at.filter((value) => value >= 0);
+      const at = Array.from(boxes.firstBeyond);
+      const known = at.filter((value) => !Number.isNaN(value));
       const first = Math.min(...known);
       const last = Math.max(...known, first + 1e-9);
+      const within = { fill: calm(), label: "never beyond a limit" };
       return {
-        fills: at.map((value) => (value < 0 ? calm() : ramp(1 - (0.85 * (value - first)) / (last - first)))),
+        fills: at.map((value) => (Number.isNaN(value) ? calm() : ramp(1 - (0.85 * (value - first)) / (last - first)))),
         legend:
-          known.length === 0
-            ? [{ fill: calm(), label: "does not move" }]
-            : [
-                { from: `later, ${seconds(last)}`, to: `first, ${seconds(first)}` },
-                { fill: calm(), label: "does not move" },
-              ],
+          known.length === 0 ? [within] : [{ from: `later, ${seconds(last)}`, to: `first, ${seconds(first)}` }, within],
         moving: false,
       };
     }
     case "margin":
       return paintCritical(results, world);
     default:
-      return paintVerdict(derived);
+      return paintVerdict(world);
   }
 }
 
-const times = (world: World, derived: Derived) =>
-  Array.from(derived.firstMove, (sample) => (sample < 0 ? -1 : (world.series?.time[sample] ?? -1)));
-
-/** The box that goes first above the margin, for each direction. */
+/** The box that is beyond a limit first above the margin, for each direction. */
 function paintCritical(results: Results, world: World): Painted {
   const layout = results.worlds.layout[world.index];
+  const margins = results.margins && judgedMargins(results.margins);
   const fills = Array.from<unknown, string>(world.boxes.id, calm);
   const legend: LegendEntry[] = [];
   for (const [i, direction] of DIRECTIONS.entries()) {
-    const critical = results.margins?.criticalBox[4 * layout + i] ?? 0;
-    const margin = results.margins?.margin[4 * layout + i] ?? Number.NaN;
+    const critical = margins?.criticalBox[4 * layout + i] ?? 0;
+    const stands = margins?.margin[4 * layout + i] ?? Number.NaN;
     const fill = MATERIALS[[1, 0, 2, 3][i]];
     const box = world.boxes.id.indexOf(critical);
     if (box >= 0) fills[box] = fill;
-    legend.push({ fill, label: `${direction} ${gravities(margin)}${box >= 0 ? `, box ${critical}` : ""}` });
+    legend.push({ fill, label: `${direction} ${margin(stands)}${box >= 0 ? `, box ${critical}` : ""}` });
   }
   return { fills, legend, moving: false };
 }

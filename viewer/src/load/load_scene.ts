@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import type { Results, World } from "../data/results";
-import { accelerationAt } from "../time/acceleration";
+import { accelerationOf } from "../time/acceleration";
 import { type PoseSource, Poses } from "../time/poses";
 import { element, oncePerFrame } from "../ui/dom";
 import type { ViewState } from "../ui/state";
@@ -13,7 +13,6 @@ import { ContainerFrame } from "./container_frame";
 import { Labels } from "./labels";
 import { Picker } from "./picker";
 import { PushArrow } from "./push_arrow";
-import { type Derived, derive } from "./quantities";
 import { traces } from "./traces";
 
 /** A ghost shows where a box was that is now farther away than this, m. */
@@ -23,7 +22,6 @@ const GHOST_FROM = 0.01;
 export class LoadScene {
   readonly node: HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  derived: Derived;
   legend: LegendEntry[] = [];
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -63,7 +61,6 @@ export class LoadScene {
     private state: ViewState,
     poses?: PoseSource,
   ) {
-    this.derived = derive(results, world);
     this.poses = poses ?? new Poses(world);
     const boxes = world.boxes.id.length;
     this.distance = new Float32Array(boxes);
@@ -94,9 +91,8 @@ export class LoadScene {
     this.show(state);
   }
 
-  /** Takes in what has been simulated since: first moves, and the paths. */
+  /** Takes in what has been simulated since: verdicts, and the paths. */
   refresh(): void {
-    Object.assign(this.derived, derive(this.results, this.world));
     this.painted = "";
     this.traced = false;
     this.show(this.state);
@@ -196,7 +192,7 @@ export class LoadScene {
     const centres = [...before, ...weight].map((sum) => sum / mass);
     this.centreColumn("position").copyArray(Float32Array.from(centres));
     this.centre.geometry.attributes.position.needsUpdate = true;
-    this.arrow.set(new THREE.Vector3(...accelerationAt(this.world.segments, state.time)));
+    this.arrow.set(new THREE.Vector3(...accelerationOf(this.world, state.time)));
     const clip = this.clipAt();
     this.material.uniforms.clip.value = clip;
     this.ghostMaterial.uniforms.clip.value = clip;
@@ -217,7 +213,7 @@ export class LoadScene {
     const { colouring, time } = this.state;
     const key = `${colouring} ${isDark()}`;
     if (this.painted === key) return;
-    const painted = paint(colouring, this.results, this.world, this.derived, time, this.distance);
+    const painted = paint(colouring, this.results, this.world, time, this.distance);
     this.legend = painted.legend;
     this.painted = painted.moving ? "" : key;
     const known = new Map<string, THREE.Color>();

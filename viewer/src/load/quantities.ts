@@ -1,33 +1,12 @@
 import { VERDICT_CODES } from "../data/outcome";
-import type { Results, World } from "../data/results";
-import { firstMoves, orderOfMoves, tiltOf } from "../time/first_moves";
-import { between, times } from "../time/poses";
+import type { BoxColumns, World } from "../data/results";
+import { between, tiltOf, times } from "../time/poses";
 
-/** What is computed from a world once, when it is opened. */
-export interface Derived {
-  /** verdict of each box at the end, as codes of verdicts */
-  verdict: Uint8Array;
-  firstMove: Int32Array;
-  moveOrder: number[];
-  /** m, length of the displacement at the end */
-  endDistance: Float32Array;
-}
-
-export function derive(results: Results, world: World): Derived {
-  const { boxes } = world;
-  const { move, drop, tilt } = results.thresholds;
-  const count = boxes.id.length;
-  const verdict = new Uint8Array(count);
-  const endDistance = new Float32Array(count);
-  for (let box = 0; box < count; ++box) {
-    endDistance[box] = Math.hypot(...boxes.endDisplacement.subarray(3 * box, 3 * box + 3));
-    const settling = boxes.settling.subarray(3 * box, 3 * box + 3);
-    if (boxes.fallen[box]) verdict[box] = VERDICT_CODES.fell;
-    else if (Math.hypot(...settling) > move || -settling[2] > drop) verdict[box] = VERDICT_CODES.unstable;
-    else if (boxes.moved[box] || boxes.endTilt[box] > tilt) verdict[box] = VERDICT_CODES.moved;
-  }
-  const firstMove = firstMoves(world, results.thresholds);
-  return { verdict, firstMove, moveOrder: orderOfMoves(world, firstMove), endDistance };
+/** Verdict of a box, as a code of verdicts. */
+export function boxVerdict({ unstable, fallen, moved, tilted }: BoxColumns, box: number): number {
+  if (unstable[box]) return VERDICT_CODES.unstable;
+  if (fallen[box]) return VERDICT_CODES.fell;
+  return moved[box] || tilted[box] ? VERDICT_CODES.moved : VERDICT_CODES.stayed;
 }
 
 /** m/s, mean between the two samples around the time. */
@@ -56,5 +35,5 @@ export function tiltsAt(world: World, time: number, out: Float32Array): void {
   for (let box = 0; box < count; ++box)
     out[box] = series
       ? tiltOf(series.orientation, 4 * box, 4 * (sample * count + box))
-      : (sample === 1 ? 1 : share) * boxes.endTilt[box];
+      : (sample === 1 ? 1 : share) * boxes.end.tilt[box];
 }

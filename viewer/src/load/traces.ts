@@ -13,7 +13,7 @@ export function traces(world: World): THREE.Group {
   const lines: number[] = [];
   const points: number[] = [];
   for (let box = 0; box < count; ++box) {
-    if (boxes.peakDisplacement[box] < LEAST) continue;
+    if (boxes.peak.displacement[box] < LEAST) continue;
     const at = (sample: number) =>
       [0, 1, 2].map((axis) => boxes.reference[3 * box + axis] + series.displacement[3 * (sample * count + box) + axis]);
     for (let sample = 0; sample < series.time.length; ++sample) {

@@ -7,6 +7,7 @@ import { TimePanel } from "../time/time_panel";
 import { element, oncePerFrame } from "../ui/dom";
 import { pictureOf } from "../ui/picture";
 import type { Store, ViewState } from "../ui/state";
+import { seconds } from "../ui/text";
 import { onTheme } from "../ui/theme";
 import { Video } from "../ui/video";
 import { CameraRig } from "./camera_rig";
@@ -42,20 +43,23 @@ export class WorldView {
       for (const scene of this.scenes ?? []) scene.redraw();
     });
     this.rig.setContainer(results.container);
-    this.clock = new Clock(store);
-    this.clock.end = Math.max(...worlds.map((world) => times(world).at(-1) ?? 0));
+    const spans = worlds.map(times);
+    this.clock = new Clock(
+      store,
+      Math.min(...spans.map((span) => span[0])),
+      Math.max(...spans.map((span) => span[span.length - 1])),
+    );
     this.scenes = shown.map((of) => new LoadScene(of.results, of.world, this.rig, state));
     const first = this.scenes[0];
     this.panel = new WorldPanel(
       results,
       world,
-      first.derived,
       store,
       (box) => this.focus(box),
       (box) => first.hover(box),
     );
     this.options = new OptionsBar(results, world, store, actions);
-    this.timePanel = new TimePanel(world, first.derived.firstMove, this.clock, store);
+    this.timePanel = new TimePanel(world, this.clock, store);
     const pictures = element(
       "div",
       { class: "pictures" },
@@ -178,7 +182,7 @@ export class WorldView {
     return pictureOf(
       this.scenes.map((scene) => scene.picture(2 * devicePixelRatio)),
       this.shown.map(({ world }) => `${world.layout}, ${world.acceleration}, ${world.engine}`),
-      `${this.shown[0].results.name}, ${state.time.toFixed(2)} s`,
+      `${this.shown[0].results.name}, ${seconds(state.time)}`,
     );
   }
 
@@ -193,7 +197,7 @@ export class WorldView {
       paint: (context: CanvasRenderingContext2D) => scene.paintLabels(context),
     }));
     this.clock.pause();
-    this.clock.seek(0);
+    this.clock.seek(this.clock.begin);
     const video = new Video(films);
     this.recording = true;
     for (const scene of this.scenes) scene.drawn = () => video.draw();

@@ -10,12 +10,14 @@ export function accelerationAt(segments: readonly Segment[], time: number): Vect
   return sum;
 }
 
+/** The same of a world, which is not accelerated where it ended while it settled. */
+export const accelerationOf = ({ accelerated, segments }: World, time: number): Vector =>
+  accelerated ? accelerationAt(segments, time) : [0, 0, 0];
+
 /** The same as steps: each time at which it changes, and its value from there. */
-export function accelerationSteps(world: World, end: number): { time: number; value: Vector }[] {
-  const breaks = new Set([0]);
+export function accelerationSteps(world: World, begin: number, end: number): { time: number; value: Vector }[] {
+  const breaks = new Set([begin]);
   for (const { start, duration } of world.segments)
-    for (const time of [start, start + duration]) if (time > 0 && time < end) breaks.add(time);
-  return [...breaks]
-    .sort((a, b) => a - b)
-    .map((time) => ({ time, value: accelerationAt(world.segments, time + 1e-9) }));
+    for (const time of [start, start + duration]) if (time > begin && time < end) breaks.add(time);
+  return [...breaks].sort((a, b) => a - b).map((time) => ({ time, value: accelerationOf(world, time + 1e-9) }));
 }

@@ -9,12 +9,18 @@ const LONGEST_STEP = 0.1;
 /** Plays time: one clock for all that is shown. */
 export class Clock implements TimeControl {
   speed = 1;
-  /** s, of the longest world shown */
-  end = 0;
   private before: number | null = null;
   private readonly listeners = new Set<() => void>();
 
-  constructor(private readonly store: Store) {}
+  /**
+   * @param begin s, of the world shown that begins first
+   * @param end s, of the one that ends last
+   */
+  constructor(
+    private readonly store: Store,
+    readonly begin: number,
+    readonly end: number,
+  ) {}
 
   get playing(): boolean {
     return this.before !== null;
@@ -25,8 +31,8 @@ export class Clock implements TimeControl {
   }
 
   play(): void {
-    if (this.playing || this.end <= 0) return;
-    if (this.store.state.time >= this.end - 1e-9) this.store.update({ time: 0 });
+    if (this.playing || this.end <= this.begin) return;
+    if (this.store.state.time >= this.end - 1e-9) this.store.update({ time: this.begin });
     this.before = performance.now();
     this.tell();
     requestAnimationFrame((now) => this.step(now));
@@ -57,7 +63,7 @@ export class Clock implements TimeControl {
   }
 
   seek(time: number): void {
-    this.store.update({ time: Math.min(this.end, Math.max(0, time)) });
+    this.store.update({ time: Math.min(this.end, Math.max(this.begin, time)) });
   }
 
   setSpeed(speed: number): void {

@@ -9,7 +9,8 @@ export interface Between {
 /** Samples of a world, or begin and end where the file has no series. */
 export function times(world: World): Float64Array {
   if (world.series) return world.series.time;
-  return Float64Array.of(0, Math.max(world.endTime || 0, 1e-3));
+  const { beginTime, endTime } = world;
+  return Float64Array.of(beginTime, Math.max(endTime || 0, beginTime + 1e-3));
 }
 
 export function between(time: Float64Array, at: number): Between {
@@ -66,6 +67,14 @@ export class Poses implements PoseSource {
     for (let box = 0; box < boxes; ++box)
       slerp(orientation, 4 * (boxes * sample + box), 4 * (boxes * next + box), share, this.rotation, 4 * box);
   }
+}
+
+/** Angle of the rotation from one orientation w, x, y, z to another, degree. */
+export function tiltOf(orientation: ArrayLike<number>, start: number, at: number): number {
+  const [a, b, c, d] = [0, 1, 2, 3].map((i) => orientation[start + i]);
+  const [w, x, y, z] = [0, 1, 2, 3].map((i) => orientation[at + i]);
+  const sine = Math.hypot(x * a - w * b + z * c - y * d, y * a - w * c + x * d - z * b, z * a - w * d + y * b - x * c);
+  return (2 * Math.atan2(sine, Math.abs(w * a + x * b + y * c + z * d)) * 180) / Math.PI;
 }
 
 /** Quaternions w, x, y, z of the file; x, y, z, w in `out`. */

@@ -16,6 +16,8 @@ export interface Strip {
   lines: Line[];
   low: number;
   high: number;
+  /** the value that is farthest from 0 */
+  most: number;
 }
 
 function strip(name: string, unit: string, lines: Line[]): Strip {
@@ -26,11 +28,12 @@ function strip(name: string, unit: string, lines: Line[]): Strip {
       low = Math.min(low, values[i]);
       high = Math.max(high, values[i]);
     }
-  return { name, unit, lines, low, high: low === high ? low + 1 : high };
+  const most = high >= -low ? high : low;
+  return { name, unit, lines, low, high: low === high ? low + 1 : high, most };
 }
 
-export function strips(world: World, end: number): Strip[] {
-  const steps = accelerationSteps(world, end);
+export function strips(world: World, begin: number, end: number): Strip[] {
+  const steps = accelerationSteps(world, begin, end);
   const time = [...steps.map((step) => step.time), end];
   const axes = ["x", "y", "z"].map((label, axis) => ({
     label,
@@ -46,18 +49,16 @@ export function strips(world: World, end: number): Strip[] {
     const line = { label: "", time: series.time };
     list.push(
       strip("kinetic energy", "J", [{ ...line, colour: "soft", values: series.energy, steps: false }]),
-      strip("fallen", "boxes", [{ ...line, colour: "verdict-2", values: series.fallen, steps: true }]),
+      strip("fallen now", "boxes", [{ ...line, colour: "verdict-2", values: series.fallen, steps: true }]),
     );
   }
   return list;
 }
 
-/** Times at which boxes move first, and which ones. */
-export function markers(world: World, firstMove: Int32Array): { time: number; boxes: number[] }[] {
-  const bySample = new Map<number, number[]>();
-  for (const [box, sample] of firstMove.entries())
-    if (sample >= 0) bySample.set(sample, [...(bySample.get(sample) ?? []), box]);
-  return [...bySample.entries()]
-    .sort(([a], [b]) => a - b)
-    .map(([sample, boxes]) => ({ time: world.series?.time[sample] ?? 0, boxes }));
+/** Times at which boxes are beyond a limit first, and which ones. */
+export function markers(firstBeyond: Float32Array): { time: number; boxes: number[] }[] {
+  const byTime = new Map<number, number[]>();
+  for (const [box, time] of firstBeyond.entries())
+    if (!Number.isNaN(time)) byTime.set(time, [...(byTime.get(time) ?? []), box]);
+  return [...byTime.entries()].sort(([a], [b]) => a - b).map(([time, boxes]) => ({ time, boxes }));
 }

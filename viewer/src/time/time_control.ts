@@ -2,7 +2,8 @@
 export interface TimeControl {
   readonly playing: boolean;
   readonly speed: number;
-  /** s, of all that is shown */
+  /** s, of all that is shown; negative where a load settles */
+  readonly begin: number;
   readonly end: number;
   listen(listener: () => void): void;
   toggle(): void;

@@ -1,6 +1,7 @@
 import type { World } from "../data/results";
 import { element, oncePerFrame } from "../ui/dom";
 import type { Store } from "../ui/state";
+import { seconds } from "../ui/text";
 import { colour } from "../ui/theme";
 import { SPEEDS } from "./clock";
 import { times } from "./poses";
@@ -13,14 +14,13 @@ const BOTTOM = 18;
 const LEFT = 116;
 const RIGHT = 16;
 
-/** The time line: curves, samples, first moves, and the place where one is; drag it to go through time. */
+/** The time line: curves, samples, when boxes are beyond a limit first, and the place where one is; drag it to go through time. */
 export class TimePanel {
   readonly node: HTMLElement;
   private readonly canvas = element("canvas", {
     tabindex: 0,
     role: "slider",
     "aria-label": "Time",
-    "aria-valuemin": 0,
   });
   private readonly context = this.canvas.getContext("2d")!;
   private readonly button = element("button", { class: "play", onclick: () => this.clock.toggle() });
@@ -32,12 +32,11 @@ export class TimePanel {
 
   constructor(
     private readonly world: World,
-    firstMove: Int32Array,
     private readonly clock: TimeControl,
     private readonly store: Store,
     private readonly live = false,
   ) {
-    this.refresh(firstMove);
+    this.refresh();
     const speed = element(
       "select",
       { "aria-label": "Speed", onchange: () => clock.setSpeed(Number(speed.value)) },
@@ -66,10 +65,11 @@ export class TimePanel {
   }
 
   /** Takes in samples that have come since. */
-  refresh(firstMove: Int32Array): void {
+  refresh(): void {
     this.samples = times(this.world);
-    this.strips = strips(this.world, Math.max(this.samples[this.samples.length - 1], this.live ? this.clock.end : 0));
-    this.marks = markers(this.world, firstMove);
+    const last = this.samples[this.samples.length - 1];
+    this.strips = strips(this.world, this.samples[0], this.live ? Math.max(last, this.clock.end) : last);
+    this.marks = markers(this.world.boxes.firstBeyond);
     this.redraw();
   }
 
@@ -78,9 +78,9 @@ export class TimePanel {
     this.stepTo([...this.samples], step);
   }
 
-  /** Goes to the next first move of a box, or back. */
+  /** Goes to the next time at which a box is beyond a limit first, or back. */
   stepMarker(step: 1 | -1): void {
-    this.stepTo([0, ...this.marks.map(({ time }) => time), this.clock.end], step);
+    this.stepTo([this.clock.begin, ...this.marks.map(({ time }) => time), this.clock.end], step);
   }
 
   private stepTo(stops: number[], step: 1 | -1): void {
@@ -99,7 +99,8 @@ export class TimePanel {
 
   private scrub(event: PointerEvent): void {
     const box = this.canvas.getBoundingClientRect();
-    this.clock.seek(((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * this.clock.end);
+    const { begin, end } = this.clock;
+    this.clock.seek(begin + ((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * (end - begin));
   }
 
   private measure(): void {
@@ -116,8 +117,9 @@ export class TimePanel {
     const { time } = store.state;
     const width = canvas.width / devicePixelRatio;
     const height = canvas.height / devicePixelRatio;
-    const end = clock.end || 1;
-    const x = (at: number) => LEFT + (at / end) * (width - LEFT - RIGHT);
+    const { begin } = clock;
+    const end = clock.end > begin ? clock.end : begin + 1;
+    const x = (at: number) => LEFT + ((at - begin) / (end - begin)) * (width - LEFT - RIGHT);
     context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = FONT;
@@ -139,7 +141,7 @@ export class TimePanel {
     context.fillStyle = colour("faint");
     if (this.world.series && (width - LEFT - RIGHT) / this.samples.length >= 2)
       for (const sample of this.samples) context.fillRect(x(sample) - 0.5, height - BOTTOM, 1, 4);
-    this.drawScale(x, end, height);
+    this.drawScale(x, begin, end, height);
     for (const mark of this.marks) {
       const at = x(mark.time);
       context.fillStyle = colour("problem");
@@ -151,18 +153,20 @@ export class TimePanel {
     }
     context.fillStyle = colour("ink");
     context.fillRect(x(time) - 0.75, 2, 1.5, height - BOTTOM + 2);
-    this.readout.textContent = `${time.toFixed(2)} s`;
+    this.readout.textContent = seconds(time);
     canvas.setAttribute("aria-valuenow", time.toFixed(3));
+    canvas.setAttribute("aria-valuemin", begin.toFixed(3));
     canvas.setAttribute("aria-valuemax", end.toFixed(3));
     canvas.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
   }
 
-  private drawScale(x: (at: number) => number, end: number, height: number): void {
+  private drawScale(x: (at: number) => number, begin: number, end: number, height: number): void {
     const { context } = this;
     const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
     const step = steps.find((value) => x(value) - x(0) >= 56) ?? 200;
     context.textAlign = "center";
-    for (let at = 0; at <= end + 1e-9; at += step) context.fillText(`${Number(at.toFixed(3))}`, x(at), height - 6);
+    for (let tick = Math.ceil(begin / step - 1e-9); tick * step <= end + 1e-9; ++tick)
+      context.fillText(`${Number((tick * step).toFixed(3))}`.replace("-", "−"), x(tick * step), height - 6);
     context.textAlign = "right";
     context.fillText("s", LEFT - 14, height - 6);
   }
@@ -174,14 +178,13 @@ export class TimePanel {
     context.lineWidth = 1;
     context.beginPath();
     context.moveTo(LEFT, Math.round(y(0)) + 0.5);
-    context.lineTo(x(this.clock.end || 1), Math.round(y(0)) + 0.5);
+    context.lineTo(this.canvas.width / devicePixelRatio - RIGHT, Math.round(y(0)) + 0.5);
     context.stroke();
     context.textAlign = "right";
     context.fillStyle = colour("soft");
     context.fillText(strip.name, LEFT - 14, top + height / 2 - 6);
     context.fillStyle = colour("faint");
-    const most = Math.abs(strip.high) >= Math.abs(strip.low) ? strip.high : strip.low;
-    context.fillText(`${Number(most.toPrecision(3))} ${strip.unit}`, LEFT - 14, top + height / 2 + 7);
+    context.fillText(`${Number(strip.most.toPrecision(3))} ${strip.unit}`, LEFT - 14, top + height / 2 + 7);
     for (const line of strip.lines) {
       context.beginPath();
       for (let i = 0; i < line.time.length; ++i) {
@@ -194,7 +197,7 @@ export class TimePanel {
       if (!line.label) continue;
       context.fillStyle = colour(line.colour);
       context.textAlign = "left";
-      context.fillText(line.label, x(this.clock.end) + 4, y(line.values[line.values.length - 1]));
+      context.fillText(line.label, x(line.time[line.time.length - 1]) + 4, y(line.values[line.values.length - 1]));
     }
   }
 }

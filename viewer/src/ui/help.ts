@@ -3,7 +3,7 @@ import { element } from "./dom";
 const KEYS: readonly [string, string][] = [
   ["space", "play, pause"],
   ["← →", "sample by sample"],
-  ["shift ← →", "from first move to first move"],
+  ["shift ← →", "to the next, previous time at which a box is beyond a limit first"],
   ["home, end", "begin, end"],
   ["1 … 6", "whole, left, right, top, front, door"],
   ["F", "look at the chosen box"],

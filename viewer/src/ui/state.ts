@@ -46,12 +46,13 @@ export const START: ViewState = {
   clip: 0,
 };
 
-/** The address keeps what differs from the start. */
+/** The address keeps what differs from the start. Boxes count from 1 there, as wherever they are seen. */
 export function toHash(state: ViewState): string {
   const parameters = new URLSearchParams();
   for (const [key, value] of Object.entries(state)) {
     if (value === START[key as keyof ViewState] || value === null) continue;
-    const text = typeof value === "number" ? String(Math.round(value * 1e4) / 1e4) : String(value);
+    const number = key === "box" ? Number(value) + 1 : value;
+    const text = typeof number === "number" ? String(Math.round(number * 1e4) / 1e4) : String(number);
     parameters.set(key, typeof value === "boolean" ? "1" : text);
   }
   return parameters.toString();
@@ -67,6 +68,7 @@ export function fromHash(hash: string): ViewState {
     else if (typeof start === "string") state[key] = text;
     else if (text !== "" && Number.isFinite(Number(text))) state[key] = Number(text);
   }
+  if (state.box !== null) state.box = Number(state.box) >= 1 ? Number(state.box) - 1 : null;
   return state as unknown as ViewState;
 }
 

@@ -1,6 +1,9 @@
+import { NOT_COUNTED } from "../data/results";
+
 /** Numbers as text, in the units that a planner uses. */
 
-const NOT_SIMULATED = 0xffffffff;
+/** g: margins are not sought beyond it. */
+const LARGEST_MARGIN = 1.5;
 
 export function metres(value: number): string {
   if (!Number.isFinite(value)) return "–";
@@ -13,10 +16,16 @@ export function metres(value: number): string {
 }
 
 export const degrees = (value: number) => (Number.isFinite(value) ? `${value.toFixed(1)}°` : "–");
-export const seconds = (value: number) => (Number.isFinite(value) ? `${value.toFixed(2)} s` : "–");
+export function seconds(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value).toFixed(2);
+  return `${value < 0 && Number(size) > 0 ? "−" : ""}${size} s`;
+}
 export const kilograms = (value: number) => `${value < 10 ? value.toFixed(2) : value.toFixed(1)} kg`;
 export const gravities = (value: number) => (Number.isFinite(value) ? `${value.toFixed(2)} g` : "–");
-export const count = (value: number) => (value === NOT_SIMULATED ? "–" : value.toLocaleString("en"));
+export const margin = (value: number) =>
+  value < LARGEST_MARGIN ? gravities(value) : gravities(value).replace(" ", "+ ");
+export const count = (value: number) => (value === NOT_COUNTED ? "–" : value.toLocaleString("en"));
 
 export function joules(value: number): string {
   if (!Number.isFinite(value)) return "–";
