@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format docs dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
+.PHONY: help demo test bench fuzz lint format docs evidence dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -97,6 +97,10 @@ docs: program  ## Write the generated pages of docs/ again, its picture where Gr
 	build/release/bin/holdfast --results-page > docs/results_file.md
 	python3 tools/parameters_page.py build/release/bin/holdfast > docs/parameters.md
 	! command -v dot > /dev/null || dot -Tsvg docs/world_flow.dot -o docs/world_flow.svg
+
+evidence: program  ## Write the tables and pictures of README.md and docs/ that come from runs again
+	@$(INSTALL) --test
+	$(PYTHON) tools/evidence.py build/release/bin/holdfast
 
 dependencies:  ## Install the packages that building, tests, examples and benchmarks need
 	@$(INSTALL) --test

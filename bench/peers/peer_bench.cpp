@@ -134,7 +134,7 @@ void run_all(const Request& request) {
 
   TextFile worlds(request.worlds);
   worlds.write(
-      "layout,acceleration,setting,repeat,boxes,simulated_seconds,cpu_seconds,verdict.peak_displacement,moved,fallen,"
+      "layout,acceleration,setting,repeat,boxes,simulated_seconds,cpu_seconds,verdict,peak_displacement,moved,fallen,"
       "tilted\n");
   std::unique_ptr<TextFile> positions;
   if (!request.positions.empty()) {

@@ -1,9 +1,9 @@
-"""How far the load shifts, in all that the program writes: table, file, CSV, JSON; and the example of its page."""
+"""How far the load shifts, in all that the program writes: table, file, CSV, JSON."""
 import csv
 import json
 import unittest
 
-from cli import CliTest, SOURCE, datasets, layout_text
+from cli import CliTest, datasets, layout_text
 
 # Two boxes of the same mass, without friction: one slides 10 cm to the front wall, the other is at it.
 BOXES = [(10, 60, 0, 110, 160, 40), (0, 0, 0, 100, 50, 80)]
@@ -32,13 +32,6 @@ class LoadShift(CliTest):
         self.assertNotIn("load_shift", without.stdout)
         world = json.loads(self.run_here(*arguments, "--json", "--load-shift").stdout)
         self.assertAlmostEqual(world["load_shift"]["end_m"], 0.05, delta=0.002)
-
-    def test_the_example_of_the_page(self):
-        done = self.run_here("screen", "--layouts", SOURCE / "configs/layouts", "--norm", "road", "--load-shift")
-        self.assert_exit(done, 0)
-        shown = done.stdout[done.stdout.index("load shift:"):].splitlines()[:6]
-        page = (SOURCE / "docs/load_shift.md").read_text()
-        self.assertIn("\n".join("      " + line for line in shown), page)
 
 
 if __name__ == "__main__":

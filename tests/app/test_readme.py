@@ -54,6 +54,21 @@ class Readme(CliTest):
         self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}\n{done.stderr}")
         return done
 
+    def test_the_first_result_is_what_the_demo_prints(self):
+        text = (SOURCE / "README.md").read_text()
+        shown = text[text.index("\n    make demo\n"):]
+        shown = re.match(r"\n    make demo\n((?:\n|    .*\n)+)", shown).group(1)
+        command = re.search(r"^demo:.*\n\t@mkdir.*\n\t((?:.*\\\n)*.*)\n", (SOURCE / "Makefile").read_text(), re.MULTILINE).group(1)
+        self.assertIn("-c configs/demo.ini", command)
+        done = self.run_command(["bash", "-c", command.replace("\\\n", " ")])
+        self.assertNotIn("marginal", done.stdout)
+        printed = [line.rstrip() for line in (done.stderr + done.stdout).splitlines()]
+        at = 0
+        for line in (line[4:].rstrip() for line in shown.splitlines() if line.strip() not in ("", "...")):
+            self.assertIn(line, printed[at:])
+            at += printed[at:].index(line) + 1
+        self.assertGreater(at, 8)
+
     def test_commands(self):
         lines = commands("README.md")
         self.assertGreater(len(lines), 0, "the README shows no command")
@@ -104,6 +119,8 @@ class Readme(CliTest):
             self.skipTest("no matplotlib")
         self.run_command([sys.executable, "examples/plot_box.py", "demo/results.h5", "-o", "box.png"])
         self.assertGreater((self.folder / "box.png").stat().st_size, 1000)
+        self.run_command([sys.executable, "examples/plot_verdicts.py", "-o", "verdicts.svg"])
+        self.assertIn("MoveThreshold", (self.folder / "verdicts.svg").read_text())
 
     def test_links_lead_somewhere(self):
         for document in ("README.md", "CONTRIBUTING.md", "configs/README.md"):

@@ -3,7 +3,7 @@
 // With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
 // RESULTS is a file with series. The pictures of worlds in docs/ are of build/viewer/results/demo.h5, with which the tests compare
 // them; those of the fleet are of the layouts of configs/layouts and bench/layouts under the norm of the road, with margins and wall
-// forces. The film needs img2webp, of Debian's package webp.
+// forces. The film, of a world in which boxes fall, needs img2webp, of Debian's package webp.
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -85,10 +85,14 @@ for (const scheme of ["light", "dark"]) {
     await page.keyboard.press("x");
     await page.waitForSelector(".scene + .scene");
     await save(page, "compare-light");
-    await show(page, `world=${world}&time=0`);
-    await film(page);
   }
   await page.close();
+}
+if (!liveOnly) {
+  const page = await open("light");
+  const world = await worldOf(page, "BR8_009_layer", "front");
+  await show(page, `world=${world}&time=0`);
+  await film(page);
 }
 await browser.close();
 
@@ -123,14 +127,21 @@ async function pull(page) {
   await page.waitForTimeout(1500);
 }
 
-/** The load while it is braked, without the page around it, as an animated WebP. */
+/** The load while it is braked, from the right and the door, without the page around it, as an animated WebP. */
 async function film(page) {
   const frames = mkdtempSync(path.join(tmpdir(), "film-"));
   const files = [];
   await page.setViewportSize({ width: 1100, height: 760 });
   await page.addStyleTag({ content: "aside, .time, .options, header, .views { display: none !important; }" });
   await settled(page);
-  await page.keyboard.press("1");
+  await page.keyboard.press("3");
+  await page.waitForTimeout(1000);
+  await page.mouse.move(550, 60);
+  await page.mouse.down();
+  await page.mouse.move(620, 95, { steps: 4 });
+  await page.mouse.up();
+  await page.mouse.wheel(0, 120);
+  await page.waitForTimeout(1000);
   for (let frame = 0; frame <= 46; ++frame) {
     const time = 0.3 + 0.04 * frame;
     await page.evaluate((at) => {

@@ -20,17 +20,23 @@ constexpr double kShortestSample = 0.25;  // of a step
 /// with 0.5 mm. At 240 steps per second time and error differ by less than 3 %.
 constexpr double kResampledShift = 2e-5;  // m
 
+/// The first of the phases that ends after an instant.
+auto phase_after(std::span<const Phase> phases, double instant) {
+  const auto ends_after = [](double time, const Phase& phase) { return time < phase.end; };
+  return std::upper_bound(phases.begin(), phases.end(), instant, ends_after);
+}
+
 /// Calls `visit(acceleration, duration)` for what phases have in common with an interval, in the order of time.
 template <class Visit>
 void for_each_within(std::span<const Phase> phases, double begin, double end, Visit visit) {
-  auto phase = std::ranges::upper_bound(phases, begin, {}, &Phase::end);
+  auto phase = phase_after(phases, begin);
   for (; phase != phases.end() && phase->begin < end; ++phase)
     visit(phase->acceleration, std::min(phase->end, end) - std::max(phase->begin, begin));
 }
 
 /// The interval with the mean acceleration of the phases, which is exact where they have only one.
 Phase mean_of(std::span<const Phase> phases, double begin, double end) {
-  const Vec3 first = std::ranges::upper_bound(phases, begin, {}, &Phase::end)->acceleration;
+  const Vec3 first = phase_after(phases, begin)->acceleration;
   Vec3 mean = first;
   for_each_within(phases, begin, end, [&](const Vec3& acceleration, double duration) {
     mean += duration / (end - begin) * (acceleration - first);
@@ -61,7 +67,7 @@ void append_steps(std::span<const Phase> run, double begin, double end, std::vec
     return;
   }
   // The mean of one sample is exact, so here are several, and the cut lies inside.
-  const auto middle = std::ranges::upper_bound(run, 0.5 * (begin + end), {}, &Phase::end);
+  const auto middle = phase_after(run, 0.5 * (begin + end));
   const double cut = middle->end < end ? middle->end : middle->begin;
   append_steps(run, begin, cut, steps);
   append_steps(run, cut, end, steps);
@@ -110,7 +116,8 @@ std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_st
   std::vector<Phase> all;
   for (auto begin = phases.begin(); begin != phases.end();) {
     const auto end = std::max(begin + 1, std::find_if(begin, phases.end(), is_kept));
-    const std::vector<Phase> run = resampled_run({begin, end}, longest_step);
+    const std::span<const Phase> part(&*begin, static_cast<std::size_t>(end - begin));
+    const std::vector<Phase> run = resampled_run(part, longest_step);
     all.insert(all.end(), run.begin(), run.end());
     begin = end;
   }

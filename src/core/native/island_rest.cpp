@@ -130,10 +130,12 @@ bool IslandStepper::balances_beyond(Scene& scene, const KnownBalances::Island& i
   ContactProblem& problem = prepared_.problem;
   // A stronger acceleration would have to push walls by more than what they were pushed by.
   const auto presses = [](const NormalBounds& bounds) {
-    return std::ranges::any_of(bounds.lane, [](double most) { return most > 0.0 && std::isfinite(most); });
+    return std::any_of(bounds.lane.begin(), bounds.lane.end(),
+                       [](double most) { return most > 0.0 && std::isfinite(most); });
   };
   const bool stronger = gravity->head<2>().norm() >= terms.effective_gravity.head<2>().norm();
-  if (stronger && std::ranges::any_of(problem.normal_bounds, presses)) return false;
+  const std::vector<NormalBounds>& bounds = problem.normal_bounds;
+  if (stronger && std::any_of(bounds.begin(), bounds.end(), presses)) return false;
   const ContactProblem before = problem;
   StepTerms there = terms;
   there.effective_gravity = *gravity;

@@ -17,6 +17,10 @@ constexpr double kSameGravity = 1e-12;
 
 constexpr int kMost = static_cast<int>(kKnownBalances);
 
+bool are_same(std::span<const KnownBalances::Contact> a, std::span<const KnownBalances::Contact> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /// The weights of a combination, and what they belong to.
 struct Combination {
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> weights;
@@ -58,14 +62,14 @@ std::optional<Combination> combination_of(const Vec3& gravity, std::span<const V
 const KnownBalances::Record* KnownBalances::record_of(const Island& island) const {
   if (island.first_body >= records_.size()) return nullptr;
   const Record& record = records_[island.first_body];
-  return !record.balances.empty() && std::ranges::equal(record.contacts, island.contacts) ? &record : nullptr;
+  return !record.balances.empty() && are_same(record.contacts, island.contacts) ? &record : nullptr;
 }
 
 bool KnownBalances::combine(const Island& island, const Vec3& gravity, double step, ContactProblem& problem) const {
   const Record* const record = record_of(island);
   if (record == nullptr) return false;
   std::array<Vec3, kKnownBalances> known;
-  std::ranges::transform(record->balances, known.begin(), &Balance::gravity);
+  for (std::size_t k = 0; k < record->balances.size(); ++k) known[k] = record->balances[k].gravity;
   const std::optional<Combination> found = combination_of(gravity, std::span(known).first(record->balances.size()));
   if (!found) return false;
   for (std::size_t p = 0; p < problem.constraints.size(); ++p) {
@@ -84,7 +88,7 @@ bool KnownBalances::combine(const Island& island, const Vec3& gravity, double st
 void KnownBalances::keep(const Island& island, const Vec3& gravity, double step, const ContactProblem& problem) {
   records_.resize(std::max<std::size_t>(records_.size(), island.first_body + 1));
   Record& record = records_[island.first_body];
-  if (!std::ranges::equal(record.contacts, island.contacts))
+  if (!are_same(record.contacts, island.contacts))
     record = {.contacts = {island.contacts.begin(), island.contacts.end()}};
   Balance kept{gravity, std::vector<ConstraintVector>(problem.constraints.size())};
   for (std::size_t p = 0; p < problem.constraints.size(); ++p)
@@ -97,14 +101,16 @@ void KnownBalances::keep(const Island& island, const Vec3& gravity, double step,
     return;
   }
   // One that follows from the others makes room, or else the one that is most like the new one.
-  auto least = std::ranges::find_if(balances, [&](const Balance& balance) {
+  auto least = std::find_if(balances.begin(), balances.end(), [&](const Balance& balance) {
     std::array<Vec3, kKnownBalances> others;
-    std::ranges::transform(balances, others.begin(), &Balance::gravity);
+    for (std::size_t k = 0; k < balances.size(); ++k) others[k] = balances[k].gravity;
     others[static_cast<std::size_t>(&balance - balances.data())] = gravity;
     return combination_of(balance.gravity, others).has_value();
   });
-  const auto distance = [&](const Balance& balance) { return (balance.gravity - gravity).squaredNorm(); };
-  if (least == balances.end()) least = std::ranges::min_element(balances, {}, distance);
+  const auto is_nearer = [&](const Balance& a, const Balance& b) {
+    return (a.gravity - gravity).squaredNorm() < (b.gravity - gravity).squaredNorm();
+  };
+  if (least == balances.end()) least = std::min_element(balances.begin(), balances.end(), is_nearer);
   *least = std::move(kept);
 }
 
