@@ -96,10 +96,10 @@ WorldRecord run(const internal::Engine& engine, const Layout& layout, const Acce
 
 std::string row_of(const WorldRecord& record, const Settings& settings) {
   const internal::WorldVerdict verdict =
-      judge_world(record.row, record.end, recording_plan(settings, false).thresholds);
+      judge_world(record.row, record.end, internal::by_run(recording_plan(settings, false).thresholds));
   return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.row.end_time,
-                     record.row.cpu_seconds, to_string(verdict.verdict), verdict.peak_displacement, verdict.moved,
-                     verdict.fallen, verdict.tilted);
+                     record.row.cpu_seconds, internal::to_string(verdict.verdict), verdict.peak_displacement,
+                     verdict.moved, verdict.fallen, verdict.tilted);
 }
 
 /// One line per sample and box, each after the columns in `key`.

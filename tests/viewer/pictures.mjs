@@ -109,7 +109,9 @@ async function live(page, world, scheme) {
   }
   await save(page, `live-${scheme}`);
   await page.mouse.up();
-  await page.keyboard.press("Escape");
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world:not(.live)");
+  await settled(page);
 }
 
 /** Brakes for a second, and pulls a box on top to the front. */

@@ -172,9 +172,7 @@ export class WorldPanel {
     }
     const first = boxes.firstBeyond[box];
     const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => String(Number((100 * side).toFixed(1))));
-    const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) =>
-      (100 * part).toFixed(1).replace("-", "−"),
-    );
+    const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => (100 * part).toFixed(1));
     const facts: [string, string][] = [
       ["size, cm", size.join(" × ")],
       ["mass", kilograms(boxes.mass[box])],
