@@ -28,21 +28,34 @@ struct Departure {
 /// What became of the load under one acceleration: of each kind the first departure, if there is one.
 using Trial = std::array<std::optional<Departure>, kinds>;
 
-/// Accelerations that are known to hold, and not to hold, of one kind in one direction.
+/// Accelerations of one kind in one direction: the least one that is known not to hold, and the largest one below it
+/// that is known to hold. A load that holds a larger one has found its hold on the way, and no load has to get there.
 struct Bracket {
   double holds = 0.0;
   double fails = std::numeric_limits<double>::infinity();
-  Departure departure;  ///< at `fails`
+  Departure departure;       ///< at `fails`
+  std::vector<double> held;  ///< all that are known to hold
 
   void take(double size, const std::optional<Departure>& beyond) {
-    if (!beyond) {
-      holds = std::max(holds, size);
-    } else if (size < fails) {
+    if (!beyond) held.push_back(size);
+    if (beyond && size < fails) {
       fails = size;
       departure = *beyond;
     }
+    holds = 0.0;
+    for (const double known : held)
+      if (known < fails) holds = std::max(holds, known);
   }
   bool is_closed() const { return holds >= kLargestMargin || fails - holds <= kMarginWidth; }
+
+  /// A share of the margin that has not been tried; nothing when all have.
+  std::optional<double> unchecked() const {
+    for (const double share : kMarginChecks) {
+      const auto is_it = [&](double known) { return std::abs(known - share * holds) <= kMarginWidth; };
+      if (holds > 0.0 && std::none_of(held.begin(), held.end(), is_it)) return share * holds;
+    }
+    return std::nullopt;
+  }
 };
 
 class MarginSearch {
@@ -100,7 +113,12 @@ class MarginSearch {
       // The other kind's trials may have closed it, or told where to look.
       double wanted = kind == in_place ? 0.5 * kLargestMargin : std::min(bracket.fails, kLargestMargin);
       if (wanted == bracket.fails) wanted = next_below(bracket);
-      while (!bracket.is_closed()) {
+      for (;;) {
+        if (bracket.is_closed()) {
+          const std::optional<double> unchecked = bracket.unchecked();
+          if (!unchecked) break;
+          wanted = *unchecked;
+        }
         const Trial trial = run_trial(push_acceleration(direction, wanted), kind);
         if (aborted()) return;
         brackets[in_place].take(wanted, trial[in_place]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <optional>
 
@@ -19,6 +20,10 @@ inline constexpr double kLargestMargin = 1.5;
 
 /// A margin is this exact, g: at this much more the layout does not hold.
 inline constexpr double kMarginWidth = 0.005;
+
+/// Shares of a margin that are tried once it is found: a load that shifts may hold it, and not a smaller one. The
+/// search goes on below one that does not hold.
+inline constexpr std::array kMarginChecks = {0.95, 0.75};
 
 /// How long an acceleration lasts that a load is still moving under, s.
 inline constexpr double kMarginDuration = 5.0;
