@@ -22,7 +22,8 @@ inline constexpr double kLargestMargin = 1.5;
 inline constexpr double kMarginWidth = 0.005;
 
 /// Shares of a margin that are tried once it is found: a load that shifts may hold it, and not a smaller one. The
-/// search goes on below one that does not hold.
+/// search goes on below one that does not hold. Without them 15 of 1,024 worlds at 0.3 to 0.97 of the margins within
+/// the limits of 34 layouts do not hold at `standard`, with them 5; the time is the same within 3 %.
 inline constexpr std::array kMarginChecks = {0.95, 0.75};
 
 /// How long an acceleration lasts that a load is still moving under, s.
