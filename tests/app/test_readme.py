@@ -54,20 +54,13 @@ class Readme(CliTest):
         self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}\n{done.stderr}")
         return done
 
-    def test_the_first_result_is_what_the_demo_prints(self):
-        text = (SOURCE / "README.md").read_text()
-        shown = text[text.index("\n    make demo\n"):]
-        shown = re.match(r"\n    make demo\n((?:\n|    .*\n)+)", shown).group(1)
+    def test_the_demo_asks_nothing_marginal(self):
+        """That its table is the one shown, tools/evidence.py checks."""
         command = re.search(r"^demo:.*\n\t@mkdir.*\n\t((?:.*\\\n)*.*)\n", (SOURCE / "Makefile").read_text(), re.MULTILINE).group(1)
         self.assertIn("-c configs/demo.ini", command)
         done = self.run_command(["bash", "-c", command.replace("\\\n", " ")])
+        self.assertIn("layouts that", done.stdout)
         self.assertNotIn("marginal", done.stdout)
-        printed = [line.rstrip() for line in (done.stderr + done.stdout).splitlines()]
-        at = 0
-        for line in (line[4:].rstrip() for line in shown.splitlines() if line.strip() not in ("", "...")):
-            self.assertIn(line, printed[at:])
-            at += printed[at:].index(line) + 1
-        self.assertGreater(at, 8)
 
     def test_commands(self):
         lines = commands("README.md")
