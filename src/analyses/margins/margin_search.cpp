@@ -109,7 +109,6 @@ class MarginSearch {
     for (const Kind kind : {in_place, within_limits}) {
       Bracket& bracket = brackets.at(kind);
       double stride = kMarginWidth;
-      bool failed_last = false;
       // The other kind's trials may have closed it, or told where to look.
       double wanted = kind == in_place ? 0.5 * kLargestMargin : std::min(bracket.fails, kLargestMargin);
       if (wanted == bracket.fails) wanted = next_below(bracket);
@@ -125,9 +124,8 @@ class MarginSearch {
         // A load that leaves its place has not been followed any further.
         if (kind == within_limits || !trial[in_place] || trial[within_limits])
           brackets[within_limits].take(wanted, trial[within_limits]);
-        failed_last = trial.at(kind).has_value();
         const double middle = 0.5 * (bracket.holds + bracket.fails);
-        if (failed_last) {
+        if (trial.at(kind)) {
           stride = kMarginWidth;
           wanted = next_below(bracket);
         } else if (std::isinf(bracket.fails)) {

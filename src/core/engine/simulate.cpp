@@ -101,7 +101,7 @@ class Group {
     if (event == Journey::Event::end && journey.time() == begin) {
       // The load was at rest before, as has been proved, and nothing was simulated.
       copy_state(before_, batch_.state, world_of(world));
-      finish(world, {.stop_reason = journey.stop_reason(), .end_time = begin, .counters = clock.before});
+      finish(world, {.stop_reason = journey.stop_reason(), .end_time = begin}, clock.before);
       return true;
     }
     Step step{begin, clock.reached, acceleration, state_of(before_, world), after, simulation_.status(world)};
@@ -142,13 +142,14 @@ class Group {
     }
   }
 
-  void finish(std::size_t world, Outcome outcome) {
+  void finish(std::size_t world, Outcome outcome) { finish(world, outcome, simulation_.counters(world)); }
+  void finish(std::size_t world, Outcome outcome, const Counters& counters) {
     outcome.status = outcome.status | simulation_.status(world);
     outcome.caveats = clocks_[world]->caveats;
     if (clocks_[world]->accelerated &&
         has_marginal_friction(world_of(world), view(batch_.boxes, world_of(world)), settings_.gravity))
       outcome.caveats = outcome.caveats | Caveat::marginal;
-    if (outcome.counters.steps == 0) outcome.counters = simulation_.counters(world);
+    outcome.counters = counters;
     recorders_[world]->finish(outcome, state_of(batch_.state, world));
   }
 
