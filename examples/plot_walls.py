@@ -31,12 +31,12 @@ with h5py.File(options.results) as file:
 
 limited = np.isfinite(limit).any()
 pressed = 100 * force / limit if limited else force / 1000
-# The largest over the accelerations; a layout that was not simulated has none.
+# The largest over the accelerations; a layout that was never accelerated has none.
 worst = np.full((len(names), 4), -np.inf)
 np.maximum.at(worst, layout, np.where(np.isnan(pressed), -np.inf, pressed))
 order = [row for row in np.argsort(-worst.max(axis=1), kind="stable") if np.isfinite(worst[row]).all()]
 if not order:
-    sys.exit(f"{options.results.name} holds no world that was simulated")
+    sys.exit(f"{options.results.name} holds no world that was accelerated")
 shown = order[:options.most]
 cap = 250 if limited else 1.02 * worst[shown].max()
 figure = draw_bars([names[row].removesuffix(".txt") for row in shown], worst[shown],

@@ -267,7 +267,7 @@ typedef struct holdfast_damage {
 /* What impacts did to the boxes of a world; settings with [Screening] Damage ask for it.
  * index:  into the outcomes of the last call of holdfast_screen_evaluate or holdfast_screen_poll
  * damage: set to it
- * HOLDFAST_BAD_ARGUMENT also where it was not asked for, or the world was not simulated. */
+ * HOLDFAST_BAD_ARGUMENT also where it was not asked for, or the world was not accelerated. */
 HOLDFAST_API int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damage* damage);
 
 /* A number that an analysis of [Screening] finds of a world, such as "boxes_beyond" or "load_shift": those of

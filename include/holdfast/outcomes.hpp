@@ -90,7 +90,7 @@ struct ReplicaOutcome {
 
 /// What impacts did to the boxes of a world, with [Screening] Damage: docs/damage.md.
 struct DamageOutcome {
-  bool known = false;              ///< it was asked for, and the world was simulated
+  bool known = false;              ///< it was asked for, and the world was accelerated
   std::uint32_t boxes_beyond = 0;  ///< boxes beyond the damage boundary
   float peak_acceleration = 0;     ///< largest of all boxes, mean over `DamageWindow`, m/s²
   float velocity_change = 0;       ///< largest of all boxes in an impact, m/s
@@ -113,7 +113,8 @@ struct AnalysisNumber {
 struct WorldOutcome {
   HOLDFAST_WORLD_FIELDS(HOLDFAST_CPP_MEMBER)
   std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
-  /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty.
+  /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty, also in a
+  /// world that was not accelerated.
   std::vector<WallForce> walls;
   Series series;  ///< with `ScreenOptions::keep_series`, else empty
   ReplicaOutcome replicas;

@@ -91,7 +91,7 @@ int holdfast_screen_damage(holdfast_screen* screen, size_t index, holdfast_damag
     const holdfast::DamageOutcome& found = outcome_at(object, index).damage;
     const FilledEntries filled(damage, "damage");
     if (!found.known)
-      throw BadArgument{"the world has no damage: the settings do not ask for it, or it was not simulated"};
+      throw BadArgument{"the world has no damage: the settings do not ask for it, or it was not accelerated"};
     filled.put(0, {.boxes_beyond = found.boxes_beyond,
                    .peak_acceleration = found.peak_acceleration,
                    .velocity_change = found.velocity_change});

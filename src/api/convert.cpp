@@ -268,14 +268,14 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   });
   world.verdict = verdict.verdict;
   world.walls.clear();
-  if (const WallForces* walls = record.found.get<WallForces>())
+  if (const WallForces* walls = record.found.get<WallForces>(); walls != nullptr && walls->known())
     for (std::size_t side = 0; side < kSideCount; ++side) world.walls.push_back(wall_of(*walls, side));
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.end_displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));
   world.replicas = public_replicas(record.found.value<ReplicaOutcome>(), keep_boxes);
   const WorldDamage* damage = record.found.get<WorldDamage>();
-  world.damage = damage != nullptr ? public_damage(*damage, keep_boxes) : holdfast::DamageOutcome();
+  world.damage = damage != nullptr && damage->known() ? public_damage(*damage, keep_boxes) : holdfast::DamageOutcome();
 }
 
 void mark_cancelled(holdfast::WorldOutcome& world) {

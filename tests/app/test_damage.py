@@ -41,7 +41,7 @@ class Damage(CliTest):
         done = self.screen_two("--damage")
         table = done.stdout[done.stdout.index("damage:"):]
         self.assertRegex(table, r"two\.txt +1 +5\.\d +1\.0\d  box 1, brake\.txt\n")
-        self.assertIn("beyond the boundary in 1 of 1 worlds", table)
+        self.assertIn("beyond the boundary in 1 of 1 accelerated worlds", table)
 
         data = datasets(self.folder / "results.h5")
         self.assertEqual(data["/damage/boxes_beyond"].tolist(), [1])

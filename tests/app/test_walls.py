@@ -42,7 +42,7 @@ class Walls(CliTest):
         done = self.screen_row("--walls", "en12642-l")
         table = done.stdout[done.stdout.index("walls:"):]
         self.assertRegex(table, rf"row\.txt +{100 * force / limit:.0f} % +0 % +0 % +0 % +front, brake\.txt, exceeded\n")
-        self.assertIn("exceeded in 1 of 1 worlds", table)
+        self.assertIn("exceeded in 1 of 1 accelerated worlds", table)
 
         data = datasets(self.folder / "results.h5")
         self.assertAlmostEqual(data["/walls/lasting_force"][0, 1] / force, 1, delta=1e-3)

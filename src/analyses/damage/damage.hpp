@@ -29,8 +29,11 @@ inline DamageBoundary damage_boundary(const ScreeningSettings& screening) {
 /// of a tipping box count as impacts. Larger: weak impacts are missed, those below (g + a) h times this.
 inline constexpr double kImpactFactor = 1.5;
 
-/// What impacts did to the boxes of a world. Not counted, and without boxes, where the world was not simulated.
+/// What impacts did to the boxes of a world. Not counted where the world was not accelerated: boxes then have
+/// NaN, and there are none where it was not simulated.
 struct WorldDamage {
+  bool known() const { return boxes_beyond != kNotCounted; }
+
   std::uint32_t boxes_beyond = kNotCounted;  ///< boxes beyond the damage boundary
   std::vector<float> peak_acceleration;      ///< per box, largest mean over the window, in a frame at rest, m/s²
   std::vector<float> velocity_change;        ///< per box, largest in an impact, m/s
@@ -41,16 +44,19 @@ struct WorldDamage {
     visit(
         DatasetContent{
             "/damage/boxes_beyond", Axis::worlds, "1",
-            "boxes beyond the damage boundary of the settings; 4294967295 in a world that was not simulated"},
+            "boxes beyond the damage boundary of the settings; 4294967295 in a world that was not accelerated"},
         &WorldDamage::boxes_beyond);
     visit(
         DatasetContent{
             "/damage/peak_acceleration", Axis::boxes, "m/s2",
-            "largest acceleration of the centre of mass in a frame at rest, mean over DamageWindow; rows as in /boxes"},
+            "largest acceleration of the centre of mass in a frame at rest, mean over DamageWindow; NaN in a world "
+            "that was not accelerated; rows as in /boxes"},
         &WorldDamage::peak_acceleration);
-    visit(DatasetContent{"/damage/velocity_change", Axis::boxes, "m/s",
-                         "largest change of its velocity in an impact; 0: no impact"},
-          &WorldDamage::velocity_change);
+    visit(
+        DatasetContent{
+            "/damage/velocity_change", Axis::boxes, "m/s",
+            "largest change of its velocity in an impact; 0: no impact; NaN in a world that was not accelerated"},
+        &WorldDamage::velocity_change);
     visit(DatasetContent{"/damage/beyond", Axis::boxes, "1",
                          "1 when peak_acceleration and velocity_change are both above the damage boundary, else 0"},
           &WorldDamage::beyond);

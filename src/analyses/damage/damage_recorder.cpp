@@ -1,8 +1,10 @@
 #include "analyses/damage/damage_recorder.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "analyses/settling.hpp"
 #include "core/engine/interpolation.hpp"
 
 namespace holdfast::internal {
@@ -17,6 +19,7 @@ DamageRecorder::DamageRecorder(const DamageBoundary& boundary, double window, do
 }
 
 void DamageRecorder::step(const Step& step) {
+  settles_ = is_of_settling(step);
   const double duration = step.end - step.begin;
   container_velocity_ += duration * step.acceleration;
   // The oldest instant that is not needed any more lends its memory to the new one.
@@ -41,6 +44,13 @@ void DamageRecorder::step(const Step& step) {
 }
 
 WorldDamage DamageRecorder::damage() const {
+  if (settles_) {
+    WorldDamage unknown;
+    unknown.peak_acceleration.assign(impacts_.size(), std::numeric_limits<float>::quiet_NaN());
+    unknown.velocity_change = unknown.peak_acceleration;
+    unknown.beyond.assign(impacts_.size(), 0);
+    return unknown;
+  }
   WorldDamage damage{.boxes_beyond = 0};
   for (std::size_t box = 0; box < impacts_.size(); ++box) {
     const bool beyond =

@@ -10,12 +10,12 @@
 namespace holdfast::internal {
 
 /// Follows what impacts do to the boxes of a world. Velocities are those of the centres of mass in a frame at rest, in
-/// which the container moves.
+/// which the container moves. Nothing is counted in a world that ends before t = 0.
 class DamageRecorder final : public AnalysisRecorder {
  public:
   /// @param window   over which accelerations are averaged, s
   /// @param gravity  m/s²
-  /// @param start    state at t = 0
+  /// @param start    state at the first step
   DamageRecorder(const DamageBoundary& boundary, double window, double gravity, const StateView& start);
 
   void step(const Step& step) override;
@@ -43,6 +43,7 @@ class DamageRecorder final : public AnalysisRecorder {
   /// @param least_change of the velocity, so that the step belongs to an impact, m/s
   void follow_impact(std::size_t box, const Vec3& before, const Vec3& after, double least_change);
 
+  bool settles_ = false;  ///< the last step was before t = 0
   DamageBoundary boundary_;
   double window_;
   double gravity_;

@@ -39,14 +39,15 @@ double largest_of_boxes(const Findings& found) {
 }
 
 constexpr WorldNumber kDamageNumbers[] = {
-    {"boxes_beyond", "u4", "Number of boxes beyond the damage boundary; 0 without ``Damage``.",
+    {"boxes_beyond", "u4",
+     "Number of boxes beyond the damage boundary; 0 without ``Damage``, and in a world that was not accelerated.",
      [](const Findings& found) {
        const WorldDamage* damage = found.get<WorldDamage>();
-       return damage != nullptr ? static_cast<double>(damage->boxes_beyond) : 0.0;
+       return damage != nullptr && damage->known() ? static_cast<double>(damage->boxes_beyond) : 0.0;
      }},
-    {"peak_acceleration", "f4", "Largest of all boxes, mean over ``DamageWindow``, m/s²; NaN without ``Damage``.",
+    {"peak_acceleration", "f4", "Largest of all boxes, mean over ``DamageWindow``, m/s²; NaN where it is not known.",
      largest_of_boxes<&WorldDamage::peak_acceleration>},
-    {"velocity_change", "f4", "Largest of all boxes in an impact, m/s; NaN without ``Damage``.",
+    {"velocity_change", "f4", "Largest of all boxes in an impact, m/s; NaN where it is not known.",
      largest_of_boxes<&WorldDamage::velocity_change>}};
 
 Result<CsvFields> damage_fields(ResultsReader& results, const SummarySlice& slice) {
@@ -57,8 +58,9 @@ Result<CsvFields> damage_fields(ResultsReader& results, const SummarySlice& slic
   for (const WorldDamage& world : *damage) {
     fields.worlds.push_back(',' + csv_count(world.boxes_beyond));
     for (std::size_t box = 0; box < world.beyond.size(); ++box)
-      fields.boxes.push_back(
-          fmt::format(",{},{},{}", world.peak_acceleration[box], world.velocity_change[box], world.beyond[box]));
+      fields.boxes.push_back(fmt::format(",{},{},{}", csv_number(world.peak_acceleration[box]),
+                                         csv_number(world.velocity_change[box]),
+                                         world.known() ? fmt::format("{}", world.beyond[box]) : ""));
   }
   return fields;
 }

@@ -38,7 +38,7 @@ struct LayoutDamage {
   }
 };
 
-/// All worlds of a file, layout by layout.
+/// All worlds of a file that were accelerated, layout by layout.
 struct DamageLines {
   std::map<std::uint64_t, LayoutDamage> layouts;
   std::uint64_t worlds = 0;
@@ -55,7 +55,7 @@ Result<DamageLines> read_lines(ResultsReader& results) {
     if (!damage) return damage.errors();
     for (std::size_t i = 0; i < rows->size(); ++i) {
       const WorldDamage& world = (*damage)[i];
-      if (world.boxes_beyond == kNotCounted) continue;
+      if (!world.known()) continue;
       lines.layouts[(*rows)[i].layout].add((*rows)[i], world);
       ++lines.worlds;
       if (world.boxes_beyond > 0) ++lines.exceeding;
@@ -76,7 +76,7 @@ std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
     text += "\n";
   }
   if (shown.hidden > 0) text += fmt::format("  and {} more; `holdfast summary --csv` writes all\n", shown.hidden);
-  return text + fmt::format("  beyond the boundary in {} of {} worlds\n", lines.exceeding, lines.worlds);
+  return text + fmt::format("  beyond the boundary in {} of {} accelerated worlds\n", lines.exceeding, lines.worlds);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ class ResultsReader;
 
 /// How far the centre of gravity of a whole load is displaced from where it is at t = 0: what changes the axle loads
 /// and the tilting moment of the vehicle. Container frame; NaN where it was not asked for, or the world was not
-/// simulated.
+/// accelerated.
 struct LoadShift {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -27,7 +27,7 @@ struct LoadShift {
         DatasetContent{
             "/load_shift/end", Axis::worlds, "m",
             "displacement x, y, z of the load's centre of gravity at the end, from where it is at t = 0; NaN in a "
-            "world that was not simulated, as the next two"},
+            "world that was not accelerated, as the next two"},
         &LoadShift::end);
     visit(DatasetContent{"/load_shift/peak", Axis::worlds, "m", "the same where it is farthest, over all steps"},
           &LoadShift::peak);

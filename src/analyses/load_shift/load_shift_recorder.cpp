@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analyses/settling.hpp"
+
 namespace holdfast::internal {
 
 LoadShiftRecorder::LoadShiftRecorder(const BoxView& boxes, const StateView& settled) {
@@ -14,6 +16,7 @@ LoadShiftRecorder::LoadShiftRecorder(const BoxView& boxes, const StateView& sett
 }
 
 void LoadShiftRecorder::step(const Step& step) {
+  settles_ = is_of_settling(step);
   shift_.end = centre_of_gravity(step.after) - start_;
   if (shift_.end.norm() <= shift_.peak.norm()) return;
   shift_.peak = shift_.end;

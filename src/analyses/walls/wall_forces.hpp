@@ -15,7 +15,7 @@ struct Analysis;
 class ResultsReader;
 
 /// What the boxes of a world did to the sides of the container; one entry per side, in the order of `kContainerSides`.
-/// Forces are along the side's outward normal. NaN where they were not asked for, or the world was not simulated.
+/// Forces are along the side's outward normal. NaN where they were not asked for, or the world was not accelerated.
 struct WallForces {
   std::array<double, kSideCount> peak_force = filled(kUnknown);  ///< largest mean over a step, N
   std::array<double, kSideCount> peak_time = filled(kUnknown);   ///< start of that step, s
@@ -42,7 +42,7 @@ struct WallForces {
         DatasetContent{
             "/walls/peak_force", Axis::worlds, "N",
             "largest outward force of the boxes on the floor, front, rear, left, right and roof, mean over a "
-            "step; NaN in a world that was not simulated"},
+            "step; NaN in a world that was not accelerated, as all but force"},
         &WallForces::peak_force);
     visit(DatasetContent{"/walls/peak_time", Axis::worlds, "s", "start of the step with that force"},
           &WallForces::peak_time);

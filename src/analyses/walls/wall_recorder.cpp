@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "analyses/settling.hpp"
 #include "analyses/walls/wall_limits.hpp"
 #include "core/model/push_direction.hpp"
 
@@ -27,6 +29,7 @@ WallRecorder::WallRecorder(std::optional<WallNorm> norm, const BoxView& boxes) {
 }
 
 void WallRecorder::step(const Step& step) {
+  settles_ = is_of_settling(step);
   const SideImpulses& sides = *step.side_impulses;
   Recent now{step.begin, step.end, {}};
   for (std::size_t side = 0; side < kSideCount; ++side)
@@ -43,6 +46,15 @@ void WallRecorder::step(const Step& step) {
     forces_.peak_time[side] = step.begin;
     forces_.peak_point[side] = sides[side].weighted_point / outward(side, sides[side].impulse);
   }
+}
+
+void WallRecorder::finish(Findings& found) {
+  if (settles_) {
+    WallForces unknown;
+    unknown.force = std::move(forces_.force);
+    forces_ = std::move(unknown);
+  }
+  found.put(std::move(forces_));
 }
 
 double WallRecorder::lasting_force(std::size_t side) const {

@@ -50,7 +50,8 @@ double largest_share(const Findings& found) {
 
 constexpr WorldNumber kWallNumbers[] = {
     {"wall_floor", "f8",
-     "Largest force on the floor for 0.05 s, N; NaN without ``WallForces`` or ``Walls``, as the next six.",
+     "Largest force on the floor for 0.05 s, N; NaN without ``WallForces`` or ``Walls``, and in a world that was not "
+     "accelerated, as the next six.",
      force_on<0>},
     {"wall_front", "f8", "The same on the front wall.", force_on<1>},
     {"wall_rear", "f8", "The same on the door.", force_on<2>},
@@ -61,7 +62,7 @@ constexpr WorldNumber kWallNumbers[] = {
      "The largest of these over the test force of the norm ``Walls``: above 1, a wall is pressed beyond it.",
      largest_share}};
 
-/// One line per world that was simulated and side.
+/// One line per world that was accelerated and side.
 std::optional<Error> write_wall_csv(ResultsReader& results, const std::function<void(std::string_view)>& write) {
   const ResultsInfo& info = results.info();
   write(kWallHeader);

@@ -37,7 +37,7 @@ struct LayoutWalls {
   }
 };
 
-/// All worlds of a file, layout by layout.
+/// All worlds of a file that were accelerated, layout by layout.
 struct WallLines {
   std::map<std::uint64_t, LayoutWalls> layouts;
   bool limited = false;  ///< by a norm
@@ -89,7 +89,7 @@ std::string text_of(const WallLines& lines, const ResultsInfo& info) {
                         lines.limited && line.worst() > 1.0 ? ", exceeded" : "");
   }
   if (shown.hidden > 0) text += fmt::format("  and {} more that press less\n", shown.hidden);
-  if (lines.limited) text += fmt::format("  exceeded in {} of {} worlds\n", lines.exceeding, lines.worlds);
+  if (lines.limited) text += fmt::format("  exceeded in {} of {} accelerated worlds\n", lines.exceeding, lines.worlds);
   return text;
 }
 

@@ -173,10 +173,12 @@ export class ResultsReader {
     const column = (name: string) => file.numbers(`walls/${name}`, index, index + 1) as Float64Array;
     const sample = results.worlds.sampleBegin[index] - this.offsets.samples;
     const samples = results.worlds.samples[index];
+    const lasting = column("lasting_force");
+    if (Number.isNaN(lasting[0])) return null; // the world was not accelerated
     const force = samples > 0 && file.has("walls/force") ? file.numbers("walls/force", sample, sample + samples) : [];
     return {
       peak: column("peak_force"),
-      lasting: column("lasting_force"),
+      lasting,
       limit: column("limit"),
       force: Float32Array.from(force),
     };
