@@ -6,7 +6,15 @@
 
 A table of a page is an indented block below an indented command, `holdfast ...` or `make demo`. It may leave out lines, for which
 it has "...": every part begins with a line that the command prints, its numbers apart, and has as many lines as are shown now.
+
+Other pictures take minutes to hours, or need what this program does not have. They are drawn by hand when what they show changes:
+
+    docs/search.svg       the commands at the end of docs/search.md, some 35 minutes of processor time
+    docs/viewer/*         node tests/viewer/pictures.mjs RESULTS docs/viewer, as docs/viewer.md says; needs Chromium and the page
+    docs/validation/*     holdfast validate -o validation && tools/validation_report.py validation, hours
+    docs/peers.svg        bench/peers/compare.py, as bench/peers/README.md says; needs the sources of Box3D and Jolt
 """
+import os
 import pathlib
 import re
 import shutil
@@ -23,15 +31,18 @@ PICTURES = {
     "docs/margins.svg": ["examples/plot_margins.py", "margins.h5"],
     "docs/walls.svg": ["examples/plot_walls.py", "walls.h5"],
     "docs/verdicts.svg": ["examples/plot_verdicts.py", "--program", PROGRAM],
+    "docs/indicators.svg": ["examples/indicators.py", "indicators.h5"],
 }
 RESULTS = {
     "margins.h5": "margins -c configs/demo.ini --layouts configs/layouts --norm road",
     "walls.h5": "screen --layouts configs/layouts --accelerations configs/accelerations --walls en12642-xl",
+    "indicators.h5": "screen --layouts configs/layouts bench/layouts --norm road --indicators --margins --accuracy screening",
+    "report.h5": "screen --layouts configs/layouts/BR15_077_ep.txt --norm road --margins --walls en12642-l --replicas 32",
 }
 
 
 def printed(program, command, folder):
-    """The lines that a command of a page prints, without those that are empty."""
+    """The lines that a command of a page prints, without progress and those that are empty."""
     if command == "make demo":
         recipe = (ROOT / "Makefile").read_text(encoding="utf-8")
         command = re.search(r"^demo:.*\n\t@mkdir.*\n\tbuild/release/bin/((?:.*\\\n)*.*)\n", recipe, re.MULTILINE)[1].replace("\\\n", " ")
@@ -42,7 +53,8 @@ def printed(program, command, folder):
                           text=True, check=False)
     if done.returncode not in (0, 1):
         sys.exit(f"{command}\n{done.stderr}")
-    return [line.rstrip() for line in (done.stderr + done.stdout).splitlines() if line.strip()]
+    lines = [line.rstrip() for line in (done.stderr + done.stdout).splitlines() if line.strip()]
+    return [line for line in lines if not re.match(r" *\d+/\d+ worlds ", line)]  # progress, which a busy machine has time for
 
 
 def without_numbers(line):
@@ -95,14 +107,32 @@ def renew(program, page, folder):
 
 
 def draw(program, folder):
-    """Draws the pictures again."""
+    """Draws the pictures again; the same picture has the same bytes."""
+    (folder / "matplotlibrc").write_text("svg.hashsalt: holdfast\n", encoding="ascii")
+    environment = {**os.environ, "MATPLOTLIBRC": str(folder), "SOURCE_DATE_EPOCH": "0"}
     for name, words in RESULTS.items():
         subprocess.run([program, *words.split(), "--quiet", "--overwrite", "-o", str(folder / name)], cwd=ROOT, check=False)
     for picture, (script, *words) in PICTURES.items():
         words = [folder / word if word in RESULTS else program if word == PROGRAM else word for word in words]
         drawn = folder / pathlib.Path(picture).name
-        subprocess.run([sys.executable, script, *words, "-o", drawn], cwd=ROOT, check=True)
+        subprocess.run([sys.executable, script, *words, "-o", drawn], cwd=ROOT, check=True, env=environment)
         shutil.copy(drawn, ROOT / picture)
+
+
+def draw_report(program, results, folder):
+    """A picture of the page that the report has for a layout, taken by Chromium; without one the picture stays."""
+    browser = os.environ.get("HOLDFAST_BROWSER") or shutil.which("chromium")
+    if not browser:
+        print("docs/report.png is not drawn: there is no chromium")
+        return
+    page, picture = folder / "report.html", folder / "report.png"
+    subprocess.run([program, "report", results, "-o", page], cwd=ROOT, check=True, capture_output=True)
+    text = page.read_text(encoding="utf-8")
+    front = re.search(r"<body[^>]*>(.*?)<section", text, re.DOTALL)
+    page.write_text(text[:front.start(1)] + text[front.end(1):], encoding="utf-8")
+    subprocess.run([browser, "--headless", "--no-sandbox", "--hide-scrollbars", "--force-device-scale-factor=1",
+                    "--window-size=720,1030", f"--screenshot={picture}", page.as_uri()], check=True, capture_output=True)
+    shutil.copy(picture, ROOT / "docs/report.png")
 
 
 def main():
@@ -120,6 +150,7 @@ def main():
                 (ROOT / page).write_text(text, encoding="utf-8")
         if len(sys.argv) == 2:
             draw(program, pathlib.Path(folder))
+            draw_report(program, pathlib.Path(folder) / "report.h5", pathlib.Path(folder))
     for page in stale:
         print(f"{page} {'was' if len(sys.argv) == 2 else 'is'} not current")
     return 1 if stale and len(sys.argv) == 3 else 0
