@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""How exact margins are: every layout at 0.95 and 1.05 of each of its margins, and margins beside a plain bisection.
+"""How exact margins are: every layout at shares of each of its margins, and margins beside a plain bisection.
 
-  bench/margin_check.py --layouts configs/layouts [--accuracy screening] [--bisect]
+  bench/margin_check.py --layouts configs/layouts [--accuracy screening] [--shares 0.95 1.05] [--bisect]
 
 For margins in place and margins within the limits it counts the cases in which the load does not hold a constant
-acceleration of 0.95 margins, or holds one of 1.05 margins. With --bisect, margins are found a second time by halving 0 to
+acceleration of a share below 1 of the margin, or holds one of a share above. With --bisect, margins are found a second time by halving 0 to
 1.5 g down to 1 mg, each acceleration as a full simulation of its own, and the differences are printed.
 """
 import argparse
@@ -65,25 +65,24 @@ class Loads:
         return {direction: low for direction, (low, _) in known.items()}
 
 
-def check(kind, loads, paths, found, bisect):
+def check(kind, loads, paths, found, shares, bisect):
     """Tries the margins of one kind, and prints how they did."""
-    below, above, differences = [], [], []
+    right, differences = {share: [] for share in shares}, []
     for name, line in found.items():
         margins = line[kind]
-        cases = [(direction, share * margin) for direction, margin in margins.items() for share in (0.95, 1.05)]
-        for (direction, size), held in zip(cases, loads.hold(kind, paths[name], cases)):
+        cases = [(direction, share * margin) for direction, margin in margins.items() for share in shares]
+        for (direction, size), share, held in zip(cases, shares * len(margins), loads.hold(kind, paths[name], cases)):
             if size > LARGEST:
                 continue
-            expected = size < margins[direction]
-            (below if expected else above).append(held == expected)
-            if held != expected:
+            right[share].append(held == (share < 1))
+            if not right[share][-1]:
                 print(f"{name} {direction}: margin {margins[direction]:.3f} g, "
                       f"{'holds' if held else 'does not hold'} {size:.3f} g")
         if bisect:
             exact = loads.bisect(kind, paths[name])
             differences += [margins[direction] - exact[direction] for direction in margins]
-    print(f"{kind}: 0.95 of the margin holds in {sum(below)} of {len(below)} cases, 1.05 of it does not in {sum(above)} of "
-          f"{len(above)}")
+    for share, cases in right.items():
+        print(f"{kind}: {share} of the margin {'holds' if share < 1 else 'does not hold'} in {sum(cases)} of {len(cases)} cases")
     if differences:
         near = sum(abs(difference) <= 0.01 for difference in differences)
         print(f"{kind}: within 0.01 g of the bisection: {near} of {len(differences)}; the median difference is "
@@ -94,6 +93,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--layouts", nargs="+", required=True)
     parser.add_argument("--accuracy", default="screening")
+    parser.add_argument("--shares", nargs="+", type=float, default=[0.95, 1.05])
     parser.add_argument("--bisect", action="store_true")
     parser.add_argument("--program", default="build/release/bin/holdfast")
     arguments = parser.parse_args()
@@ -107,7 +107,7 @@ def main():
         # Of the layouts that stand under gravity.
         found = {line["layout"]: line for line in lines if "margins_g" in line and min(line["margins_g"].values()) >= 0}
         for kind in KINDS:
-            check(kind, loads, paths, found, arguments.bisect)
+            check(kind, loads, paths, found, arguments.shares, arguments.bisect)
     seconds = [line["cpu_seconds"] for line in found.values()]
     print(f"processor time for four directions: median {1e3 * statistics.median(seconds):.0f} ms, "
           f"largest {1e3 * max(seconds):.0f} ms, {len(seconds)} layouts")
