@@ -25,6 +25,12 @@ def braking(time):
     return 0.8 * GRAVITY * share * (1 + vibration), 0.01 * GRAVITY * share * math.sin(2 * math.pi * 11 * time)
 
 
+def text_of(rows):
+    """The acceleration file of (begin, duration, x, y, z), in s and m/s²."""
+    lines = [f"{begin:.12g}\t{duration:.12g}\t{x:.5f}\t{y:.5f}\t{z:.5g}" for begin, duration, x, y, z in rows]
+    return "\n".join(["#Initial-Time\t/ Duration\t/ X\t/ Y\t/ Z", *lines, ""])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
@@ -33,11 +39,9 @@ def main():
     folder, samples = arguments.folder, arguments.samples
     folder.mkdir(parents=True, exist_ok=True)
     for name, curve, duration in (("lane_change_0g2", lane_change, 6.5), ("braking_0g8", braking, 3.0)):
-        lines = ["#Initial-Time\t/ Duration\t/ X\t/ Y\t/ Z"]
-        for sample in range(round(duration * samples)):
-            x, y = curve((sample + 0.5) / samples)
-            lines.append(f"{sample / samples:.12g}\t{1 / samples:.12g}\t{x:.5f}\t{y:.5f}\t0")
-        (folder / f"{name}.txt").write_text("\n".join(lines) + "\n")
+        rows = [(sample / samples, 1 / samples, *curve((sample + 0.5) / samples), 0.0)
+                for sample in range(round(duration * samples))]
+        (folder / f"{name}.txt").write_text(text_of(rows))
 
 
 if __name__ == "__main__":

@@ -10,14 +10,14 @@ import argparse
 from pathlib import Path
 
 
-def with_play(line, play):
-    """The line of a box, smaller by `play`, cm; comments and blank lines as they are."""
+def with_play(line, play, shift=(0.0, 0.0)):
+    """The line of a box, smaller by `play` and then shifted, cm; comments and blank lines as they are."""
     words = line.split("#")[0].split()
     if not words:
         return line
     for low in (0, 1):
-        words[low] = f"{float(words[low]) + play / 2:.6g}"
-        words[low + 3] = f"{float(words[low + 3]) - play / 2:.6g}"
+        words[low] = f"{float(words[low]) + play / 2 + shift[low]:.6g}"
+        words[low + 3] = f"{float(words[low + 3]) - play / 2 + shift[low]:.6g}"
     return " ".join(words)
 
 
