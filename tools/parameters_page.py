@@ -17,10 +17,12 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CONSTANTS = "src/core/native/constants.hpp"
 OPTIONS = "src/core/native/native_options.hpp"
-# Constants that other folders have, and that decide how native moves boxes.
+# Constants that other files have, and that decide how native moves boxes or what it tells of them.
 ELSEWHERE = {
     "src/core/model/container_sides.hpp": ["kLeastPlay"],
-    "src/core/model/acceleration.cpp": ["kShortestSample", "kResampledShift"],
+    "src/core/model/samples.cpp": ["kShortestSample"],
+    "src/core/native/sampled_step.cpp": ["kSampledShare", "kSampledShift"],
+    "src/core/native/island_rest.cpp": ["kWallCost", "kWallGap"],
 }
 
 # `inline constexpr double kTouch = 1e-7;  // m`, or the field of a struct
@@ -154,7 +156,7 @@ def page(program):
         efforts=table_of_options((field for field in fields if field.name in island), accuracies, in_islands),
         measured=next(note for note in header if note.startswith("Measured")))
     elsewhere = [entry for path, names in ELSEWHERE.items() for entry in read(path, names)]
-    return "\n".join([intro.rstrip() + "\n", *sections(entries[len(header):] + ["### Outside the engine"] + elsewhere)])
+    return "\n".join([intro.rstrip() + "\n", *sections(entries[len(header):] + ["### Of one file alone"] + elsewhere)])
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ SUITES = {
     "rebound": "collisions, drops and rebounds",
     "manoeuvre": "braking, cornering, lane changes",
     "hard": "stacks, mass ratios, thin plates, tiny gaps, twins",
+    "oscillate": "sine trains, vibration, shocks, noise of ships and lorries",
     "load": "real loads against a converged reference",
 }
 # What is drawn against cost: title, case, part of the metric's name.
@@ -32,8 +33,26 @@ CURVES = [
     ("Tip: smallest acceleration that tips, l/h = 0.4", "tip_ratio_0.4_along_x", "acceleration"),
     ("Stack of five: smallest acceleration that slides it", "slide_stack_5", "10 mm"),
     ("Topple: largest error of the angle (degrees), 2 % over the limit", "topple_tower_2_percent_over", "largest"),
+    ("Vibration: path of a box under 100 Hz", "walk_100_hz", "farthest off"),
+    ("Rocking: largest tilt after two cycles that leave the box standing", "rocking_26x60x135_tilt", "2 x 0.5 s"),
     ("Real loads: displacement while predictable (m, median)", "real_loads", "median"),
     ("Real loads: share with another verdict on 'any moved'", "real_loads", "moved"),
+]
+# What the suite `oscillate` comes to: title, cases, metrics, and whether the errors are added or the largest counts.
+OSCILLATE = [
+    ("of 36 trains that overturn the block of 26 x 60 x 135 cm, missed", "rocking_26x.*cycles", "that overturn", "sum"),
+    ("of 18 that leave it standing, overturned", "rocking_26x.*cycles", "that leave", "sum"),
+    ("of 48 that overturn the other three blocks, missed", "rocking_(?!26x).*cycles", "that overturn", "sum"),
+    ("of 24 that leave these standing, overturned", "rocking_(?!26x).*cycles", "that leave", "sum"),
+    ("largest tilt of trains that leave a block standing, largest error", "rocking_.*tilt", "tilt", "max"),
+    ("path of one box under vibration, largest error", "walk_[0-9]+_hz$", "farthest", "max"),
+    ("paths of several boxes under vibration, largest error", "walk_[0-9]+_hz_", "farthest", "max"),
+    ("speed after a shock, largest error", "shock_", "velocity", "max"),
+    ("path after a shock, largest error", "shock_", "displacement", "max"),
+    ("path after a ramp through the static limit, largest error", "kinetic_ramp", "farthest", "max"),
+    ("path of stick-slip with kinetic friction, largest error", "kinetic_(?!ramp)", "displacement (?!aside)", "max"),
+    ("path in noise, largest error", "sea|lorry", "farthest", "max"),
+    ("displacement in noise below the limits, largest (m)", "rest_in_noise", "displacement", "max"),
 ]
 # An engine that runs on a device, and the setting on the processor that it is set beside.
 DEVICE_ENGINE, BESIDE = "bullet-opencl", "bullet, 240 Hz, 50 it"
@@ -150,6 +169,22 @@ def overview(rows, cost):
     return "\n".join(lines) + "</table>"
 
 
+def oscillate_markdown(rows):
+    """The suite `oscillate` at the accuracies of the native engine as Markdown; nothing where it was not measured."""
+    rows = rows[(rows["suite"] == "oscillate") & (rows["engine"] == "native")]
+    settings = [name for name in ("screening", "standard", "reference") if name in set(rows["setting"])]
+    if not settings:
+        return []
+    lines = ["", "| | " + " | ".join(settings) + " |", "| --- |" + " --- |" * len(settings)]
+    for title, case, metric, way in OSCILLATE:
+        mine = rows[rows["case"].str.match(case) & rows["metric"].str.contains(metric)]
+        if not mine.empty:
+            errors = mine.groupby("setting")["error"].agg(way)
+            lines.append(f"| {title} | " + " | ".join(number(errors[name]) for name in settings) + " |")
+    seconds = rows.drop_duplicates(["setting", "case"]).groupby("setting")["cpu_seconds"].sum()
+    return lines + ["| processor time (s) | " + " | ".join(f"{seconds[name]:.2g}" for name in settings) + " |"]
+
+
 def markdown(rows, cost):
     """The overview and the errors of the curves' metrics as Markdown, for a page of documentation."""
     labels = list(dict.fromkeys(rows["label"]))
@@ -171,7 +206,7 @@ def markdown(rows, cost):
                       "| --- |" + " --- |" * len(errors.columns)]
             lines += [f"| {label} | " + " | ".join(number(error) for error in row) + " |"
                       for label, row in zip(errors.index, errors.values)]
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines + oscillate_markdown(rows)) + "\n"
 
 
 def beside_the_processor(rows):

@@ -280,7 +280,8 @@ void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
       "  holdfast validate --suite slide,tip --engine bullet -o validation");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("--engine", options->engines, "Engines to measure (default: all)")->type_name("NAME");
-  command->add_option("--suite", options->suites, "slide, tip, rebound, manoeuvre, hard, load (default: all)")
+  command
+      ->add_option("--suite", options->suites, "slide, tip, rebound, manoeuvre, hard, oscillate, load (default: all)")
       ->delimiter(',')
       ->type_name("NAME");
   command->add_option("--case", options->case_name, "One case by name")->type_name("NAME");

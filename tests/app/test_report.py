@@ -55,7 +55,7 @@ class Report(CliTest):
         # The margins of its documentation, in place and within limits, what the road needs, and a side that is too weak.
         self.assertIn("<td>right</td><td>0.28 g</td><td><span class=bad>0.28 g</span></td><td>0.5 g</td><td>box 3</td>", seed)
         self.assertIn("<td>left</td><td>≥ 1.50 g</td><td>≥ 1.50 g</td><td>0.5 g</td><td>-</td>", seed)
-        self.assertRegex(seed, r"<td>right</td><td>[\d.]+ kN</td><td>[\d.]+ kN</td><td><span class=bad>\d+%</span>")
+        self.assertRegex(seed, r"<td>front</td><td>[\d.]+ kN</td><td>[\d.]+ kN</td><td><span class=bad>\d+%</span>")
         # One row per acceleration, each with its verdict.
         self.assertEqual(len(re.findall(r"<tr><td>road-", seed)), 4)
         self.assertEqual(text.count(NOT_MODELLED), 3)  # on the front page too

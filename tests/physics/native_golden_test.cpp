@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xd7ed6752981983d7},
-    {"lean", lean, 0x8612fa476e5e4303},
-    {"tumble", tumble, 0x9b83a88217945785},
-    {"drop", drop, 0xb6c6cac9da8495e5},
+    {"brake", brake, 0xd40bbc10897c07b3},
+    {"lean", lean, 0xa1a6d6090d5745b9},
+    {"tumble", tumble, 0xba97b0bc1025cdf5},
+    {"drop", drop, 0xc6add0e6a471c7ff},
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace holdfast::internal {
 
 namespace {
 
-const std::vector<std::string> kSuites = {"slide", "tip", "rebound", "manoeuvre", "hard", "load"};
+const std::vector<std::string> kSuites = {"slide", "tip", "rebound", "manoeuvre", "hard", "oscillate", "load"};
 
 /// Measurements up to which each is printed; above, a table of how many pass.
 constexpr std::size_t kRowsShown = 60;

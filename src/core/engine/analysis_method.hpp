@@ -21,7 +21,7 @@ class AnalysisRecorder {
   AnalysisRecorder& operator=(const AnalysisRecorder&) = delete;
   virtual ~AnalysisRecorder() = default;
 
-  /// Called for every step from t = 0 on, in order.
+  /// Called for every step, in order. Those before t = 0 are of settling; at t = 0 recorders are made anew.
   virtual void step(const Step& step) = 0;
   /// Called for every sample of a series, after the step that it lies in.
   virtual void sample() {}

@@ -47,7 +47,7 @@ struct EngineTraits {
   bool takes_changes = false;
   /// True when the engine proves that a load rests: `Simulation::rests`.
   bool proves_rest = false;
-  /// Longest step, s: curves of far shorter samples are resampled, see `resampled`. 0: none are.
+  /// Longest step, s: far shorter samples of a curve come as one phase, see `grouped`. 0: as phases of their own.
   double longest_step = 0.0;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
   bool has_kinetic_friction = false;

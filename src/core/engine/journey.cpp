@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/samples.hpp"
+
 namespace holdfast::internal {
 
 namespace {
@@ -35,7 +37,7 @@ std::vector<Phase> phases_for(const Engine& engine, const Acceleration& accelera
   const bool is_cut = runs_out(settings);
   std::vector<Phase> phases = phases_of(acceleration, is_cut ? acceleration.end_time() : latest);
   const double longest_step = engine.traits().longest_step;
-  if (longest_step > 0.0) phases = resampled(phases, longest_step);
+  if (longest_step > 0.0) phases = grouped(phases, longest_step);
   if (is_cut) phases.push_back({acceleration.end_time(), latest, Vec3::Zero()});
   return phases;
 }

@@ -26,8 +26,8 @@ double latest_end(const Acceleration& acceleration, const Settings& settings);
 /// When a world ends whose load rests by then, s: the timeout, or the end of the acceleration.
 double planned_end(const Acceleration& acceleration, const Settings& settings);
 
-/// The phases that an engine is asked for from t = 0 on: those of the acceleration, resampled where they are far
-/// shorter than its steps, and that in which the load runs out.
+/// The phases that an engine is asked for from t = 0 on: those of the acceleration, far shorter samples than its
+/// steps in groups, and that in which the load runs out.
 std::vector<Phase> phases_for(const Engine& engine, const Acceleration& acceleration, const Settings& settings);
 
 /// Where a world is on its way: it settles under gravity alone before t = 0, until it rests; goes as the acceleration

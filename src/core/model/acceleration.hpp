@@ -36,6 +36,8 @@ struct Phase {
   double begin = 0.0;                ///< s
   double end = 0.0;                  ///< s, after `begin`
   Vec3 acceleration = Vec3::Zero();  ///< of the container, m/s²
+  /// Of a group of samples, see `grouped`: what the acceleration is the mean of, without gaps; else empty.
+  std::vector<Phase> samples = {};
 };
 
 /// Times closer than this are the same instant, s: sums of decimal times have errors of about 1e-15 s, and no motion of
@@ -46,12 +48,6 @@ inline constexpr double kSameInstant = 1e-9;
 /// zero acceleration. Neighbouring segments of equal acceleration remain separate phases, as in the file.
 /// @param end end of the simulated time, s; phases are shortened or a phase of zero acceleration is added to reach it
 std::vector<Phase> phases_of(const Acceleration& acceleration, double end);
-
-/// The phases with each run of those that are far shorter than a step resampled: divided into equal phases of at most a
-/// step, each with the mean acceleration of its time. A phase in which that would put the container noticeably away
-/// from where the run leads it is divided further. A run stays as it is where all this saves nothing.
-/// @param longest_step s
-std::vector<Phase> resampled(const std::vector<Phase>& phases, double longest_step);
 
 /// Time of the last change of the acceleration, s; after it a(t) is constant. 0 when it never changes.
 double last_change(const Acceleration& acceleration);

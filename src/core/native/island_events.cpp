@@ -16,6 +16,16 @@ Vec3 tangential(const Manifold& manifold, const Vec3& velocity) {
   return velocity - manifold.contact.normal * manifold.contact.normal.dot(velocity);
 }
 
+/// The largest slip of a contact's points, m/s.
+/// @param velocity_of `Vec3(const ContactPoint&)`: of b's surface relative to a's, m/s
+template <class VelocityOf>
+double largest_slip(const Manifold& manifold, VelocityOf velocity_of) {
+  double largest = 0.0;
+  for (int i = 0; i < manifold.contact.count; ++i)
+    largest = std::max(largest, tangential(manifold, velocity_of(manifold.contact.points[at(i)])).norm());
+  return largest;
+}
+
 }  // namespace
 
 /// Which contacts are solved: those that are closed, those that close slower than what is located in time, and, once
@@ -24,9 +34,20 @@ PointFilter IslandStepper::point_filter(const StepTerms& terms, double step) con
   return {.closed_gap = std::max(kTouch, located_speed(terms) * step), .takes_closing = !locates_impacts_};
 }
 
-/// Speed from which impacts are located in time, m/s.
+/// Speed from which impacts are located in time, m/s. Where none may cut a step, it only tells which contacts count as
+/// closed.
 double IslandStepper::located_speed(const StepTerms& terms) const {
-  return std::max(kLocatedShare * terms.velocity_unit, effort_.impact_length / terms.step);
+  return std::max(kLocatedShare * terms.velocity_unit,
+                  effort_.impact_cuts > 0 ? turning_speed_ : effort_.closing_length / terms.step);
+}
+
+/// By how much the velocity of a surface may change within a step because its body turns, ω² R h, m/s: impacts are
+/// predicted with arms that do not turn, and slower ones may not be there at all.
+double IslandStepper::turning_speed(const Bodies& bodies, const IslandView& island, const StepTerms& terms) const {
+  double largest = 0.0;
+  for (const std::uint32_t body : island.bodies)
+    largest = std::max(largest, bodies.state.angular_velocity[body].squaredNorm() * bodies.radius[body]);
+  return terms.step * largest;
 }
 
 /// How a body of the island moves after the solve.
@@ -195,29 +216,47 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
   return event;
 }
 
-/// Slip from which friction is kinetic, m/s.
-double IslandStepper::kinetic_slip(const StepTerms& terms) const {
-  return std::max(kKineticSlip, effort_.mean_residual) * terms.velocity_unit;
+/// Slip from which friction is kinetic, m/s. Where a proof of rest has just failed, what does not stick slips, however
+/// slowly: all that the solve may leave of it does not count.
+/// @param residual of the solve that the slip is from, m/s
+double IslandStepper::kinetic_slip(const StepTerms& terms, double residual) const {
+  const double most = std::max(kKineticSlip, effort_.mean_residual) * terms.velocity_unit;
+  if (!terms.refuted) return most;
+  return std::min(most, kResidualSlip * std::max(effort_.reset_tolerance * terms.velocity_unit, residual));
 }
 
 /// Finds the manifolds of the island whose surfaces slide now: their friction is kinetic, that of the others static.
+/// What slid at the end of the last step goes on for as long as it slips at all.
 void IslandStepper::find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms) const {
-  const double slow = kinetic_slip(terms);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    manifold.slides = false;
     if (manifold.kinetic_friction == manifold.friction) continue;
-    for (int i = 0; i < manifold.contact.count && !manifold.slides; ++i) {
-      const Vec3 velocity = relative_velocity(scene.bodies, manifold, manifold.contact.points[at(i)]);
-      manifold.slides = tangential(manifold, velocity).norm() > slow;
-    }
+    const double slow = manifold.slides ? kSlipShare * terms.velocity_unit : kinetic_slip(terms, terms.velocity_unit);
+    manifold.slides = largest_slip(manifold, [&](const ContactPoint& point) {
+                        return relative_velocity(scene.bodies, manifold, point);
+                      }) > slow;
+  }
+}
+
+/// Finds the manifolds of the island that slid through the part of the step that has been solved, and that stick at its
+/// end.
+/// @param residual of the solve, m/s: what sticks may show as much slip
+void IslandStepper::find_ended_slips(Scene& scene, const IslandView& island, const StepTerms& terms,
+                                     double residual) const {
+  const double slow = std::max(kSlipShare * terms.velocity_unit, kResidualSlip * residual);
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    manifold.slides = manifold.slides && largest_slip(manifold, [&](const ContactPoint& point) {
+                                           return end_velocity(scene.bodies, manifold, point);
+                                         }) > slow;
   }
 }
 
 /// Finds the manifolds that the solve took as sticking, and that slide at its end with all the friction that they may
 /// have. True where there are any: friction gives way within the step, and the step is solved again with less of it.
-bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms) const {
-  const double slow = kinetic_slip(terms);
+/// @param residual of the solve, m/s
+bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms, double residual) const {
+  const double slow = kinetic_slip(terms, residual);
   bool any = false;
   for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
     Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
@@ -235,8 +274,9 @@ bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms) const
   return any;
 }
 
-/// Time until the first slip ends or reverses within the step, by the acceleration of the last step; `step` where none
-/// does.
+/// Time until the first slip ends or reverses within the step; `step` where none does. How fast it slows down is what
+/// it did in the last step, or, where the effective gravity has changed since, on something fixed, what a block does
+/// that slides there alone.
 double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms, double step) const {
   const Bodies& bodies = scene.bodies;
   const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
@@ -244,6 +284,7 @@ double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms,
     return bodies.acceleration[at(body)] +
            bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
   };
+  const bool changed = terms.reset_warm_start && impact_cuts_ + slip_end_cuts_ == 0;
   double first = step;
   for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
@@ -257,8 +298,13 @@ double IslandStepper::first_slip_end(const Scene& scene, const StepTerms& terms,
       const Vec3 end = tangential(manifold, end_velocity(bodies, manifold, point));
       // A slip that keeps some speed in its direction goes on.
       if (end.dot(slip) > kSlipShare * speed * speed) continue;
-      const double slowing =
+      double slowing =
           -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
+      if (changed && is_fixed(bodies, manifold.a)) {
+        const Vec3& g = terms.effective_gravity;
+        slowing = manifold.friction_now() * std::max(0.0, -g.dot(manifold.contact.normal)) -
+                  slip.dot(tangential(manifold, g)) / speed;
+      }
       if (slowing > 0.0) first = std::min(first, speed / slowing);
     }
   }

@@ -326,16 +326,21 @@ Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
   return impulse;
 }
 
-void IslandProblem::mobilise_floor_friction(const Scene& scene, const StepTerms& terms) {
-  const Vec3 drive(terms.effective_gravity.x(), terms.effective_gravity.y(), 0.0);
-  if (drive == Vec3::Zero()) return;
-  const Vec3 slip = terms.velocity_unit * drive.normalized();
+void IslandProblem::minimise_wall_forces(const Scene& scene, double cost) {
   for (std::size_t p = 0; p < sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources[p].manifold];
-    if (!manifold.with_side() || scene.sides[side_of(manifold)].surface.kind != SurfaceKind::floor) continue;
-    const std::array<Vec3, 3> directions = directions_of(manifold.contact.normal);
-    for (std::size_t d = 1; d < 3; ++d) problem.constraints[p].velocity_bias.row[d].fill(slip.dot(directions[d]));
+    if (!manifold.with_side() || !is_wall(scene.bodies, manifold)) continue;
+    problem.constraints[p].velocity_bias.row[0].fill(cost);
+    problem.normal_bounds[p].lane.fill(std::numeric_limits<double>::infinity());
   }
+}
+
+double IslandProblem::wall_cost() const {
+  double cost = 0.0;
+  for (const ContactConstraint& constraint : problem.constraints)
+    for (std::size_t lane = 0; lane < at(constraint.count); ++lane)
+      cost += constraint.velocity_bias.row[0][lane] * constraint.impulse.row[0][lane];
+  return cost;
 }
 
 void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const {

@@ -64,9 +64,11 @@ class IslandProblem {
   void store_step_impulses(Scene& scene, const IslandView& island, double step);
   void store_rest_impulses(Scene& scene, const IslandView& island, double step);
 
-  /// Turns the problem of `prepare_rest` into that of a floor that slides away under the load, from where the effective
-  /// gravity drives it: friction there holds all it can.
-  void mobilise_floor_friction(const Scene& scene, const StepTerms& terms);
+  /// Turns the problem of `prepare_rest` into that of the least force on the walls, in which these have no bounds.
+  /// @param cost of an impulse on a wall, m/s
+  void minimise_wall_forces(const Scene& scene, double cost);
+  /// The cost of the impulses on the walls, kg m²/s².
+  double wall_cost() const;
 
   /// Adds the impulses on the sides of the container that the solution follows from, times a factor. What sleeping
   /// bodies take counts as the floor's.

@@ -10,6 +10,19 @@
 
 namespace holdfast::internal::native {
 
+namespace {
+
+/// Where wall forces are asked for: cost of an impulse on a wall in the search for the least force on them, which
+/// balances the load up to a motion as small. It changes no motion.
+/// @measured Half: the same forces to 1e-5; ten times: rows are 6e-6 off.
+constexpr double kWallCost = 1e-7;  // |g − a| h
+
+/// Share of the least force by which the force that is found may exceed it. It changes no motion.
+/// @measured With 1e-6 rounding ends the search before in 2 of 12 loads; ten times: the same forces to 1e-5.
+constexpr double kWallGap = 1e-5;  // of the force
+
+}  // namespace
+
 bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
                           IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
@@ -208,22 +221,24 @@ bool IslandStepper::decide_balance(const StepTerms& terms, IslandReport& report)
   return false;
 }
 
+/// Finds, of all impulses that balance the prepared island, those that press the least against the walls. False where
+/// rounding ends that before.
+bool IslandStepper::minimise_wall_forces(const Scene& scene, const StepTerms& terms) {
+  prepared_.minimise_wall_forces(scene, kWallCost * terms.velocity_unit);
+  interior_point_.start(prepared_.problem, terms.velocity_unit);
+  for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i)
+    if (interior_point_.gap() <= kWallGap * prepared_.wall_cost()) return true;
+  return false;
+}
+
 void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms) {
   const auto is_pressed_wall = [&](std::uint32_t index) {
     const Manifold& manifold = scene.manifolds[index];
     return manifold.with_side() && manifold.active && is_wall(scene.bodies, manifold);
   };
   if (std::any_of(island.manifolds.begin(), island.manifolds.end(), is_pressed_wall)) {
-    IslandReport not_counted;
-    effort_ = options_.effort(island.bodies.size());
     prepared_.prepare_rest(scene, island, terms, *solver_);
-    prepared_.mobilise_floor_friction(scene, terms);
-    SolveLimits limits = limits_after_reset();
-    limits.iterations = kMobilisedIterations;
-    limits.tolerance = std::min(limits.tolerance, 0.1 * kMobilisedMotion);
-    const SolveResult result = solve(limits, terms, terms.step, not_counted);
-    if (result.residual <= kMobilisedMotion * terms.velocity_unit &&
-        largest_speed(prepared_.problem) <= kMobilisedMotion * terms.velocity_unit) {
+    if (minimise_wall_forces(scene, terms)) {
       prepared_.add_pushes(scene, 1.0 / terms.step, scene.resting_pushes);
       return;
     }

@@ -33,10 +33,12 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   impact_cuts_ = slip_end_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
     locates_impacts_ = impact_cuts_ < effort_.impact_cuts;
+    turning_speed_ = turning_speed(scene.bodies, island, terms);
     find_sliding(scene, island, terms);
     resolve_impacts(scene, island, terms, remaining, report);
     const Part part = solve_part(scene, island, terms, limits, remaining, report);
     report.residual = std::max(report.residual, part.result.residual);
+    find_ended_slips(scene, island, terms, part.result.residual);
     prepared_.store_step_impulses(scene, island, part.length);
     const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
@@ -65,7 +67,7 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
     find_mean_velocities(scene.bodies, island, terms, part.length);
     const Event event = find_overlap(scene, island, terms, part.length);
     part.impact_time = event.time;
-    repeated = event.activated || find_begun_slips(scene, terms);
+    repeated = event.activated || find_begun_slips(scene, terms, part.result.residual);
     if (repeated) {
       prepared_.store_step_impulses(scene, island, part.length);
       keep_solution(island, scene.bodies.count());

@@ -37,8 +37,8 @@ class IslandStepper {
   bool rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans, IslandReport& report);
 
   /// Adds the forces with which the island, which rests, presses the sides to `scene.resting_pushes`. Statics leaves
-  /// open how floor and walls share them: the floor holds all that its friction can, where that is a balance, and else
-  /// what it does in the forces that prove rest. Changes nothing else.
+  /// open how floor and walls share them: the walls get the least that balances the load in its pose, whatever came
+  /// before. Changes nothing else.
   void find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms);
 
   /// Takes overlaps above a length out of the island, by displacements that never feed velocities. Nothing may sleep:
@@ -83,6 +83,7 @@ class IslandStepper {
   // Events within a step.
   PointFilter point_filter(const StepTerms& terms, double step) const;
   double located_speed(const StepTerms& terms) const;
+  double turning_speed(const Bodies& bodies, const IslandView& island, const StepTerms& terms) const;
   Twist end_twist(const Bodies& bodies, std::int32_t body) const;
   Vec3 end_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
   Twist mean_twist(const Bodies& bodies, std::int32_t body) const;
@@ -90,9 +91,10 @@ class IslandStepper {
   bool propagate_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
-  double kinetic_slip(const StepTerms& terms) const;
+  double kinetic_slip(const StepTerms& terms, double residual) const;
   void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms) const;
-  bool find_begun_slips(Scene& scene, const StepTerms& terms) const;
+  void find_ended_slips(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const;
+  bool find_begun_slips(Scene& scene, const StepTerms& terms, double residual) const;
   double first_slip_end(const Scene& scene, const StepTerms& terms, double step) const;
 
   // Proof of rest.
@@ -103,6 +105,7 @@ class IslandStepper {
   std::optional<bool> balance_of_prepared(const StepTerms& terms);
   std::optional<bool> settle(const StepTerms& terms, IslandReport& report);
   std::optional<bool> judge_by_motion(const StepTerms& terms, IslandReport& report);
+  bool minimise_wall_forces(const Scene& scene, const StepTerms& terms);
   bool decide_balance(const StepTerms& terms, IslandReport& report);
   double find_beginning_motion(SolveLimits limits, double tolerance, const StepTerms& terms, IslandReport& report);
   bool admit_pushed(const Scene& scene);
@@ -122,6 +125,7 @@ class IslandStepper {
   PointBits impacting_;                           ///< points that take part in an impact
   PointBits could_impact_;                        ///< those that touch, and take part where the impact reaches them
   PointBits predicted_;          ///< points that are solved because they were found to close within the step
+  double turning_speed_ = 0.0;   ///< at the start of the part that is solved, see `turning_speed`
   bool locates_impacts_ = true;  ///< impacts that lie ahead may cut the step; else they are solved at its end
   int impact_cuts_ = 0, slip_end_cuts_ = 0;  ///< of the step so far
 };

@@ -16,7 +16,7 @@ NativeOptions native_options(const Settings& settings) {
                               .reset_iterations = 16,
                               .mean_residual = 0.1,
                               .impact_cuts = 0,
-                              .impact_length = 2e-3,
+                              .closing_length = 2e-3,
                               .slip_end_cuts = 0,
                               .overlap = 7.5e-4,
                               .penetration_slop = 1e-4,
@@ -37,7 +37,6 @@ NativeOptions native_options(const Settings& settings) {
                               .iterations = 400,
                               .reset_iterations = 4000,
                               .impact_cuts = 32,
-                              .impact_length = 0.0,
                               .slip_end_cuts = 32,
                               .sliding_penalty = kSlidingPenalty};
       // Below about 1e-3 of |g − a| h, the velocities of a jammed crowd are not determined.

@@ -24,8 +24,9 @@ struct Effort {
   double mean_residual = 0.01;  // |g − a| h
   /// Times that impacts may cut a step.
   int impact_cuts = 8;  // times
-  /// Impacts that move a body less than this within a step are not located.
-  double impact_length = 2e-4;  // m
+  /// Where no impact may cut a step: length that contacts which close within the step and are solved as closed close
+  /// by at most.
+  double closing_length = 2e-4;  // m
   /// Times that the end of a slip may cut a step.
   int slip_end_cuts = 2;  // times
   /// Overlap from which positions are corrected.
@@ -77,7 +78,7 @@ NativeOptions native_options(const Settings& settings);
 template <class Visit>
 void visit_fields(const Effort& effort, Visit visit) {
   // A new field fails to compile here.
-  const auto& [tolerance, reset_tolerance, iterations, reset_iterations, mean_residual, impact_cuts, impact_length,
+  const auto& [tolerance, reset_tolerance, iterations, reset_iterations, mean_residual, impact_cuts, closing_length,
                slip_end_cuts, overlap, penetration_slop, sticking_penalty, sliding_penalty, refit_share] = effort;
   visit("tolerance", tolerance);
   visit("reset_tolerance", reset_tolerance);
@@ -85,7 +86,7 @@ void visit_fields(const Effort& effort, Visit visit) {
   visit("reset_iterations", reset_iterations);
   visit("mean_residual", mean_residual);
   visit("impact_cuts", impact_cuts);
-  visit("impact_length", impact_length);
+  visit("closing_length", closing_length);
   visit("slip_end_cuts", slip_end_cuts);
   visit("overlap", overlap);
   visit("penetration_slop", penetration_slop);

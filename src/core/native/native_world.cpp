@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "core/engine/step_plan.hpp"
 #include "core/model/container_sides.hpp"
 #include "core/native/contact_kinematics.hpp"
+#include "core/native/sampled_step.hpp"
 
 namespace holdfast::internal::native {
 
@@ -93,9 +95,15 @@ double NativeWorld::fall_margin(double acceleration) const {
   return terms_.longest_step * terms_.longest_step * (-gravity_.z() + acceleration);
 }
 
+/// The next step begins a phase.
+void NativeWorld::begin_anew() {
+  phase_set_ = false;
+  reached_ = -std::numeric_limits<double>::infinity();
+}
+
 void NativeWorld::mark() {
   mark_ = {scene_, pairs_, terms_, sleeping_, resting_, wait_, next_wait_, reset_gravity_};
-  phase_set_ = false;
+  begin_anew();
 }
 
 void NativeWorld::rewind() {
@@ -107,7 +115,26 @@ void NativeWorld::rewind() {
   reset_gravity_ = mark_.reset_gravity;
   wait_ = mark_.wait;
   next_wait_ = mark_.next_wait;
-  phase_set_ = false;
+  begin_anew();
+}
+
+/// Of a phase that is sampled, what the next step takes with the mean of its samples.
+Phase NativeWorld::next_part(const Phase& phase) const {
+  if (phase.samples.empty()) return phase;
+  const Bodies& bodies = scene_.bodies;
+  const double slow = kSlipShare * terms_.longest_step * gravity_.norm();
+  std::vector<LoneBlock> blocks;
+  for (const Manifold& manifold : scene_.manifolds) {
+    if (!manifold.active || manifold.contact.count == 0 || manifold.friction == 0.0) continue;
+    if (!supports(bodies, manifold)) continue;
+    LoneBlock block{manifold.friction, manifold.kinetic_friction, Vec3::Zero()};
+    block.slip = relative_velocity(bodies, manifold, manifold.contact.points[0]);
+    block.slip.z() = 0.0;
+    if (block.slip.norm() <= slow) block.slip = Vec3::Zero();
+    if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) blocks.push_back(block);
+  }
+  const bool goes_on = phase.begin < reached_ && reached_ < phase.end;
+  return native::next_part(phase, goes_on ? reached_ : phase.begin, gravity_, blocks);
 }
 
 void NativeWorld::begin_phase(const Phase& phase) {
@@ -170,10 +197,10 @@ void NativeWorld::set_friction(const ContactSettings& contact) {
 }
 
 double NativeWorld::advance(const Phase& phase) {
-  const double time = take_next_step(phase);
+  reached_ = take_next_step(next_part(phase));
   // A state that is not finite is no bug: the caller ends the world there.
   assert(!has_finite_state(view()) || broken_invariants(view()).empty());
-  return time;
+  return reached_;
 }
 
 double NativeWorld::take_next_step(const Phase& phase) {

@@ -67,6 +67,8 @@ class NativeWorld {
     std::array<OrientedBox, 2> found_at;
   };
 
+  void begin_anew();
+  Phase next_part(const Phase& phase) const;
   void begin_phase(const Phase& phase);
   double fall_margin(double acceleration) const;
   void find_farther_contacts(const Vec3& acceleration);
@@ -98,6 +100,7 @@ class NativeWorld {
   void set_step(double step);
   void take_step(double step, int halvings, int attempt = 0);
   void spread_failure();
+  bool wake_what_jams();
   double residual_of(std::size_t body) const;
   void accept_moving();
   void accept_step(double step);
@@ -156,6 +159,7 @@ class NativeWorld {
   Mark mark_;
 
   bool rests_ = false;
+  double reached_ = 0.0;  ///< time of the world; before the phase: it begins anew, s
   double phase_begin_ = 0.0;
   bool phase_set_ = false;
   bool gravity_changed_ = false;       ///< g − a, or what acts from outside, has changed since the last step

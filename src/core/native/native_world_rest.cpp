@@ -7,11 +7,14 @@
 
 namespace holdfast::internal::native {
 
-/// The terms of a step for an island, with whether it is reset.
+/// The terms of a step for an island, with whether it is reset, and refuted.
 StepTerms NativeWorld::terms_for(const IslandView& island) const {
+  const auto all = [&](const std::vector<std::uint8_t>& mark) {
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) { return mark[body] != 0; });
+  };
   StepTerms terms = terms_;
-  terms.reset_warm_start = gravity_changed_ && std::all_of(island.bodies.begin(), island.bodies.end(),
-                                                           [&](std::uint32_t body) { return reset_[body] != 0; });
+  terms.reset_warm_start = gravity_changed_ && all(reset_);
+  terms.refuted = all(refuted_);
   return terms;
 }
 

@@ -170,6 +170,10 @@ void NativeWorld::take_step(double step, int halvings, int attempt) {
   mark_tunnelled(step);
   find_contacts(moving_);
   spread_failure();
+  if (wake_what_jams()) {
+    take_step(step, halvings, attempt);
+    return;
+  }
   if (halvings == kHalvings || std::none_of(failed_.begin(), failed_.end(), [](auto failed) { return failed != 0; }))
     accept_step(step);
   else
@@ -188,6 +192,26 @@ void NativeWorld::spread_failure() {
         moving_[island.bodies.front()] != 0 && std::any_of(island.bodies.begin(), island.bodies.end(), failed);
     for (const std::uint32_t body : island.bodies) failed_[body] = any ? 1 : 0;
   }
+}
+
+/// Goes back to the start of the step with all bodies awake, where a solve has not converged: what moves may be wedged
+/// between bodies that sleep, as if they were fixed. False where that is not so.
+bool NativeWorld::wake_what_jams() {
+  const auto is_marked = [](std::uint8_t mark) { return mark != 0; };
+  const std::vector<std::uint8_t> asleep = scene_.bodies.asleep;
+  if (std::none_of(asleep.begin(), asleep.end(), is_marked) || std::any_of(ahead_.begin(), ahead_.end(), is_marked))
+    return false;
+  bool jams = false;
+  for (std::size_t i = 0; i < moving_.size(); ++i) jams = jams || (moving_[i] != 0 && residual_of(i) > kWorstResidual);
+  if (!jams) return false;
+  for (std::size_t i = 0; i < moving_.size(); ++i)
+    if (moving_[i] != 0) restore(i);
+  sleeping_.forget(asleep);
+  sleeping_.wake(scene_);
+  find_contacts(moving_);
+  connectivity_.find(scene_.bodies, scene_.manifolds);
+  spread_motion();
+  return true;
 }
 
 /// Residual of a body's island, over |g − a| times a whole step, also where it is halved.

@@ -48,6 +48,7 @@ struct StepTerms {
   Vec3 effective_gravity = Vec3::Zero();  ///< gravity minus the container's acceleration, g − a, m/s²
   double velocity_unit = 0.0;             ///< |g − a| · step: what tolerances are measured in, m/s
   bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
+  bool refuted = false;                   ///< of an island: its proof of rest has failed in this step
   double fall_margin = 0.0;               ///< what the strongest g − a of the world moves a body by in a step, m
 };
 

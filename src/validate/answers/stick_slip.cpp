@@ -15,12 +15,12 @@ double sign(double number) { return number > 0.0 ? 1.0 : number < 0.0 ? -1.0 : 0
 /// Time at which a speed that changes at a constant rate becomes zero, s; infinity if it does not.
 double time_to_zero(double speed, double rate) { return speed * rate < 0.0 ? -speed / rate : kNever; }
 
-/// Friction that balances `push` as far as it can; the sign is that of the friction.
-double holding(double push, double most) { return -std::clamp(push, -most, most); }
-
-/// Friction of the floor on a body: opposite to its velocity, or opposite to `push` if it is at rest.
-double floor_friction_on(double velocity, double push, double most) {
-  return velocity != 0.0 ? -sign(velocity) * most : holding(push, most);
+/// What is left of `push` after the friction of the floor on a body, N: none while it holds the body, to the last bit,
+/// so that rounding does not start it. Friction is opposite to the velocity, or to `push` if the body is at rest.
+/// @param most that friction holds; `kinetic_share` of it is left as soon as the body slides
+double left_by_floor(double velocity, double push, double most, double kinetic_share) {
+  if (velocity != 0.0) return push - sign(velocity) * kinetic_share * most;
+  return std::abs(push) <= most ? 0.0 : push - sign(push) * kinetic_share * most;
 }
 
 struct StackedAccelerations {
@@ -32,21 +32,23 @@ StackedAccelerations accelerations_of(const StackedBlocks& blocks, double field,
   const double total = blocks.lower_mass + blocks.upper_mass;
   const double most_floor = blocks.floor_friction * total * blocks.gravity;
   const double most_upper = blocks.upper_friction * blocks.upper_mass * blocks.gravity;
-  double on_upper = -sign(slip) * most_upper;
+  const double share = blocks.kinetic_share;
+  double on_upper = -sign(slip) * share * most_upper;
   if (slip == 0.0) {
-    const double united = field + floor_friction_on(lower_velocity, total * field, most_floor) / total;
+    const double united = left_by_floor(lower_velocity, total * field, most_floor, share) / total;
     on_upper = blocks.upper_mass * (united - field);
     if (std::abs(on_upper) <= most_upper) return {united, united};
-    on_upper = sign(on_upper) * most_upper;
+    on_upper = sign(on_upper) * share * most_upper;
   }
   const double push = blocks.lower_mass * field - on_upper;
-  const double lower = (push + floor_friction_on(lower_velocity, push, most_floor)) / blocks.lower_mass;
+  const double lower = left_by_floor(lower_velocity, push, most_floor, share) / blocks.lower_mass;
   return {lower, field + on_upper / blocks.upper_mass};
 }
 
 }  // namespace
 
-SlidePath slide_along(int axis, const Acceleration& acceleration, double friction, double gravity, double velocity) {
+SlidePath slide_along(int axis, const Acceleration& acceleration, double friction, double gravity, double velocity,
+                      double kinetic_share) {
   SlidePath path;
   double x = 0.0;
   for (const Phase& phase : phases_of(acceleration, acceleration.end_time())) {
@@ -57,10 +59,12 @@ SlidePath slide_along(int axis, const Acceleration& acceleration, double frictio
       const double left = phase.end - time;
       if (velocity == 0.0 && std::abs(field) <= limit) break;
       const double direction = velocity != 0.0 ? sign(velocity) : sign(field);
-      const double rate = field - direction * limit;
+      const double rate = field - direction * kinetic_share * limit;
       const double stop = time_to_zero(velocity, rate);
       const double span = std::min(stop, left);
-      x += velocity * span + 0.5 * rate * span * span;
+      const double way = velocity * span + 0.5 * rate * span * span;
+      x += way;
+      path.distance += std::abs(way);
       time = span == left ? phase.end : time + span;
       velocity = stop <= left ? 0.0 : velocity + rate * span;
       if (velocity == 0.0) path.stop_time = time;

@@ -4,7 +4,7 @@ namespace holdfast::internal {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (auto* suite : {slide_cases, tip_cases, rebound_cases, manoeuvre_cases, hard_cases}) {
+  for (auto* suite : {slide_cases, tip_cases, rebound_cases, manoeuvre_cases, hard_cases, oscillate_cases}) {
     const std::vector<Case> cases = suite();
     all.insert(all.end(), cases.begin(), cases.end());
   }

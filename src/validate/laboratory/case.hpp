@@ -12,7 +12,7 @@ namespace holdfast::internal {
 
 /// A question with a known answer. To add a case, add an entry to the table of its suite.
 struct Case {
-  std::string suite;         ///< slide, tip, rebound, manoeuvre, hard
+  std::string suite;         ///< slide, tip, rebound, manoeuvre, hard, oscillate
   std::string name;          ///< unique, snake_case: "slide_mu_0.5_along_x"
   std::string question;      ///< what is asked, one clause: "smallest acceleration that slides a box of friction 0.5"
   std::string failure_mode;  ///< typical failure mode of engines, one clause
@@ -27,6 +27,7 @@ std::vector<Case> tip_cases();
 std::vector<Case> rebound_cases();
 std::vector<Case> manoeuvre_cases();
 std::vector<Case> hard_cases();
+std::vector<Case> oscillate_cases();
 
 /// All cases, suite by suite.
 std::vector<Case> all_cases();

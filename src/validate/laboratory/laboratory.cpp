@@ -121,6 +121,18 @@ Snapshot final_state(Laboratory& laboratory, const Scene& scene) {
   return last;
 }
 
+std::optional<Snapshot> final_state_if_any(Laboratory& laboratory, const Scene& scene) {
+  std::optional<Snapshot> last;
+  const Outcome outcome = laboratory.run(scene, [&](const Moment& moment) {
+    last = copy_of(moment);
+    return true;
+  });
+  // An engine that cannot model the scene does not begin.
+  if (last && outcome.stop_reason == StopReason::failed)
+    last->position.assign(last->position.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  return last;
+}
+
 std::vector<Snapshot> final_states(Laboratory& laboratory, std::span<const Scene> scenes) {
   std::vector<Snapshot> last(scenes.size());
   std::vector<Observer> observers;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -80,6 +81,9 @@ struct Snapshot {
 
 /// Runs the scene and returns its last state.
 Snapshot final_state(Laboratory& laboratory, const Scene& scene);
+
+/// The same; nothing if the engine cannot model the scene, and no numbers as positions if the run failed.
+std::optional<Snapshot> final_state_if_any(Laboratory& laboratory, const Scene& scene);
 
 /// Runs the scenes as the worlds of one batch and returns the last state of each.
 std::vector<Snapshot> final_states(Laboratory& laboratory, std::span<const Scene> scenes);

@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
+#include "validate/answers/sampled_wave.hpp"
 #include "validate/laboratory/scene.hpp"
 
 using namespace holdfast::internal;
@@ -98,4 +100,72 @@ TEST_CASE("stick_slip: stacked blocks that both slide follow Newton's laws", "[v
   CHECK(at.lower == Approx(0.125 * lower).epsilon(1e-12));
   CHECK(at.lower_velocity == Approx(0.5 * lower).epsilon(1e-12));
   CHECK(at.upper_velocity == Approx(0.5 * upper).epsilon(1e-12));
+}
+
+TEST_CASE("stick_slip: a block starts at the static limit and slides, stops and holds with a kinetic share",
+          "[validate]") {
+  const double limit = 0.5 * kGravity;
+  const double share = 0.75;
+  // From 1.2 of the limit it gains 0.45 of it; at 0.85 still 0.1, and then 0.75 stop it; 0.9 does not start it.
+  Scene scene;
+  for (const auto& [duration, part] : {std::pair(0.3, 1.2), {0.3, 0.85}, {0.5, 0.0}, {0.5, 0.9}})
+    scene.then(duration, {part * limit, 0, 0});
+  const SlidePath path = slide_along(0, scene.acceleration, 0.5, kGravity, 0.0, share);
+  const double first = 0.3 * 0.45 * limit;
+  const double second = first + 0.3 * 0.1 * limit;
+  const double stop = second / (share * limit);
+  const double way = 0.5 * 0.3 * first + 0.5 * 0.3 * (first + second) + 0.5 * stop * second;
+  CHECK(path.displacement.x() == Approx(-way).epsilon(1e-12));
+  CHECK(path.distance == Approx(way).epsilon(1e-12));
+  CHECK(path.stop_time == Approx(0.6 + stop).epsilon(1e-12));
+  CHECK(path.velocity.x() == 0.0);
+  // Heave changes both limits alike.
+  const Acceleration heave = Scene().then(1.0, {0.3 * kGravity, 0, -0.5 * kGravity}).acceleration;
+  const SlidePath light = slide_along(0, heave, 0.5, kGravity, 0.0, share);
+  CHECK(light.displacement.x() == Approx(-0.5 * (0.3 - share * 0.25) * kGravity).epsilon(1e-12));
+}
+
+TEST_CASE("stick_slip: the walks under vibration are those of an independent integration", "[validate]") {
+  struct Walk {
+    double frequency, duration, mean, shake, heave, phase, expected;
+  };
+  for (const Walk& walk : {Walk{100, 60, 0.3, 0.5, 0, 0, 0.1311}, Walk{50, 300, 0.35, 0, 0.4, 0, 0.0849},
+                           Walk{20, 600, 0.15, 0.3, 0.3, 2, 0.1212}}) {
+    const Oscillation oscillation = {walk.mean * kGravity * Vec3::UnitY(),
+                                     {{walk.shake * kGravity * Vec3::UnitY(), walk.frequency, 0.0},
+                                      {walk.heave * kGravity * Vec3::UnitZ(), walk.frequency, walk.phase}}};
+    const SlidePath path = slide_along(1, sampled(oscillation, walk.duration, 1000.0), 0.5, kGravity);
+    CAPTURE(walk.frequency, path.displacement.y());
+    CHECK(-path.displacement.y() == Approx(walk.expected).margin(5.1e-5));
+  }
+  const Oscillation biased = {0.4 * kGravity * Vec3::UnitY(), {{0.15 * kGravity * Vec3::UnitY(), 100.0, 0.0}}};
+  CHECK(-slide_along(1, sampled(biased, 4.0, 1000.0), 0.5, kGravity, 0.0, 0.75).displacement.y() ==
+        Approx(1.969).margin(5.1e-4));
+}
+
+TEST_CASE("stick_slip: stacked blocks with a kinetic share slide with it from the static limit on", "[validate]") {
+  const double share = 0.75;
+  // The upper block alone: it starts at 0.25 g, with 0.1875 g against it, and the floor holds the lower one.
+  const StackedPaths upper =
+      slide_stacked(Scene().then(0.5, {-0.3 * kGravity, 0, 0}).acceleration, {4.0, 1.0, 0.4, 0.25, kGravity, share});
+  CHECK(upper.lower == 0.0);
+  CHECK(upper.upper == Approx(0.125 * (0.3 - share * 0.25) * kGravity).epsilon(1e-12));
+  const StackedPaths held =
+      slide_stacked(Scene().then(0.5, {-0.24 * kGravity, 0, 0}).acceleration, {4.0, 1.0, 0.4, 0.25, kGravity, share});
+  CHECK(held.upper == 0.0);
+  // Both, one after the other: the lower one has the floor's friction against it and the upper one's with it.
+  const StackedBlocks blocks{4.0, 1.0, 0.4, 0.25, kGravity, share};
+  const StackedPaths both = slide_stacked(Scene().then(0.5, {-0.6 * kGravity, 0, 0}).acceleration, blocks);
+  CHECK(both.upper_velocity == Approx(0.5 * (0.6 - share * 0.25) * kGravity).epsilon(1e-12));
+  CHECK(both.lower_velocity == Approx(0.5 * (0.6 + share * (0.25 * 1.0 - 0.4 * 5.0) / 4.0) * kGravity).epsilon(1e-12));
+  // Together, as one block on the floor.
+  const Acceleration acceleration = pulse(0.4, 0.6 * kGravity, 5.0);
+  const Acceleration sine =
+      sampled({0.1 * kGravity * Vec3::UnitX(), {{0.6 * kGravity * Vec3::UnitX(), 1.0, 0.0}}}, 4.0, 100.0);
+  for (const Acceleration& each : {acceleration, sine}) {
+    const StackedPaths together = slide_stacked(each, {4.0, 1.0, 0.4, 0.6, kGravity, share});
+    const double alone = slide_along(0, each, 0.4, kGravity, 0.0, share).displacement.x();
+    CHECK(together.lower == Approx(alone).epsilon(1e-12));
+    CHECK(together.upper == Approx(alone).epsilon(1e-12));
+  }
 }

@@ -65,7 +65,8 @@ void InteriorPoint::place(const ContactProblem& problem, std::size_t constraint,
 }
 
 bool InteriorPoint::iterate(ContactProblem& problem) {
-  const double mean = scale(points_, resistance_) / pairs_;
+  gap_ = scale(points_, resistance_);
+  const double mean = gap_ / pairs_;
   factorise(problem);
   find_contact_velocities(problem.constraints, problem.velocity, u_);
   const double affine = 1.0 - std::min(1.0, find_direction(problem, {}));
@@ -101,6 +102,10 @@ double InteriorPoint::find_direction(ContactProblem& problem, const InteriorTarg
   ldlt_.solve(dv_);
   dv_.emplace_back();
   find_contact_velocities(problem.constraints, dv_, change_);
+  for (std::size_t p = 0; p < change_.size(); ++p)
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        change_[p].row[d][lane] -= problem.constraints[p].velocity_bias.row[d][lane];
   return find_changes(target, points_, resistance_, u_, change_);
 }
 

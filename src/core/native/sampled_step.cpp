@@ -1,0 +1,90 @@
+#include "core/native/sampled_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/samples.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// How far a block that slides alone may be from where the samples within a step lead it, when the step takes their
+/// mean, over how far they move it. Half of the error that walks under vibration may have at `standard`.
+/// @measured Largest error of walks under vibration at `screening`, 0.4 %. Half: 0.01 %, and full loads under noise of
+/// 1,000 samples per second take 1.1 to 1.3 of their time; twice: 1.3 %, at `standard` 2 %, and 0.7 to 1.0 of it.
+constexpr double kSampledShare = 0.01;  // of the way
+
+/// The same at most, and of what moves freely: far below the error of a simulation with such steps.
+/// @measured Half and twice: insensitive, also the suite `oscillate` of `validate`.
+constexpr double kSampledShift = 2e-5;  // m
+
+/// How a block has moved, horizontally.
+struct Path {
+  Vec3 shift = Vec3::Zero();  ///< m
+  Vec3 slip = Vec3::Zero();   ///< velocity, m/s
+};
+
+Vec3 horizontal(const Vec3& v) { return {v.x(), v.y(), 0.0}; }
+
+/// What presses a block on the surface, over its mass, m/s².
+double pressure(const Vec3& effective_gravity) { return std::max(0.0, -effective_gravity.z()); }
+
+/// Takes a block through a time of constant effective gravity: exact along a line, and else along the direction in
+/// which it slides at the begin.
+void slide(const LoneBlock& block, const Vec3& effective_gravity, double duration, Path& path) {
+  const Vec3 drive = horizontal(effective_gravity);
+  const double hold = pressure(effective_gravity);
+  if (path.slip == Vec3::Zero() && drive.norm() <= block.friction * hold) return;
+  const Vec3 direction = (path.slip != Vec3::Zero() ? path.slip : drive).stableNormalized();
+  const Vec3 rate = drive - block.kinetic_friction * hold * direction;
+  const double speed = path.slip.norm();
+  const double slowing = -rate.dot(direction);
+  const double time = slowing * duration > speed ? speed / slowing : duration;
+  path.shift += time * (path.slip + 0.5 * time * rate);
+  path.slip += time * rate;
+  if (time == duration) return;
+  path.slip = Vec3::Zero();
+  slide(block, effective_gravity, duration - time, path);
+}
+
+/// Whether a step with the mean leads the block to where the samples do, and lets it slide on as they do.
+bool follows(const LoneBlock& block, std::span<const Phase> samples, const Phase& mean, const Vec3& gravity) {
+  const double duration = mean.end - mean.begin;
+  Path path{.slip = block.slip}, with_mean = path;
+  for_each_within(samples, mean.begin, mean.end,
+                  [&](const Vec3& acceleration, double length) { slide(block, gravity - acceleration, length, path); });
+  slide(block, gravity - mean.acceleration, duration, with_mean);
+  const double away = (path.shift - with_mean.shift).norm() + duration * (path.slip - with_mean.slip).norm();
+  const double way = path.shift.norm() + duration * path.slip.norm();
+  return away <= std::min(kSampledShare * way, kSampledShift);
+}
+
+/// How far the container is from where it is under the samples, at most at their ends, where a step with their mean
+/// begins from the same state, m.
+double largest_shift(std::span<const Phase> samples, const Phase& mean) {
+  Vec3 velocity = Vec3::Zero(), shift = Vec3::Zero();
+  double largest = 0.0;
+  for_each_within(samples, mean.begin, mean.end, [&](const Vec3& acceleration, double duration) {
+    const Vec3 difference = acceleration - mean.acceleration;
+    shift += duration * (velocity + 0.5 * duration * difference);
+    velocity += duration * difference;
+    largest = std::max(largest, shift.norm());
+  });
+  return largest;
+}
+
+}  // namespace
+
+Phase next_part(const Phase& phase, double begin, const Vec3& gravity, std::span<const LoneBlock> blocks) {
+  const std::span<const Phase> samples = phase.samples;
+  const auto first = phase_after(samples, begin);
+  for (auto count = samples.end() - first; count > 1; count = (count + 1) / 2) {
+    const Phase part = mean_of(samples, begin, (first + count - 1)->end);
+    const auto is_led = [&](const LoneBlock& block) { return follows(block, samples, part, gravity); };
+    if (largest_shift(samples, part) <= kSampledShift && std::all_of(blocks.begin(), blocks.end(), is_led)) return part;
+  }
+  return {begin, first->end, first->acceleration};
+}
+
+}  // namespace holdfast::internal::native
