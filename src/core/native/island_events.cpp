@@ -216,13 +216,18 @@ IslandStepper::Event IslandStepper::find_overlap(Scene& scene, const IslandView&
   return event;
 }
 
-/// Slip from which friction is kinetic, m/s. Where a proof of rest has just failed, what does not stick slips, however
-/// slowly: all that the solve may leave of it does not count.
+/// Slip from which friction is kinetic, m/s.
+double IslandStepper::kinetic_slip(const StepTerms& terms) const {
+  return std::max(kKineticSlip, effort_.mean_residual) * terms.velocity_unit;
+}
+
+/// Slip from which friction becomes kinetic within a step, m/s. Where a proof of rest has just failed, what does not
+/// stick slips, however slowly: all that the solve may leave of it does not count.
 /// @param residual of the solve that the slip is from, m/s
-double IslandStepper::kinetic_slip(const StepTerms& terms, double residual) const {
-  const double most = std::max(kKineticSlip, effort_.mean_residual) * terms.velocity_unit;
-  if (!terms.refuted) return most;
-  return std::min(most, kResidualSlip * std::max(effort_.reset_tolerance * terms.velocity_unit, residual));
+double IslandStepper::beginning_slip(const StepTerms& terms, double residual) const {
+  if (!terms.refuted) return kinetic_slip(terms);
+  return std::min(kinetic_slip(terms),
+                  kResidualSlip * std::max(effort_.reset_tolerance * terms.velocity_unit, residual));
 }
 
 /// Finds the manifolds of the island whose surfaces slide now: their friction is kinetic, that of the others static.
@@ -231,7 +236,7 @@ void IslandStepper::find_sliding(Scene& scene, const IslandView& island, const S
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     if (manifold.kinetic_friction == manifold.friction) continue;
-    const double slow = manifold.slides ? kSlipShare * terms.velocity_unit : kinetic_slip(terms, terms.velocity_unit);
+    const double slow = manifold.slides ? kSlipShare * terms.velocity_unit : kinetic_slip(terms);
     manifold.slides = largest_slip(manifold, [&](const ContactPoint& point) {
                         return relative_velocity(scene.bodies, manifold, point);
                       }) > slow;
@@ -256,7 +261,7 @@ void IslandStepper::find_ended_slips(Scene& scene, const IslandView& island, con
 /// have. True where there are any: friction gives way within the step, and the step is solved again with less of it.
 /// @param residual of the solve, m/s
 bool IslandStepper::find_begun_slips(Scene& scene, const StepTerms& terms, double residual) const {
-  const double slow = kinetic_slip(terms, residual);
+  const double slow = beginning_slip(terms, residual);
   bool any = false;
   for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
     Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];

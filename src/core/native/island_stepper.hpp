@@ -91,7 +91,8 @@ class IslandStepper {
   bool propagate_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   Event find_overlap(Scene& scene, const IslandView& island, const StepTerms& terms, double step);
   void activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms, double step) const;
-  double kinetic_slip(const StepTerms& terms, double residual) const;
+  double kinetic_slip(const StepTerms& terms) const;
+  double beginning_slip(const StepTerms& terms, double residual) const;
   void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms) const;
   void find_ended_slips(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const;
   bool find_begun_slips(Scene& scene, const StepTerms& terms, double residual) const;
