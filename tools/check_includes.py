@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that every source includes only what its folder may: docs/architecture.md gives the rules and the reasons.
 
-Prints one finding per line, `file:line: what`, and exits with 1 if there is any. A file of too many lines is one.
+Prints one finding per line, `file:line: what`, and exits with 1 if there is any.
 """
 import pathlib
 import re
@@ -60,9 +60,6 @@ KEPT_TO = {
 # Core knows no file, thread, clock, environment or printing.
 NOT_IN_CORE = {"cstdio", "filesystem", "fstream", "iostream", "syncstream", "chrono", "ctime", "thread", "mutex",
                "shared_mutex", "condition_variable", "future", "semaphore", "latch", "barrier", "stop_token"}
-
-# A file has one concept; what takes more lines has several.
-MOST_LINES = 450
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # What was to be done later belongs into an issue.
@@ -134,8 +131,6 @@ def check(root):
             kept_to = KEPT_TO.get(library_of(match[2]))
             if kept_to and not re.fullmatch(kept_to, name):
                 findings.append(f"{name}:{number}: {library_of(match[2])} is kept to {kept_to}")
-        if len(lines) > MOST_LINES:
-            findings.append(f"{name}:{MOST_LINES + 1}: {len(lines)} lines; at most {MOST_LINES} in a file")
     return len(sources), findings
 
 

@@ -61,10 +61,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xd40bbc10897c07b3},
-    {"lean", lean, 0xa1a6d6090d5745b9},
-    {"tumble", tumble, 0xba97b0bc1025cdf5},
-    {"drop", drop, 0xc6add0e6a471c7ff},
+    {"brake", brake, 0x7cdafd6490588fa1},
+    {"lean", lean, 0x6a4c0dd4aa506dda},
+    {"tumble", tumble, 0x60909f88f75edd68},
+    {"drop", drop, 0x22e7aac11818541f},
 };
 
 }  // namespace

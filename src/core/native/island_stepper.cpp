@@ -29,6 +29,8 @@ void rotate(Bodies& bodies, std::uint32_t body, const Vec3& turn) {
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
+  const std::size_t located = terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies;
+  if (island.bodies.size() > located) effort_.impact_cuts = 0;
   const SolveLimits limits = step_limits(scene, island, terms);
   impact_cuts_ = slip_end_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {

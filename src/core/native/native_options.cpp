@@ -15,7 +15,7 @@ NativeOptions native_options(const Settings& settings) {
                               .iterations = 12,
                               .reset_iterations = 16,
                               .mean_residual = 0.1,
-                              .impact_cuts = 0,
+                              .impact_cuts = 2,
                               .closing_length = 2e-3,
                               .slip_end_cuts = 0,
                               .overlap = 7.5e-4,
@@ -45,7 +45,7 @@ NativeOptions native_options(const Settings& settings) {
                               .iterations = 100,
                               .reset_iterations = 400,
                               .mean_residual = 1e-3,
-                              .impact_cuts = 0,
+                              .impact_cuts = 2,
                               .slip_end_cuts = 0,
                               .sliding_penalty = kSlidingPenalty};
       options.rest_tolerance = 1e-9;

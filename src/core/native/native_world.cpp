@@ -146,6 +146,7 @@ void NativeWorld::begin_phase(const Phase& phase) {
   gravity_changed_ = disturbed_ || effective_gravity != terms_.effective_gravity;
   if (!gravity_changed_) return;
   terms_.effective_gravity = effective_gravity;
+  terms_.changed = phase.begin;
   find_farther_contacts(phase.acceleration);
   const double change = (effective_gravity - reset_gravity_).norm();
   if (disturbed_ || change > kLittleChange * effective_gravity.norm()) {
@@ -208,6 +209,7 @@ double NativeWorld::take_next_step(const Phase& phase) {
   begin_phase(phase);
   const StepPlan plan(phase, options_.steps_per_second);
   set_step(plan.step());
+  terms_.to_and_fro = std::max(phase.begin, reached_) < terms_.changed + kToAndFro;
   whole_step_unit_ = terms_.velocity_unit > 0.0 ? terms_.velocity_unit : 1.0;
   sleeping_.wake(scene_);
   const bool any_moving = find_moving();

@@ -47,6 +47,8 @@ struct StepTerms {
   double longest_step = 0.0;              ///< that any step may have, s: contacts are found for it
   Vec3 effective_gravity = Vec3::Zero();  ///< gravity minus the container's acceleration, g − a, m/s²
   double velocity_unit = 0.0;             ///< |g − a| · step: what tolerances are measured in, m/s
+  double changed = 0.0;                   ///< time of the last change of g − a, s
+  bool to_and_fro = false;                ///< g − a has changed within `kToAndFro`
   bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
   bool refuted = false;                   ///< of an island: its proof of rest has failed in this step
   double fall_margin = 0.0;               ///< what the strongest g − a of the world moves a body by in a step, m

@@ -122,6 +122,51 @@ TEST_CASE("native_impacts: a plate that is struck does not pass the one behind i
   }
 }
 
+// Expected: without friction and with e = 1 the plates exchange their velocities, whatever way a step takes them.
+TEST_CASE("native_impacts: thin plates that meet at speed exchange their velocities", "[core][native_impacts]") {
+  constexpr double speed = 24.0;
+  Settings settings = open_floor(0.0);
+  settings.contact.restitution = 1.0;
+  for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
+    settings.native.accuracy = accuracy;
+    for (const double thickness : {0.002, 0.003, 0.005, 0.01, 0.02}) {
+      for (const double gap : {0.001, 0.037, 0.211}) {
+        for (const double share : {0.0, 0.3, 0.5}) {
+          const Vec3 size(thickness, 0.5, 0.5);
+          const Layout layout = layout_of({box({9, 10, 0}, size), box({9 + thickness + gap, 10, 0}, size)});
+          const Run run = native_run(layout, constant(0, 0.05), settings, [&](StateColumns& state) {
+            state.velocity[0].x() = (1 - share) * speed;
+            state.velocity[1].x() = -share * speed;
+          });
+          CAPTURE(static_cast<int>(accuracy), thickness, gap, share, text(run.state.velocity[0].x()),
+                  text(run.state.velocity[1].x()));
+          CHECK(run.state.position[0].x() + thickness < run.state.position[1].x() + 1e-6);
+          CHECK(run.state.velocity[0].x() == Approx(-share * speed).margin(1e-3 * speed));
+          CHECK(run.state.velocity[1].x() == Approx((1 - share) * speed).margin(1e-3 * speed));
+        }
+      }
+    }
+  }
+}
+
+// Expected: without friction and with e = 0 all boxes go on together; their momentum is that of the one that hits.
+TEST_CASE("native_impacts: a row of touching boxes that is hit goes on as one", "[core][native_impacts]") {
+  constexpr int kRow = 20;
+  constexpr double speed = 3.0, gap = 0.05, first = 2.0;
+  const Vec3 size(0.5, 0.5, 0.5);
+  std::vector<Box> boxes = {box({first - size.x() - gap, 10, 0}, size)};
+  for (int i = 0; i < kRow; ++i) boxes.push_back(box({first + i * size.x(), 10, 0}, size));
+  for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard, Accuracy::reference}) {
+    const Run run = native_run(layout_of(boxes), constant(0, 0.5), with(accuracy, open_floor(0.0)),
+                               [&](StateColumns& state) { state.velocity[0].x() = speed; });
+    const double together = speed / (kRow + 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      CAPTURE(static_cast<int>(accuracy), i, text(run.state.velocity[i].x() / together - 1));
+      CHECK(run.state.velocity[i].x() == Approx(together).epsilon(1e-3));
+    }
+  }
+}
+
 // Expected: it slides to the fixed box, comes back as fast as it went, and hands its speed to the other, which slides
 // on; what it meets on its way back was no neighbour in contact before.
 TEST_CASE("native_impacts: a box goes from one impact to the next within a step", "[core][native_impacts]") {

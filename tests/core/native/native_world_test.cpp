@@ -130,7 +130,7 @@ TEST_CASE("native_world: a step that is solved again starts where its last solve
   Settings settings = at_once();
   settings.native.accuracy = Accuracy::screening;
   RepeatsCounted::Counts counts;
-  OneWorld scene(settings, bundled_layout("BR8_009_ep", settings), constant(1.2 * kGravity, 1.0),
+  OneWorld scene(settings, bundled_layout("BR8_009_ep", settings), constant(kGravity, 1.0),
                  std::make_unique<RepeatsCounted>(counts));
   scene.run();
   CHECK(counts.repeated > 10);

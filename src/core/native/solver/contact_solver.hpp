@@ -17,7 +17,7 @@ struct SolveLimits {
   int iterations = 24;                     ///< at most, where what is left may pass
   int more_iterations = 0;                 ///< at most, on top of these, where it may not
   double mean_residual = 0.0;              ///< that may pass: root of the mean square over the points, in those units
-  double worst_residual = kWorstResidual;  ///< that may pass, likewise
+  double worst_residual = kLargeResidual;  ///< that may pass, likewise
   double relaxation = 1.0;                 ///< α
   double sticking = kStickingPenalty;  ///< R over the mass that a contact carries, where it sticks and along the normal
   double sliding = kSlidingPenalty;    ///< the same along the tangents where it slides
