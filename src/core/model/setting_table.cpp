@@ -232,7 +232,8 @@ std::vector<SettingKey> make_table() {
   add(Positive{}, "RestTolerance", "", "", MEMBER(native.rest_tolerance),
       "Largest net force on a box in static equilibrium, relative to its weight.");
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
-      "How many times impacts may divide a step of an island.");
+      "How many times impacts may divide a step of an island. In large islands they do while the acceleration goes to "
+      "and fro, and in islands of up to 16 boxes only.");
   add(Truth{}, "Sleep", "", "", MEMBER(native.sleep),
       "Whether slow boxes of large islands sleep while others move: they stay where they are for some steps.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
