@@ -219,8 +219,8 @@ void IslandStepper::integrate(Scene& scene, const IslandView& island, double ste
 bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const StepTerms& terms) const {
   Manifold& manifold = scene.manifolds[index];
   const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
-  const ContactSet contact =
-      contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
+  ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
+  if (scene.sinking.is_flush(scene.bodies, scene.manifolds, manifold.a, manifold.b, contact)) contact = {};
   const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.missed_contact_overlap);
   update_contact(manifold, contact, scene.bodies);
   return missed;

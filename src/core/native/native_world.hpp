@@ -67,6 +67,12 @@ class NativeWorld {
     std::array<OrientedBox, 2> found_at;
   };
 
+  /// A contact whose bodies may be flush, see `is_narrow`.
+  struct NarrowContact {
+    std::int32_t a, b;
+    ContactSet contact;
+  };
+
   void begin_anew();
   Phase next_part(const Phase& phase) const;
   void begin_phase(const Phase& phase);
@@ -74,6 +80,7 @@ class NativeWorld {
   void find_farther_contacts(const Vec3& acceleration);
   void find_contacts(const std::vector<std::uint8_t>& moved);
   void update_pair(std::int32_t a, std::int32_t b);
+  void take_contact(std::int32_t a, std::int32_t b, const ContactSet& contact);
   void set_contact(std::int32_t a, std::int32_t b, std::int32_t known, const ContactSet& contact);
   void update_sides(std::size_t body, double margin);
   void set_surfaces(Manifold& manifold) const;
@@ -139,6 +146,7 @@ class NativeWorld {
   double whole_step_unit_ = 1.0;          ///< |g − a| times the phase's step, m/s
   std::vector<std::uint8_t> failed_;      ///< a body: its island has to take the step again
   std::vector<LateContact> late_contacts_;
+  std::vector<NarrowContact> narrow_contacts_;
   std::vector<std::uint8_t> ahead_;  ///< a body: has taken the whole step, of which others take halves
   StateColumns before_;              ///< at the start of the step, entries of moving bodies
   std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²

@@ -28,13 +28,25 @@ bool have_passed(const Vec3& before, const Vec3& after, const Vec3& room, double
 
 }  // namespace
 
+/// Finds the contact of a pair. One that is narrow is taken when all others are.
 void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
+  const Bodies& bodies = scene_.bodies;
+  const std::int32_t known = pairs_.find(a, b);
+  const ContactAxis before = known < 0 ? ContactAxis{} : scene_.manifolds[at(known)].contact.axis;
+  const ContactSet contact = contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before);
+  if (is_narrow(bodies, a, b, contact)) {
+    narrow_contacts_.push_back({a, b, contact});
+  } else {
+    take_contact(a, b, contact);
+  }
+}
+
+/// Gives a pair the contact that has been found, and marks its bodies where it shows too late.
+void NativeWorld::take_contact(std::int32_t a, std::int32_t b, const ContactSet& contact) {
   const Bodies& bodies = scene_.bodies;
   const std::int32_t known = pairs_.find(a, b);
   static const Manifold kNone;
   const Manifold& before = known < 0 ? kNone : scene_.manifolds[at(known)];
-  const ContactSet contact =
-      contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before.contact.axis);
   // What was solved with this contact would be solved with it again: the overlap is what the solve left.
   const bool solved = before.active && contact.axis == before.contact.axis &&
                       (connectivity_.is_in_large_island(a) || connectivity_.is_in_large_island(b));
@@ -126,6 +138,7 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   lower_.resize(count);
   upper_.resize(count);
   near_sides_.resize(count);
+  narrow_contacts_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     const OrientedBox& box = bodies.shape[i];
     const double speed = bodies.largest_speed(i);
@@ -149,6 +162,12 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   for (const IndexPair& pair : broad_phase_.find_pairs(lower_, upper_, moved))
     if (bodies.fixed[pair.i] == 0 || bodies.fixed[pair.j] == 0)
       update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
+  // How far bodies have sunk is known when all other contacts are.
+  scene_.sinking.forget();
+  for (const NarrowContact& narrow : narrow_contacts_) {
+    const bool flush = scene_.sinking.is_flush(bodies, scene_.manifolds, narrow.a, narrow.b, narrow.contact);
+    take_contact(narrow.a, narrow.b, flush ? ContactSet{} : narrow.contact);
+  }
 }
 
 /// Marks bodies that have passed through others in the step. Contacts are looked for along the velocities at its start:

@@ -8,6 +8,7 @@
 #include "core/native/bodies.hpp"
 #include "core/native/collision/manifold.hpp"
 #include "core/native/known_balances.hpp"
+#include "core/native/sinking.hpp"
 
 namespace holdfast::internal::native {
 
@@ -26,6 +27,7 @@ struct Scene {
   std::vector<Manifold> manifolds;
   /// Manifolds as they were before an event within the step updated them, to take the step again.
   std::vector<std::pair<std::uint32_t, Manifold>> undo;
+  Sinking sinking;  ///< since contacts were found, at the end of the last step
   KnownBalances balances;
   bool notes_pushes = false;             ///< wall forces are asked for
   std::vector<SidePush> pushes;          ///< of the step that is being taken, in its parts and impacts

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "core/native/collision/oriented_box.hpp"
 
@@ -27,6 +28,9 @@ struct ContactSet {
   Vec3 normal = Vec3::Zero();  ///< unit, from a to b
   ContactAxis axis;
   int count = 0;  ///< of the points that are used
+  /// By how much two faces overlap as seen along the normal, where that is least; infinite for edges and sides, m.
+  double width = std::numeric_limits<double>::infinity();
+  int across = 0;  ///< the container's axis that the width is along, or nearly
   std::array<ContactPoint, 8> points;
 
   /// Least gap of the points, m; infinite without any.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/native/constants.hpp"
@@ -177,6 +178,22 @@ void keep_distinct(Polygon& polygon) {
   }
 }
 
+/// Measures by how much the faces overlap along the sides of the reference face: the outlines of the whole boxes may
+/// overlap by more, where one is turned a little.
+void set_width(const Reference& ref, const Polygon& polygon, ContactSet& contact) {
+  double low_u = std::numeric_limits<double>::infinity(), low_v = low_u, high_u = -low_u, high_v = -low_u;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Corner& corner = polygon.corners[i];
+    low_u = std::min(low_u, corner.u);
+    high_u = std::max(high_u, corner.u);
+    low_v = std::min(low_v, corner.v);
+    high_v = std::max(high_v, corner.v);
+  }
+  const int side = high_u - low_u <= high_v - low_v ? ref.u : ref.v;
+  contact.width = std::min(high_u - low_u, high_v - low_v);
+  ref.box.axes.col(side).cwiseAbs().maxCoeff(&contact.across);
+}
+
 void write_points(const Reference& ref, const Polygon& polygon, bool of_a, ContactSet& contact) {
   const Vec3 outward = ref.outward * ref.box.axes.col(ref.k);
   const Vec3 face = ref.box.centre + ref.box.half_extents[ref.k] * outward;
@@ -239,6 +256,7 @@ ContactSet face_contact(const OrientedBox& a, const OrientedBox& b, const Relati
   clip<&Corner::u>(polygon, -1.0, h[ref.u]);
   clip<&Corner::v>(polygon, 1.0, h[ref.v]);
   clip<&Corner::v>(polygon, -1.0, h[ref.v]);
+  set_width(ref, polygon, contact);
   keep_near(polygon, margin);
   keep_distinct(polygon);
   if (polygon.count == 0) return contact;
