@@ -394,8 +394,9 @@ HOLDFAST_API int holdfast_world_set_friction(holdfast_world* world, double box_b
 HOLDFAST_API int holdfast_world_set_force(holdfast_world* world, size_t box, const double* force, const double* point);
 
 /* Forces of the boxes on the sides of the container, mean over the last step, container frame, N.
- * forces:   set to six rows of three numbers: floor, front, rear, left, right, roof
- * capacity: number of rows that the array has room for: at least six
+ * forces:   set to eight rows of three numbers: floor, front, rear, left, right, roof, the ground beneath an open
+ *           container, and the fixed boxes together
+ * capacity: number of rows that the array has room for: at least eight
  * HOLDFAST_BAD_ARGUMENT also without the setting WallForces or Walls of [Screening]; the engine is native. */
 HOLDFAST_API int holdfast_world_side_forces(holdfast_world* world, double* forces, size_t capacity);
 

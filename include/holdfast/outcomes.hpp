@@ -66,7 +66,7 @@ struct Series {
   std::vector<std::array<float, 3>> angular_velocity;  ///< per sample and box, rad/s
 };
 
-/// What the boxes did to a side of the container: docs/walls.md. Forces are outwards.
+/// What the boxes did to a side of the container: docs/walls.md. Forces are outwards; on fixed boxes the length.
 struct WallForce {
   double peak_force = 0;                  ///< largest mean over a step, N
   double peak_time = 0;                   ///< start of that step, s
@@ -113,8 +113,8 @@ struct AnalysisNumber {
 struct WorldOutcome {
   HOLDFAST_WORLD_FIELDS(HOLDFAST_CPP_MEMBER)
   std::vector<BoxOutcome> box_outcomes;  ///< one per box with `ScreenOptions::keep_boxes`, else empty
-  /// Of floor, front, rear, left, right, roof; with `WallForces` or `Walls` of [Screening], else empty, also in a
-  /// world that was not accelerated.
+  /// Of floor, front, rear, left, right, roof, ground and the fixed boxes together; with `WallForces` or `Walls` of
+  /// [Screening], else empty, also in a world that was not accelerated.
   std::vector<WallForce> walls;
   Series series;  ///< with `ScreenOptions::keep_series`, else empty
   ReplicaOutcome replicas;

@@ -269,7 +269,7 @@ void fill_world(const WorldRecord& record, const Thresholds& thresholds, bool ke
   world.verdict = verdict.verdict;
   world.walls.clear();
   if (const WallForces* walls = record.found.get<WallForces>(); walls != nullptr && walls->known())
-    for (std::size_t side = 0; side < kSideCount; ++side) world.walls.push_back(wall_of(*walls, side));
+    for (std::size_t side = 0; side < kPushedCount; ++side) world.walls.push_back(wall_of(*walls, side));
   world.box_outcomes.clear();
   for (std::size_t i = 0; keep_boxes && i < record.end.end_displacement.size(); ++i)
     world.box_outcomes.push_back(outcome_of(record.end, i, thresholds));

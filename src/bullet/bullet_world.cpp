@@ -83,6 +83,7 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   box.body->setLinearVelocity(to_bullet(batch.state.velocity[i]));
   box.body->setAngularVelocity(to_bullet(batch.state.angular_velocity[i]));
   box.body->setUserPointer(&box.surface);
+  if (fixed) box.body->setUserIndex(static_cast<int>(kFixedBoxes));
   if (preset_.sleeping == BulletSleeping::off && !fixed) box.body->setActivationState(DISABLE_DEACTIVATION);
   dynamics_.addRigidBody(box.body.get());
 }

@@ -36,9 +36,9 @@ class ContainerBody {
   virtual Frame frame() const { return {}; }
 };
 
-/// The container at rest in its own frame: a static box for each side that is not open, with the side's index in
-/// `kContainerSides` as its user index, thick enough that no box passes through it in a step. Boxes feel the effective
-/// gravity g − a(t).
+/// The container at rest in its own frame: a static box for each side that is not open and for the ground, with the
+/// index in `kPushedNames` as its user index, thick enough that no box passes through it in a step. Boxes feel the
+/// effective gravity g − a(t).
 /// @param load has the friction of the container's surfaces; it must outlive the container
 std::unique_ptr<ContainerBody> make_prescribed_container(btDiscreteDynamicsWorld& world, const Settings& settings,
                                                          const World& load);

@@ -27,7 +27,7 @@ class FreeContainer final : public ContainerBody {
         ground_surface_{{SurfaceKind::ground, settings.container.ground_friction, 0.0}, &load.contact},
         ground_shape_(btVector3(to_bullet(kGroundReach), to_bullet(kGroundReach), to_bullet(0.5 * kGroundThickness))) {
     add_ground();
-    add_shell(settings.container);
+    add_shell(settings.container, load.container_friction);
   }
   ~FreeContainer() override {
     world_.removeRigidBody(body_.get());
@@ -62,11 +62,14 @@ class FreeContainer final : public ContainerBody {
 
   /// The mass of the container is distributed over the panels by volume; the frame of the compound body is that of its
   /// principal axes.
-  void add_shell(const ContainerSettings& container) {
+  void add_shell(const ContainerSettings& container, double friction) {
     btCompoundShape panels;
     std::vector<btScalar> masses;
     double volume = 0.0;
-    const std::vector<Panel> sides = container_panels(container, kPanelThickness);
+    ContainerSettings on_ground = container;
+    on_ground.bed_height = kPanelThickness;
+    std::vector<Panel> sides = container_panels(on_ground, friction, kPanelThickness);
+    std::erase_if(sides, [](const Panel& side) { return side.surface.kind == SurfaceKind::ground; });
     for (const Panel& side : sides) volume += side.half_extents.prod();
     for (const Panel& side : sides) {
       panel_shapes_.push_back(std::make_unique<btBoxShape>(to_bullet(side.half_extents)));

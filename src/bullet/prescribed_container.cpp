@@ -8,19 +8,19 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Thickness of the walls, m. A box of 2 cm at 10 m/s can tunnel through a wall of 10 cm within a step of 1/240 s; no
-/// box tunnels through a metre.
-constexpr double kWallThickness = 1.0;
+/// Thickness of what boxes cannot get round, m. A box of 2 cm at 10 m/s can tunnel through a wall of 10 cm within a
+/// step of 1/240 s; no box tunnels through a metre.
+constexpr double kClosedThickness = 1.0;
 
 class PrescribedContainer final : public ContainerBody {
  public:
   PrescribedContainer(btDiscreteDynamicsWorld& world, const Settings& settings, const World& load)
       : world_(world), gravity_(0.0, 0.0, -settings.gravity) {
-    const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
+    const std::vector<Panel> panels = container_panels(settings.container, load.container_friction, kClosedThickness);
     sides_.reserve(panels.size());
     for (const Panel& panel : panels) {
       Side& side = sides_.emplace_back();
-      side.surface = {{panel.kind, load.container_friction, 0.0}, &load.contact};
+      side.surface = {panel.surface, &load.contact};
       side.shape = std::make_unique<btBoxShape>(to_bullet(panel.half_extents));
       side.body = std::make_unique<btRigidBody>(btScalar(0), nullptr, side.shape.get());
       side.body->setWorldTransform(btTransform(btQuaternion::getIdentity(), to_bullet(panel.centre)));

@@ -72,7 +72,7 @@ TEST_CASE("screen: forces on the sides are there on request, with the limits of 
   CHECK(Screen({constant(4.0)}).evaluate(layouts)[0].walls.empty());
   Screen screen({constant(4.0)}, {.settings = {{"Screening", "Walls", "en283"}}});
   const std::vector<holdfast::WallForce> walls = screen.evaluate(layouts)[0].walls;
-  REQUIRE(walls.size() == 6);
+  REQUIRE(walls.size() == 8);
   const double weight = 250.0 * 0.125 * 9.81;
   CHECK(walls[0].peak_force == Approx(weight));
   CHECK(walls[0].lasting_force == Approx(weight));

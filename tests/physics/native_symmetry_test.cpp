@@ -19,6 +19,7 @@ Settings bare_floor(double floor_friction, Accuracy accuracy) {
   Settings settings = open_floor(floor_friction);
   settings.contact.box_box = 0.4;
   settings.container.open_sides = {"front", "rear", "left", "right"};
+  settings.container.bed_height = 0.0;
   settings.native.accuracy = accuracy;
   return settings;
 }

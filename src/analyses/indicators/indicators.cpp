@@ -96,12 +96,14 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
   Vec3 moment = Vec3::Zero();
   for (const Box& box : layout.boxes) {
     const BoxMaterial material = material_of(settings, box.material);
+    if (material.fixed) continue;
     const double volume = (box.corner_max - box.corner_min).prod();
     const double mass = mass_of(material, volume);
     load_volume += volume;
     load_mass += mass;
     moment += mass * (0.5 * (box.corner_min + box.corner_max) + material.centre_of_mass);
   }
+  if (load_mass == 0.0) return found;
   const Vec3& size = settings.container.size;
   found.centre_of_gravity = moment / load_mass;
   found.centre_offset = found.centre_of_gravity.cwiseQuotient(size) - Vec3(0.5, 0.5, 0.5);
@@ -110,15 +112,18 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
   const Contacts contacts(layout, settings.container);
   std::size_t badly_based = 0;
   std::size_t badly_braced = 0;
+  std::size_t loaded = 0;
   for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
     const double base = contacts.base_support(i);
     const std::size_t sides = contacts.supported_sides(i);
     found.base_support.push_back(static_cast<float>(base));
     found.supported_sides.push_back(static_cast<std::uint8_t>(sides));
+    if (material_of(settings, layout.boxes[i].material).fixed) continue;
+    ++loaded;
     badly_based += base < kGoodBase ? 1U : 0U;
     badly_braced += sides < kGoodBracing ? 1U : 0U;
   }
-  const auto count = static_cast<double>(layout.boxes.size());
+  const auto count = static_cast<double>(loaded);
   found.badly_based = static_cast<double>(badly_based) / count;
   found.badly_braced = static_cast<double>(badly_braced) / count;
   return found;

@@ -14,19 +14,19 @@ namespace holdfast::internal {
 struct Analysis;
 class ResultsReader;
 
-/// What the boxes of a world did to the sides of the container; one entry per side, in the order of `kContainerSides`.
+/// What the boxes of a world did to the sides of the container; one entry per side, in the order of `kPushedNames`.
 /// Forces are along the side's outward normal. NaN where they were not asked for, or the world was not accelerated.
 struct WallForces {
-  std::array<double, kSideCount> peak_force = filled(kUnknown);  ///< largest mean over a step, N
-  std::array<double, kSideCount> peak_time = filled(kUnknown);   ///< start of that step, s
+  std::array<double, kPushedCount> peak_force = filled(kUnknown);  ///< largest mean over a step, N
+  std::array<double, kPushedCount> peak_time = filled(kUnknown);   ///< start of that step, s
   /// Centre of pressure in that step, m; NaN where nothing pressed the side.
-  std::array<Vec3, kSideCount> peak_point = filled(Vec3(kUnknown, kUnknown, kUnknown));
-  std::array<double, kSideCount> lasting_force = filled(kUnknown);  ///< largest mean over `kLastingSeconds`, N
-  std::array<Vec3, kSideCount> impulse = filled(Vec3(kUnknown, kUnknown, kUnknown));  ///< from t = 0 on, N s
-  std::array<double, kSideCount> limit = filled(kUnknown);  ///< of the norm; NaN where it has none, N
+  std::array<Vec3, kPushedCount> peak_point = filled(Vec3(kUnknown, kUnknown, kUnknown));
+  std::array<double, kPushedCount> lasting_force = filled(kUnknown);  ///< largest mean over `kLastingSeconds`, N
+  std::array<Vec3, kPushedCount> impulse = filled(Vec3(kUnknown, kUnknown, kUnknown));  ///< from t = 0 on, N s
+  std::array<double, kPushedCount> limit = filled(kUnknown);  ///< of the norm; NaN where it has none, N
 
   /// With series: outward force on each side per sample, mean over the step that the sample lies in, N.
-  std::vector<std::array<float, kSideCount>> force;
+  std::vector<std::array<float, kPushedCount>> force;
 
   bool known() const { return !std::isnan(peak_force[0]); }
 
@@ -41,8 +41,9 @@ struct WallForces {
     visit(
         DatasetContent{
             "/walls/peak_force", Axis::worlds, "N",
-            "largest outward force of the boxes on the floor, front, rear, left, right and roof, mean over a "
-            "step; NaN in a world that was not accelerated, as all but force"},
+            "largest outward force of the boxes on the floor, front, rear, left, right, roof, on the ground, and on "
+            "the fixed boxes together (length of the force), mean over a step; NaN in a world that was not "
+            "accelerated, as all but force"},
         &WallForces::peak_force);
     visit(DatasetContent{"/walls/peak_time", Axis::worlds, "s", "start of the step with that force"},
           &WallForces::peak_time);
@@ -68,8 +69,10 @@ struct WallForces {
  private:
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   template <class Entry>
-  static std::array<Entry, kSideCount> filled(const Entry& value) {
-    return {value, value, value, value, value, value};
+  static std::array<Entry, kPushedCount> filled(const Entry& value) {
+    std::array<Entry, kPushedCount> all;
+    all.fill(value);
+    return all;
   }
 };
 

@@ -32,16 +32,15 @@ TestForces test_forces(WallNorm norm) {
 
 }  // namespace
 
-std::array<double, kSideCount> wall_limits(std::optional<WallNorm> norm, double payload) {
-  if (!norm) return {kNone, kNone, kNone, kNone, kNone, kNone};
+std::array<double, kPushedCount> wall_limits(std::optional<WallNorm> norm, double payload) {
+  std::array<double, kPushedCount> limits;
+  limits.fill(kNone);
+  if (!norm) return limits;
   const TestForces forces = test_forces(*norm);
-  const double side = forces.side * payload;
-  return {kNone,  // floor
-          std::min(forces.front * payload, forces.front_most),
-          std::min(forces.rear * payload, forces.rear_most),
-          side,  // left
-          side,  // right
-          kNone};
+  limits[1] = std::min(forces.front * payload, forces.front_most);
+  limits[2] = std::min(forces.rear * payload, forces.rear_most);
+  limits[3] = limits[4] = forces.side * payload;  // left and right
+  return limits;
 }
 
 }  // namespace holdfast::internal

@@ -1,6 +1,7 @@
 #include "analyses/walls/wall_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -20,7 +21,7 @@ constexpr double kNewPeak = 1e-9;
 
 WallRecorder::WallRecorder(std::optional<WallNorm> norm, const BoxView& boxes) {
   double mass = 0.0;
-  for (const double of_box : boxes.mass) mass += of_box;
+  for (const double of_box : boxes.mass) mass += std::isfinite(of_box) ? of_box : 0.0;
   forces_.limit = wall_limits(norm, mass * kStandardGravity);
   forces_.peak_force.fill(0.0);
   forces_.peak_time.fill(0.0);
@@ -32,11 +33,11 @@ void WallRecorder::step(const Step& step) {
   settles_ = is_of_settling(step);
   const SideImpulses& sides = *step.side_impulses;
   Recent now{step.begin, step.end, {}};
-  for (std::size_t side = 0; side < kSideCount; ++side)
-    now.force[side] = outward(side, sides[side].impulse) / (step.end - step.begin);
+  for (std::size_t side = 0; side < kPushedCount; ++side)
+    now.force[side] = pressing(side, sides[side].impulse) / (step.end - step.begin);
   std::erase_if(recent_, [&](const Recent& earlier) { return earlier.end <= step.end - kLastingSeconds; });
   recent_.push_back(now);
-  for (std::size_t side = 0; side < kSideCount; ++side) {
+  for (std::size_t side = 0; side < kPushedCount; ++side) {
     // Adding 0 turns −0 into 0, which is easier to read.
     force_now_[side] = static_cast<float>(now.force[side]) + 0.0F;
     forces_.impulse[side] += sides[side].impulse;
@@ -44,7 +45,7 @@ void WallRecorder::step(const Step& step) {
     if (now.force[side] <= (1.0 + kNewPeak) * forces_.peak_force[side]) continue;
     forces_.peak_force[side] = now.force[side];
     forces_.peak_time[side] = step.begin;
-    forces_.peak_point[side] = sides[side].weighted_point / outward(side, sides[side].impulse);
+    forces_.peak_point[side] = sides[side].weighted_point / sides[side].pressed;
   }
 }
 

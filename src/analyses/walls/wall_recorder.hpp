@@ -25,8 +25,8 @@ class WallRecorder final : public AnalysisRecorder {
  private:
   /// A step that is not yet over by `kLastingSeconds`.
   struct Recent {
-    double begin, end;                     ///< s
-    std::array<double, kSideCount> force;  ///< outward, N
+    double begin, end;                       ///< s
+    std::array<double, kPushedCount> force;  ///< outward, N
   };
 
   /// Mean force on a side over the last `kLastingSeconds`, N; before t = 0 there is none.
@@ -35,7 +35,7 @@ class WallRecorder final : public AnalysisRecorder {
   bool settles_ = false;  ///< the last step was before t = 0
   WallForces forces_;
   std::deque<Recent> recent_;
-  std::array<float, kSideCount> force_now_ = {};  ///< outward, in the last step, N; zero before the first one
+  std::array<float, kPushedCount> force_now_ = {};  ///< outward, in the last step, N; zero before the first one
 };
 
 }  // namespace holdfast::internal

@@ -19,7 +19,7 @@ namespace {
 void wall_json(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world) {
   for (std::size_t side = 0; side < world.walls.size(); ++side) {
     const holdfast::WallForce& wall = world.walls[side];
-    json["walls"][std::string(kContainerSides.at(side).name)] = {
+    json["walls"][std::string(kPushedNames.at(side))] = {
         {"peak_force_N", wall.peak_force},       {"peak_time_s", wall.peak_time}, {"peak_point_m", wall.peak_point},
         {"lasting_force_N", wall.lasting_force}, {"limit_N", wall.limit},         {"impulse_Ns", wall.impulse}};
   }
@@ -30,7 +30,7 @@ constexpr const char* kWallHeader =
     "exceeded,impulse_x_Ns,impulse_y_Ns,impulse_z_Ns\r\n";
 
 std::string wall_line(const std::string& names, const WallForces& walls, std::size_t side) {
-  return fmt::format("{},{},{},{},{},{},{},{},{}\r\n", names, kContainerSides.at(side).name,
+  return fmt::format("{},{},{},{},{},{},{},{},{}\r\n", names, kPushedNames.at(side),
                      csv_number(walls.peak_force.at(side)), csv_number(walls.peak_time.at(side)),
                      csv_vector(walls.peak_point.at(side)), csv_number(walls.lasting_force.at(side)),
                      csv_number(walls.limit.at(side)), walls.exceeds(side) ? 1 : 0, csv_vector(walls.impulse.at(side)));
@@ -44,7 +44,7 @@ double force_on(const Findings& found) {
 double largest_share(const Findings& found) {
   const auto& walls = found.value<WallForces>();
   double largest = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t side = 0; side < kSideCount; ++side) largest = std::fmax(largest, walls.share_of_limit(side));
+  for (std::size_t side = 0; side < kPushedCount; ++side) largest = std::fmax(largest, walls.share_of_limit(side));
   return largest;
 }
 
@@ -76,7 +76,7 @@ std::optional<Error> write_wall_csv(ResultsReader& results, const std::function<
       const WorldRow& row = (*rows)[i];
       const std::string names = fmt::format("{},{},{}", begin + i, csv_field(info.layout_name(row.layout)),
                                             csv_field(info.acceleration_name(row.acceleration)));
-      for (std::size_t side = 0; side < kSideCount; ++side) write(wall_line(names, (*walls)[i], side));
+      for (std::size_t side = 0; side < kPushedCount; ++side) write(wall_line(names, (*walls)[i], side));
     }
   }
   return std::nullopt;

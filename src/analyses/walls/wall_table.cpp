@@ -19,7 +19,7 @@ constexpr std::array<std::size_t, 4> kFourWalls = {1, 2, 3, 4};  ///< of `kConta
 
 /// The largest over the accelerations of a layout: share of the limit, or N where there is none.
 struct LayoutWalls {
-  std::array<double, kSideCount> largest = {};
+  std::array<double, kPushedCount> largest = {};
   std::size_t worst_wall = kFourWalls.front();
   std::uint64_t worst_acceleration = 0;
 

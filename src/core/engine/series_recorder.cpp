@@ -47,7 +47,8 @@ void SeriesRecorder::start(const BoxView& boxes, const StateView& layout, double
   for (std::size_t box = 0; box < boxes.mass.size(); ++box) {
     table.id.push_back(static_cast<std::uint32_t>(box + 1));
     table.material.push_back(boxes.material[box]);
-    table.mass.push_back(static_cast<float>(boxes.mass[box]));
+    // A fixed box counts in no weight.
+    table.mass.push_back(std::isfinite(boxes.mass[box]) ? static_cast<float>(boxes.mass[box]) : 0.0F);
     table.size.push_back(to_float(2.0 * boxes.half_extents[box]));
     table.initial_position.push_back(to_float(layout.position[box]));
   }
@@ -180,7 +181,9 @@ void SeriesRecorder::add_sample(const Instant& instant) {
     const Vec3 angular_velocity = at_instant(step.before.angular_velocity, step.after.angular_velocity);
     const Vec3 velocity = at_instant(step.before.velocity, step.after.velocity);
     const double energy = kinetic_energy(box, velocity, angular_velocity, orientation);
-    const Vec3 force = plan_.external_force ? Vec3(-boxes_.mass[box] * step.acceleration) : Vec3::Zero();
+    const Vec3 force = plan_.external_force && std::isfinite(boxes_.mass[box])
+                           ? Vec3(-boxes_.mass[box] * step.acceleration)
+                           : Vec3::Zero();
 
     series.displacement.push_back(displacement(at_instant(step.before.position, step.after.position), box));
     series.orientation.push_back(to_float(orientation));
@@ -235,6 +238,7 @@ Float3 SeriesRecorder::displacement(const Vec3& position, std::size_t box) const
 /// ½ m v² + ½ ω·Iω with ω in body axes, J.
 double SeriesRecorder::kinetic_energy(std::size_t box, const Vec3& velocity, const Vec3& angular_velocity,
                                       const Rotation& container_from_body) const {
+  if (std::isinf(boxes_.mass[box])) return 0.0;
   const Vec3 spin = container_from_body.conjugate() * angular_velocity;
   return 0.5 * boxes_.mass[box] * velocity.squaredNorm() + 0.5 * spin.dot(boxes_.inertia[box].cwiseProduct(spin));
 }

@@ -8,16 +8,31 @@
 
 namespace holdfast::internal {
 
-/// A side of the container as a solid box outside its inner faces; container frame.
+/// A side of the container, or the ground beneath it, as a solid box outside its inner face; container frame.
 struct Panel {
-  std::size_t side = 0;  ///< in `kContainerSides`
+  std::size_t side = 0;  ///< in `kPushedNames`
+  Vec3 normal;           ///< of the inner face, unit, into the container
+  double offset = 0.0;   ///< of the inner face: normal · x there, m
   Vec3 centre;           ///< m
   Vec3 half_extents;     ///< m
-  SurfaceKind kind = SurfaceKind::wall;
+  Surface surface;
+  /// Boxes can get round its edges. If not, it is to them what the half-space beyond its inner face is.
+  bool ends = false;
 };
 
-/// The sides that are not open, floor first. Each is `thickness` (m) thick, and extends over its edges by as much where
-/// the neighbouring side is not open either.
-std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
+/// Thickness of the walls and the roof of a container that boxes can get out of, m: about that of a drop side. A box
+/// that has tipped over a wall falls beyond it.
+inline constexpr double kWallThickness = 0.05;
+
+/// How far the ground and a floor without end reach, m: farther than boxes slide.
+inline constexpr double kEndless = 1000.0;
+
+/// The sides that are not open, floor first, and the ground, if there is one.
+///
+/// Panels of a closed container are `thickness` (m) thick, and extend by as much over the edges that they share. If any
+/// side is open or low, walls stand on the ground, are `kWallThickness` thick, and end where the neighbouring side is
+/// open; the floor is a block down to the ground under the walls and the inside, and the ground is `thickness` thick.
+/// @param friction of floor, walls and roof; the ground has its own
+std::vector<Panel> container_panels(const ContainerSettings& container, double friction, double thickness);
 
 }  // namespace holdfast::internal

@@ -5,7 +5,7 @@
 namespace holdfast::internal {
 
 double side_play(SurfaceKind kind, double gap) {
-  return kind == SurfaceKind::floor ? 0.0 : std::max(0.0, kLeastPlay - gap);
+  return kind == SurfaceKind::wall ? std::max(0.0, kLeastPlay - gap) : 0.0;
 }
 
 bool can_be_open(std::string_view side) {
@@ -16,6 +16,18 @@ bool can_be_open(std::string_view side) {
 bool is_open(const ContainerSettings& container, const ContainerSide& side) {
   const auto& open = container.open_sides;
   return std::find(open.begin(), open.end(), side.name) != open.end();
+}
+
+double wall_height(const ContainerSettings& container, const ContainerSide& wall) {
+  if (is_open(container, wall)) return 0.0;
+  for (const DropSide& drop : container.drop_sides)
+    if (drop.side == wall.name) return std::min(drop.height, container.size.z());
+  return container.size.z();
+}
+
+bool has_opening(const ContainerSettings& container) {
+  return std::any_of(kContainerSides.begin() + 1, kContainerSides.end(),
+                     [&](const ContainerSide& side) { return wall_height(container, side) < container.size.z(); });
 }
 
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container) {

@@ -36,11 +36,23 @@ inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, f
                                                                   {"right", 1, true, SurfaceKind::wall, 4},
                                                                   {"roof", 2, true, SurfaceKind::wall, 5}}};
 
+/// What boxes push: the sides by their indices, then the ground beneath an open container, and the boxes that are fixed
+/// to it, together.
+inline constexpr std::size_t kGround = 6, kFixedBoxes = 7, kPushedCount = 8;
+inline constexpr std::array<std::string_view, kPushedCount> kPushedNames = {"floor", "front", "rear",   "left",
+                                                                            "right", "roof",  "ground", "fixed boxes"};
+
 /// Whether a side has that name and may be open.
 bool can_be_open(std::string_view side);
 
 /// Whether a side is open.
 bool is_open(const ContainerSettings& container, const ContainerSide& side);
+
+/// Height of a wall above the floor, m: that of the container, less at a drop side, 0 at an open side.
+double wall_height(const ContainerSettings& container, const ContainerSide& wall);
+
+/// Whether any side is open, or a wall lower than the container, so that boxes can get out.
+bool has_opening(const ContainerSettings& container);
 
 /// The sides that are not open, floor first: floor, front, rear, left, right, roof.
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container);

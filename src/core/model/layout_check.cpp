@@ -88,6 +88,7 @@ class LayoutCheck {
   std::vector<Error> take_errors() { return errors_.take(); }
 
   void warn(const std::string& file, std::vector<Error>& warnings) const {
+    warn_of_boxes_beyond(file, warnings);
     if (tolerated_ == 0) return;
     warnings.push_back({.file = file,
                         .what = "overlaps and protrusions within the tolerance are ignored",
@@ -96,6 +97,24 @@ class LayoutCheck {
   }
 
  private:
+  /// Boxes that have no floor beneath them: what stands on an overhang is meant, what lies outside is a mistake.
+  void warn_of_boxes_beyond(const std::string& file, std::vector<Error>& warnings) const {
+    std::size_t count = 0;
+    std::size_t first = boxes_.size();
+    for (const Extents& box : sound_) {
+      const bool above_floor = (box.max.head<2>().array() > kExact).all() &&
+                               (box.min.head<2>().array() < container_.size.head<2>().array() - kExact).all();
+      if (above_floor || is_fixed(box.index)) continue;
+      ++count;
+      first = std::min(first, box.index);
+    }
+    if (count == 0) return;
+    warnings.push_back({.file = file,
+                        .what = "boxes are wholly beyond the floor",
+                        .value = std::to_string(count) + ", the first is " + box_name(first),
+                        .accepted = "such a box falls unless others carry it"});
+  }
+
   bool is_box(std::size_t i) {
     const Box& box = boxes_[i];
     if (const long number = not_finite(box)) {
@@ -132,7 +151,7 @@ class LayoutCheck {
   }
 
   void check_side(std::size_t i, const ContainerSide& side, double depth) {
-    if (depth <= kExact || is_open(container_, side) || tolerates(depth)) return;
+    if (depth <= kExact || is_open(container_, side) || is_above(i, side) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[i].line,
                  .what = box_name(i) + " is outside the container at the " + std::string(side.name),
@@ -140,6 +159,12 @@ class LayoutCheck {
                  .accepted = "the container is " + centimetres(container_.size),
                  .box = place_of(i),
                  .box_number = number_of(side.axis, side.far)});
+  }
+
+  /// Whether a box is above a drop side.
+  bool is_above(std::size_t i, const ContainerSide& side) const {
+    const double height = wall_height(container_, side);
+    return side.axis != 2 && height < container_.size.z() && boxes_[i].corner_min.z() >= height - kLayoutTolerance;
   }
 
   void check_centre_of_mass(std::size_t i) {
@@ -158,7 +183,7 @@ class LayoutCheck {
 
   /// Two boxes that are in each other.
   void check_pair(std::size_t a, std::size_t b, double depth) {
-    if (tolerates(depth)) return;
+    if ((is_fixed(a) && is_fixed(b)) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[b].line,
                  .what = box_name(b) + " overlaps " + box_name(a) +
@@ -167,6 +192,8 @@ class LayoutCheck {
                  .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding",
                  .box = place_of(b)});
   }
+
+  bool is_fixed(std::size_t i) const { return material_of(settings_, boxes_[i].material).fixed; }
 
   bool tolerates(double depth) {
     if (depth > kLayoutTolerance + kExact) return false;

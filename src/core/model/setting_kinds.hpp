@@ -339,6 +339,32 @@ struct Sides {
   }
 };
 
+/// Walls of the container with their heights in centimetres, each at most once.
+struct DropSides {
+  static constexpr std::string_view kAccepted =
+      "names of walls (front, rear, left, right), each once and followed by a height from 1 to 1000000, such as left "
+      "60 "
+      "right 60";
+  static std::optional<std::vector<DropSide>> parse(std::string_view text) {
+    const std::vector<std::string_view> words = words_of(text, " \t,");
+    std::vector<DropSide> sides;
+    for (std::size_t i = 0; i < words.size(); i += 2) {
+      if (!can_be_open(words[i]) || words[i] == "roof" || i + 1 == words.size()) return std::nullopt;
+      const std::optional<double> height = Centimetres<Positive>::parse(words[i + 1]);
+      const auto same = [&](const DropSide& known) { return known.side == words[i]; };
+      if (!height || *height < 0.01 || std::any_of(sides.begin(), sides.end(), same)) return std::nullopt;
+      sides.push_back({std::string(words[i]), *height});
+    }
+    return sides;
+  }
+  static std::string text(const std::vector<DropSide>& sides) {
+    std::string joined;
+    for (const DropSide& drop : sides)
+      joined += (joined.empty() ? "" : " ") + drop.side + ' ' + centimetre_text(drop.height);
+    return joined;
+  }
+};
+
 /// Any text, also an empty one.
 struct Text {
   static constexpr std::string_view kAccepted = "any text";

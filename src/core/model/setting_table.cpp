@@ -104,7 +104,8 @@ std::vector<SettingKey> make_table() {
   add(ContainerFactor{}, "ContainerFriction", "", "0.70710678118654757", MEMBER(container.friction),
       "Friction coefficient of floor, walls and roof; the coefficient of a contact is the product of its two sides.");
   add(ContainerFactor{}, "GroundFriction", "", "0.6", MEMBER(container.ground_friction),
-      "Friction coefficient of the ground under a free container, one factor of a product.");
+      "Friction coefficient of the ground under a free container or one with an open or low side, one factor of a "
+      "product.");
   add(NamedFriction<OfBox>{}, "BoxFriction", "", "0.70710678118654757", MEMBER(box_friction),
       "Friction coefficient of a box, one factor of a product: a named pair gives its square root, so that two such "
       "boxes have its coefficient; by default 0.5, that of cardboard-cardboard in the CTU Code.");
@@ -122,7 +123,13 @@ std::vector<SettingKey> make_table() {
       "Whether the container moves exactly as the acceleration file says, or is a free body that the force pushes over "
       "a ground.");
   add(Sides{}, "OpenSides", "", "", MEMBER(container.open_sides),
-      "Sides without a wall, through which boxes may leave.");
+      "Sides without a wall, through which boxes may leave. The floor ends where the container ends.");
+  add(DropSides{}, "DropSides", "cm", "", MEMBER(container.drop_sides),
+      "Walls that are lower than the container, each with its height above the floor, such as `left 60 right 60`.");
+  add(Centimetres<NotNegative>{}, "BedHeight", "cm", "120", MEMBER(container.bed_height),
+      "Height of the floor above the ground, where a side is open or low: a box that gets out falls onto the ground, "
+      "which "
+      "moves with the container. With 0 the floor has no end.");
 
   section = "Contact";
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
@@ -148,6 +155,10 @@ std::vector<SettingKey> make_table() {
       "Friction coefficient of boxes of material N, one factor of a product as BoxFriction; when absent, BoxFriction.");
   add(Share{}, "Restitution", "", "", OF_MATERIAL(restitution),
       "Coefficient of restitution of boxes of material N; when absent, that of [Contact].");
+  add(Truth{}, "Fixed", "", "false", OF_MATERIAL(fixed),
+      "Whether boxes of material N are part of the container, such as a bulkhead, a wheel arch or cargo that is "
+      "blocked: "
+      "they do not move, and count in no verdict, weight or fill.");
   add(CentimetreVector{}, "CentreOfMass", "cm", "0 0 0", OF_MATERIAL(centre_of_mass),
       "Offset of the centre of mass from the middle of the box along the container's length, width and height as "
       "loaded; an engine that cannot model it reports an error.");
@@ -339,6 +350,10 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
       add(section, "Friction", "a material has its own friction while FrictionModel is pairs",
           "remove it, or set FrictionModel = product");
   }
+  for (const DropSide& drop : settings.container.drop_sides)
+    if (std::find(settings.container.open_sides.begin(), settings.container.open_sides.end(), drop.side) !=
+        settings.container.open_sides.end())
+      add("Container", "DropSides", "a side is both open and a drop side", "give it in OpenSides or in DropSides");
   if (settings.batch_simulation && settings.batch_path.empty())
     add("Simulation Settings", "BatchSimulation", "a batch has no folder to read from",
         "give BatchPath, or set BatchSimulation = false");

@@ -15,6 +15,7 @@ BoxMaterial material_of(const Settings& settings, int id) {
   material.friction = own.friction.value_or(settings.box_friction);
   material.restitution = own.restitution.value_or(settings.contact.restitution);
   material.centre_of_mass = own.centre_of_mass;
+  material.fixed = own.fixed;
   return material;
 }
 

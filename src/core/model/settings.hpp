@@ -37,14 +37,25 @@ enum class Scheduler {
 /// How Bullet puts bodies to sleep.
 enum class BulletSleeping { off, wake_on_change };
 
+/// A wall that is lower than the container: a drop side, over which boxes may tip.
+struct DropSide {
+  std::string side;     ///< front, rear, left or right
+  double height = 0.0;  ///< above the floor, m
+  friend bool operator==(const DropSide&, const DropSide&) = default;
+};
+
 /// The inside of the container and the way it moves; `[Container]`.
 struct ContainerSettings {
   Vec3 size = {5.87, 2.33, 2.20};         ///< inner length, width and height, m
   double mass = 3700.0;                   ///< kg; used by a free container only
   double friction = 0.70710678118654757;  ///< of floor, walls and roof, one factor of a product
-  double ground_friction = 0.6;           ///< of the ground under a free container
+  double ground_friction = 0.6;           ///< of the ground under the container, one factor of a product
   ContainerMotion motion = ContainerMotion::prescribed;
   std::vector<std::string> open_sides;  ///< sides without a wall: front, rear, left, right, roof
+  std::vector<DropSide> drop_sides;     ///< walls that are lower than the container
+  /// Height of the floor above the ground, m; 0: a floor without end. Without effect where no side is open or low: no
+  /// box gets out.
+  double bed_height = 1.2;
 };
 
 /// Contact laws; `[Contact]`.
@@ -63,6 +74,7 @@ struct MaterialSettings {
   std::optional<double> mass;          ///< kg per box
   std::optional<double> friction;      ///< of a box's surface, one factor of a product
   std::optional<double> restitution;   ///< of a box's surface
+  bool fixed = false;                  ///< the boxes are part of the container
   Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the centroid, axes of the container at the layout's pose, m
 };
 
@@ -188,6 +200,7 @@ struct BoxMaterial {
   double friction = 0.0;
   double restitution = 0.0;
   Vec3 centre_of_mass = Vec3::Zero();  ///< m
+  bool fixed = false;                  ///< part of the container: mass and centre of mass have no effect
 };
 BoxMaterial material_of(const Settings& settings, int id);
 

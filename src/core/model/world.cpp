@@ -1,5 +1,7 @@
 #include "core/model/world.hpp"
 
+#include <limits>
+
 #include "core/base/byte_hash.hpp"
 
 namespace holdfast::internal {
@@ -9,7 +11,8 @@ namespace {
 void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
   const BoxMaterial material = material_of(settings, box.material);
   const Vec3 size = box.corner_max - box.corner_min;
-  const double mass = material.mass ? *material.mass : *material.density * size.prod();
+  double mass = material.mass ? *material.mass : *material.density * size.prod();
+  if (material.fixed) mass = std::numeric_limits<double>::infinity();
   const Vec3 square = size.cwiseProduct(size);
 
   BoxColumns& boxes = batch.boxes;

@@ -20,6 +20,13 @@ const Side* floor_of(const Scene& scene) {
   return floor == scene.sides.end() ? nullptr : &*floor;
 }
 
+std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end) {
+  if (end < 0) return scene.sides[side_of(manifold)].index;
+  if (scene.bodies.fixed[at(end)] != 0) return kFixedBoxes;
+  const Side* const floor = floor_of(scene);
+  return floor == nullptr ? std::nullopt : std::optional(floor->index);
+}
+
 double penetration_slop(const StepTerms& terms, double least) {
   return std::max(
       {least, kTouch, std::min(kPenetrationSlop, kPenetrationSlopShare * terms.velocity_unit * terms.step)});

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
 #include "core/model/container_sides.hpp"
 #include "core/native/constants.hpp"
 #include "core/native/scene.hpp"
@@ -64,6 +68,10 @@ inline bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 
 inline bool stays(const Bodies& bodies, std::int32_t body) {
   return is_fixed(bodies, body) || bodies.asleep[at(body)] != 0;
 }
+
+/// What counts as pushed, in `kPushedNames`, where a body presses an end of a manifold that stays: a side, the fixed
+/// boxes, or the floor where the end sleeps. None where there is no floor.
+std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end);
 
 /// Whether the bodies are all slow enough to be at rest.
 bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms);

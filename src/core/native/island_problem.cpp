@@ -329,7 +329,7 @@ Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
 void IslandProblem::minimise_wall_forces(const Scene& scene, double cost) {
   for (std::size_t p = 0; p < sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources[p].manifold];
-    if (!manifold.with_side() || !is_wall(scene.bodies, manifold)) continue;
+    if (!is_wall(scene.bodies, manifold)) continue;
     problem.constraints[p].velocity_bias.row[0].fill(cost);
     problem.normal_bounds[p].lane.fill(std::numeric_limits<double>::infinity());
   }
@@ -344,16 +344,14 @@ double IslandProblem::wall_cost() const {
 }
 
 void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const {
-  const std::vector<std::uint8_t>& asleep = scene.bodies.asleep;
-  const Side* const floor = floor_of(scene);
   for (std::size_t p = 0; p < sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[sources[p].manifold];
-    const bool on_a = manifold.with_side() || asleep[at(manifold.a)] != 0;
-    if (!on_a && asleep[at(manifold.b)] == 0) continue;
-    const Side* const side = manifold.with_side() ? &scene.sides[side_of(manifold)] : floor;
-    if (side == nullptr) continue;
+    const bool on_a = stays(scene.bodies, manifold.a);
+    if (!on_a && !stays(scene.bodies, manifold.b)) continue;
+    const std::optional<std::size_t> side = pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
+    if (!side) continue;
     for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
-      pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), side->index,
+      pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), *side,
                         (on_a ? -factor : factor) * acting_impulse(p, lane),
                         manifold.contact.points[sources[p].point[lane]].on_a});
   }

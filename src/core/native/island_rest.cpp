@@ -234,7 +234,7 @@ bool IslandStepper::minimise_wall_forces(const Scene& scene, const StepTerms& te
 void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms) {
   const auto is_pressed_wall = [&](std::uint32_t index) {
     const Manifold& manifold = scene.manifolds[index];
-    return manifold.with_side() && manifold.active && is_wall(scene.bodies, manifold);
+    return manifold.active && is_wall(scene.bodies, manifold);
   };
   if (std::any_of(island.manifolds.begin(), island.manifolds.end(), is_pressed_wall)) {
     prepared_.prepare_rest(scene, island, terms, *solver_);
@@ -245,10 +245,12 @@ void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, 
   }
   for (const std::uint32_t index : island.manifolds) {
     const Manifold& manifold = scene.manifolds[index];
-    if (!manifold.with_side() || !manifold.active) continue;
+    const bool on_a = is_fixed(scene.bodies, manifold.a);
+    if (!manifold.active || (!on_a && !is_fixed(scene.bodies, manifold.b))) continue;
+    const std::size_t side = *pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i)
-      scene.resting_pushes.push_back({static_cast<std::uint32_t>(manifold.b), scene.sides[side_of(manifold)].index,
-                                      -manifold.cached[i].force, manifold.contact.points[i].on_a});
+      scene.resting_pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), side,
+                                      (on_a ? -1.0 : 1.0) * manifold.cached[i].force, manifold.contact.points[i].on_a});
   }
 }
 

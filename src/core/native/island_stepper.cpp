@@ -220,7 +220,7 @@ bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const Ste
   Manifold& manifold = scene.manifolds[index];
   const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
   ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
-  if (scene.sinking.is_flush(scene.bodies, scene.manifolds, manifold.a, manifold.b, contact)) contact = {};
+  if (scene.sinking.is_flush(scene.bodies, scene.sides, scene.manifolds, manifold.a, manifold.b, contact)) contact = {};
   const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.missed_contact_overlap);
   update_contact(manifold, contact, scene.bodies);
   return missed;

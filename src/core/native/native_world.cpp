@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/engine/step_plan.hpp"
-#include "core/model/container_sides.hpp"
+#include "core/model/container_panels.hpp"
 #include "core/native/contact_kinematics.hpp"
 #include "core/native/sampled_step.hpp"
 
@@ -19,19 +19,22 @@ namespace {
 /// grows.
 constexpr std::size_t kLikelyManifolds = 8;
 
+/// @param friction of floor, walls and roof
 std::vector<Side> sides_of(const ContainerSettings& container, double friction, const std::vector<OrientedBox>& boxes) {
   std::vector<Side> sides;
-  for (const ContainerSide& side : closed_sides(container)) {
-    Vec3 normal = Vec3::Zero();
-    normal[side.axis] = side.far ? -1.0 : 1.0;
+  for (const Panel& panel : container_panels(container, friction, kWallThickness)) {
     Side& made = sides.emplace_back();
-    made.index = side.index;
-    made.space = {normal, side.far ? -container.size[side.axis] : 0.0};
-    made.surface = {side.kind, friction, 0.0};
+    made.index = panel.side;
+    made.space = {panel.normal, panel.offset};
+    made.surface = panel.surface;
+    if (panel.ends) made.block = OrientedBox{.centre = panel.centre, .half_extents = panel.half_extents};
     made.play.assign(boxes.size(), 0.0);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const ContactSet contact = contact_of(made.space, boxes[i], kLeastPlay);
-      if (contact.count > 0) made.play[i] = side_play(side.kind, contact.nearest_gap());
+      const ContactSet contact =
+          made.block ? contact_of(*made.block, boxes[i], kLeastPlay, {}) : contact_of(made.space, boxes[i], kLeastPlay);
+      // A box on the edge of a wall is not beside it.
+      if (contact.count > 0 && contact.normal.dot(panel.normal) > 0.5)
+        made.play[i] = side_play(panel.surface.kind, contact.nearest_gap());
     }
   }
   return sides;

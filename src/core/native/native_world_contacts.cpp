@@ -34,7 +34,7 @@ void NativeWorld::update_pair(std::int32_t a, std::int32_t b) {
   const std::int32_t known = pairs_.find(a, b);
   const ContactAxis before = known < 0 ? ContactAxis{} : scene_.manifolds[at(known)].contact.axis;
   const ContactSet contact = contact_now(bodies, scene_.sides, a, b, speculative_margin(terms_, bodies, a, b), before);
-  if (is_narrow(bodies, a, b, contact)) {
+  if (is_narrow(scene_.bodies, scene_.sides, a, b, contact)) {
     narrow_contacts_.push_back({a, b, contact});
   } else {
     take_contact(a, b, contact);
@@ -127,6 +127,10 @@ void NativeWorld::update_sides(std::size_t body, double margin) {
     const double gap = side.space.normal.dot(box.centre) - side.space.normal.cwiseAbs().dot(extent) -
                        (side.space.offset - side.play[body]);
     if (gap > margin + kTouch) continue;
+    if (side.block) {
+      const Vec3 apart = (box.centre - side.block->centre).cwiseAbs() - side.block->half_extents - extent;
+      if (apart.maxCoeff() > margin + kLeastPlay) continue;
+    }
     near_sides_[body] |= static_cast<std::uint8_t>(1U << s);
     update_pair(-1 - static_cast<std::int32_t>(s), static_cast<std::int32_t>(body));
   }
@@ -165,7 +169,8 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
   // How far bodies have sunk is known when all other contacts are.
   scene_.sinking.forget();
   for (const NarrowContact& narrow : narrow_contacts_) {
-    const bool flush = scene_.sinking.is_flush(bodies, scene_.manifolds, narrow.a, narrow.b, narrow.contact);
+    const bool flush =
+        scene_.sinking.is_flush(bodies, scene_.sides, scene_.manifolds, narrow.a, narrow.b, narrow.contact);
     take_contact(narrow.a, narrow.b, flush ? ContactSet{} : narrow.contact);
   }
 }

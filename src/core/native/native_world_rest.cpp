@@ -123,13 +123,14 @@ void NativeWorld::add_sleeping_pushes(double duration) {
   left_.assign(bodies.count(), Vec3::Zero());
   for (const Manifold& manifold : scene_.manifolds) {
     if (!manifold.active || !stays(bodies, manifold.a) || !stays(bodies, manifold.b)) continue;
+    const bool fixed_a = is_fixed(bodies, manifold.a), fixed_b = is_fixed(bodies, manifold.b);
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
       const Vec3 impulse = duration * manifold.cached[i].force;
       left_[at(manifold.b)] += impulse;
-      if (!manifold.with_side())
-        left_[at(manifold.a)] -= impulse;
-      else if (bodies.asleep[at(manifold.b)] != 0)
-        add_contact(side_impulses_, scene_.sides[side_of(manifold)].index, -impulse, manifold.contact.points[i].on_a);
+      if (!manifold.with_side()) left_[at(manifold.a)] -= impulse;
+      if (fixed_a || fixed_b)
+        add_contact(side_impulses_, *pushed_side(scene_, manifold, fixed_a ? manifold.a : manifold.b),
+                    fixed_a ? Vec3(-impulse) : impulse, manifold.contact.points[i].on_a);
     }
   }
   push_floor([&](std::size_t i) -> Vec3 {

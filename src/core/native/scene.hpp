@@ -15,7 +15,7 @@ namespace holdfast::internal::native {
 /// An impulse of a body on a side of the container.
 struct SidePush {
   std::uint32_t body = 0;
-  std::size_t side = 0;  ///< in `kContainerSides`
+  std::size_t side = 0;  ///< in `kPushedNames`
   Vec3 impulse;          ///< on the side, N s; of a body at rest, in a second
   Vec3 point;            ///< m
 };

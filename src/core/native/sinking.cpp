@@ -8,22 +8,34 @@
 
 namespace holdfast::internal::native {
 
-bool is_narrow(const Bodies& bodies, std::int32_t a, std::int32_t b, const ContactSet& contact) {
-  if (a < 0 || contact.count == 0 || contact.width > kNarrowWidth) return false;
-  const OrientedBox& of_a = bodies.shape[static_cast<std::size_t>(a)];
+namespace {
+
+/// Where a body is, or what there is of a side.
+OrientedBox box_of(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t index) {
+  if (index >= 0) return bodies.shape[static_cast<std::size_t>(index)];
+  return *sides[static_cast<std::size_t>(-1 - index)].block;
+}
+
+}  // namespace
+
+bool is_narrow(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
+               const ContactSet& contact) {
+  if (contact.count == 0 || contact.width > kNarrowWidth) return false;
+  const OrientedBox of_a = box_of(bodies, sides, a);
   const OrientedBox& of_b = bodies.shape[static_cast<std::size_t>(b)];
   const int k = contact.across;
   return std::abs(of_b.centre[k] - of_a.centre[k]) >
          std::abs(of_b.bounding_half_extents()[k] - of_a.bounding_half_extents()[k]);
 }
 
-bool Sinking::is_flush(const Bodies& bodies, const std::vector<Manifold>& manifolds, std::int32_t a, std::int32_t b,
-                       const ContactSet& contact) {
-  if (!is_narrow(bodies, a, b, contact)) return false;
-  const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+bool Sinking::is_flush(const Bodies& bodies, const std::vector<Side>& sides, const std::vector<Manifold>& manifolds,
+                       std::int32_t a, std::int32_t b, const ContactSet& contact) {
+  if (!is_narrow(bodies, sides, a, b, contact)) return false;
+  const auto j = static_cast<std::size_t>(b);
   const int k = contact.across;
-  const bool b_above = bodies.shape[j].centre[k] > bodies.shape[i].centre[k];
-  const double sunk = below(bodies, manifolds, k, j) - below(bodies, manifolds, k, i);
+  const bool b_above = bodies.shape[j].centre[k] > box_of(bodies, sides, a).centre[k];
+  double sunk = below(bodies, manifolds, k, j);
+  if (a >= 0) sunk -= below(bodies, manifolds, k, static_cast<std::size_t>(a));
   return contact.width - (b_above ? sunk : -sunk) < kFlushWidth;
 }
 

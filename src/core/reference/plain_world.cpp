@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/engine/step_plan.hpp"
+#include "core/model/container_panels.hpp"
 #include "core/model/container_sides.hpp"
 
 namespace holdfast::internal::plain {
@@ -72,17 +73,18 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
                        Surface{SurfaceKind::box, boxes.friction[i], boxes.restitution[i]}, state.position[i],
                        state.orientation[i], state.velocity[i], state.angular_velocity[i]});
   }
-  for (const ContainerSide& side : closed_sides(settings.container)) {
-    const Vec3 normal = (side.far ? -1.0 : 1.0) * Vec3::Unit(side.axis);
-    const double offset = side.far ? -settings.container.size[side.axis] : 0.0;
+  for (const Panel& panel : container_panels(settings.container, world.container_friction, kWallThickness)) {
     Side& made = sides_.emplace_back();
-    made.half_space = {normal, offset};
-    made.surface = {side.kind, world.container_friction, 0.0};
-    for (const Body& body : bodies_) {
+    made.half_space = {panel.normal, panel.offset};
+    if (panel.ends) made.block = Block{panel.centre, panel.half_extents, Eigen::Matrix3d::Identity()};
+    made.surface = panel.surface;
+    made.play.assign(bodies_.size(), 0.0);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
       double gap = std::numeric_limits<double>::infinity();
-      for (const ContactPoint& point : contact_points(made.half_space, body.block(), kLeastPlay))
-        gap = std::min(gap, point.gap);
-      made.play.push_back(side_play(side.kind, gap));
+      for (const ContactPoint& point : points_with(made, i, kLeastPlay))
+        // A box on the edge of a wall is not beside it.
+        if (point.normal.dot(panel.normal) > 0.5) gap = std::min(gap, point.gap);
+      made.play[i] = side_play(panel.surface.kind, gap);
     }
   }
 }
@@ -118,6 +120,17 @@ std::vector<Mover> PlainWorld::movers() const {
   return movers;
 }
 
+/// Contact points of a body with a side, which stands back by its play.
+std::vector<ContactPoint> PlainWorld::points_with(const Side& side, std::size_t body, double margin) const {
+  const double play = side.play[body];
+  const Vec3& normal = side.half_space.normal;
+  const Block block = bodies_[body].block();
+  if (!side.block) return contact_points(HalfSpace{normal, side.half_space.offset - play}, block, margin);
+  Block moved = *side.block;
+  moved.centre -= play * normal;
+  return contact_points(moved, block, margin);
+}
+
 /// @param first the surface of body a; a is the container if its index follows that of the last box
 PlainWorld::Touch PlainWorld::touch_at(const ContactPoint& point, std::size_t a, std::size_t b,
                                        const Surface& first) const {
@@ -141,8 +154,7 @@ std::vector<PlainWorld::Touch> PlainWorld::find_touches(double step, double slac
     if (!second.is_fixed()) {
       const double margin = gain + step * second.velocity.norm() + reach(second);
       for (const Side& side : sides_)
-        for (const ContactPoint& point :
-             contact_points({side.half_space.normal, side.half_space.offset - side.play[b]}, block, margin))
+        for (const ContactPoint& point : points_with(side, b, margin))
           touches.push_back(touch_at(point, bodies_.size(), b, side.surface));
     }
     for (std::size_t a = 0; a < b; ++a) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/engine/engine.hpp"
@@ -54,7 +55,8 @@ class PlainWorld {
     double radius() const;
   };
   struct Side {
-    HalfSpace half_space;
+    HalfSpace half_space;        ///< beyond its inner face
+    std::optional<Block> block;  ///< what there is of it, where it ends
     Surface surface;
     std::vector<double> play;  ///< one per box: how far the side is moved back for it, m
   };
@@ -67,6 +69,7 @@ class PlainWorld {
     double impact = 0.0;
   };
 
+  std::vector<ContactPoint> points_with(const Side& side, std::size_t body, double margin) const;
   std::vector<Touch> find_touches(double step, double slack) const;
   Touch touch_at(const ContactPoint& point, std::size_t a, std::size_t b, const Surface& first) const;
   std::vector<Mover> movers() const;

@@ -99,10 +99,13 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
   const Id space(H5Dget_space(dataset.id_), H5Sclose);
   std::array<hsize_t, 2> extent = {0, 1};
   const int rank = spec.width == 1 ? 1 : 2;
-  const bool shape_fits = H5Sget_simple_extent_ndims(space) == rank &&
-                          H5Sget_simple_extent_dims(space, extent.data(), nullptr) == rank && extent[1] == spec.width;
+  const bool shape_fits =
+      H5Sget_simple_extent_ndims(space) == rank && H5Sget_simple_extent_dims(space, extent.data(), nullptr) == rank &&
+      (extent[1] == spec.width ||
+       (extent[1] < spec.width && (spec.type == ElementType::f32 || spec.type == ElementType::f64)));
   if (!type_fits || !shape_fits) dataset.fail("has a dataset of a wrong type or shape");
   dataset.length_ = extent[0];
+  dataset.width_ = extent[1];
 
   const Id creation(H5Dget_create_plist(dataset.id_), H5Pclose);
   std::array<hsize_t, 2> chunk = {1, 1};
@@ -123,9 +126,16 @@ std::vector<std::byte> Dataset::read(std::uint64_t begin, std::uint64_t count) c
   if (count == 0) return bytes;
   const int rank = spec_->width == 1 ? 1 : 2;
   const std::array<hsize_t, 2> from = {begin, 0};
-  const std::array<hsize_t, 2> extent = {count, spec_->width};
+  const std::array<hsize_t, 2> extent = {count, width_};
+  const std::array<hsize_t, 2> whole = {count, spec_->width};
+  const std::array<hsize_t, 2> start = {0, 0};
   const Id in_file(H5Dget_space(id_), H5Sclose);
-  const Id in_memory(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose);
+  const Id in_memory(H5Screate_simple(rank, whole.data(), nullptr), H5Sclose);
+  if (width_ < spec_->width) {
+    // All bits set: not a number.
+    std::fill(bytes.begin(), bytes.end(), std::byte{0xFF});
+    H5Sselect_hyperslab(in_memory, H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr);
+  }
   H5Sselect_hyperslab(in_file, H5S_SELECT_SET, from.data(), nullptr, extent.data(), nullptr);
   const Id type = type_of(*spec_, number_bytes_);
   if (H5Dread(id_, type, in_memory, in_file, H5P_DEFAULT, bytes.data()) < 0) fail("cannot be read");
@@ -151,7 +161,8 @@ void Dataset::write_whole(std::span<const std::byte> bytes) {
 }
 
 ChunkPlace Dataset::chunk_place(std::uint64_t index) const {
-  if (chunk_entries_ != holdfast::internal::chunk_entries(spec_->axis)) fail("has a dataset of a wrong chunk size");
+  if (chunk_entries_ != holdfast::internal::chunk_entries(spec_->axis) || width_ != spec_->width)
+    fail("has a dataset of a wrong chunk size");
   const std::array<hsize_t, 2> at = {index * chunk_entries_, 0};
   unsigned filter_mask = 0;
   haddr_t begin = HADDR_UNDEF;

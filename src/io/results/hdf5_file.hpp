@@ -180,7 +180,8 @@ class Dataset {
   /// A new dataset of `length` entries, with its attributes.
   /// @param text_size bytes per entry of a text column; ignored for other columns
   static Dataset create(const File& file, const DatasetSpec& spec, std::uint64_t length, std::size_t text_size);
-  /// An existing dataset; fails if its type or shape is not that of the schema.
+  /// An existing dataset; fails if its type or shape is not that of the schema. Floating-point entries may be narrower,
+  /// in a file of a version that knew fewer sides: numbers that the file lacks are read as NaN.
   static Dataset open(const File& file, const DatasetSpec& spec);
 
   const DatasetSpec& spec() const { return *spec_; }
@@ -204,11 +205,12 @@ class Dataset {
   ChunkPlace chunk_place(std::uint64_t index) const;
 
  private:
-  Dataset(const File& file, const DatasetSpec& spec) : file_(&file), spec_(&spec) {}
+  Dataset(const File& file, const DatasetSpec& spec) : file_(&file), spec_(&spec), width_(spec.width) {}
   [[noreturn]] void fail(const std::string& what) const;
 
   const File* file_;
   const DatasetSpec* spec_;
+  std::size_t width_;  ///< numbers per entry in the file
   Id id_;
   std::uint64_t length_ = 0;
   std::size_t number_bytes_ = 0;

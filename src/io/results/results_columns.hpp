@@ -22,7 +22,7 @@ class Column {
   template <class T>
   void append(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3> ||
-                  std::is_same_v<T, std::array<Vec3, kSideCount>>);
+                  std::is_same_v<T, std::array<Vec3, kPushedCount>>);
     assert(spec_->type == element_type_of<T>() && spec_->width * size_of(spec_->type) == sizeof(T));
     const auto raw = std::as_bytes(values);
     bytes_.insert(bytes_.end(), raw.begin(), raw.end());

@@ -13,8 +13,8 @@ namespace holdfast::internal {
 
 namespace {
 
-/// Thickness of the walls, m: no box tunnels through a metre within a step.
-constexpr double kWallThickness = 1.0;
+/// Thickness of what boxes cannot get round, m: no box tunnels through a metre within a step.
+constexpr double kClosedThickness = 1.0;
 
 float narrow(double number) { return static_cast<float>(number); }
 
@@ -98,11 +98,11 @@ void append(DeviceBatch& device, ShapeNumbers& shapes, const Body& body, std::si
 DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps) {
   DeviceBatch device;
   ShapeNumbers shapes(device.shapes);
-  const std::vector<Panel> panels = container_panels(settings.container, kWallThickness);
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
     const std::size_t begin = device.bodies.size();
     const World& load = batch.worlds[world];
     const FrictionSides friction(load.contact);
+    const std::vector<Panel> panels = container_panels(settings.container, load.container_friction, kClosedThickness);
     for (std::size_t i = load.box_begin; i < load.box_begin + load.box_count; ++i) {
       append(device, shapes,
              {.position = batch.state.position[i],
@@ -122,7 +122,7 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
       append(device, shapes,
              {.position = panel.centre,
               .half_extents = panel.half_extents,
-              .friction = friction.of(panel.kind, load.container_friction),
+              .friction = friction.of(panel.surface.kind, panel.surface.friction),
               .restitution = 1.0},
              world, sweeps);
     }

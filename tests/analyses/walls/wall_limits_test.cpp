@@ -9,7 +9,7 @@ namespace {
 
 /// Limits of front, rear, left and right, N.
 void check_limits(WallNorm norm, double payload, const std::array<double, 4>& expected) {
-  const std::array<double, kSideCount> limits = wall_limits(norm, payload);
+  const std::array<double, kPushedCount> limits = wall_limits(norm, payload);
   CAPTURE(static_cast<int>(norm), payload);
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(limits.at(i + 1) == Approx(expected.at(i)));
   CHECK(std::isnan(limits[0]));

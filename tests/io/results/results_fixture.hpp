@@ -140,7 +140,7 @@ inline WorldRecord make_world(std::mt19937& random, std::uint64_t layout, std::u
 inline void add_walls(std::mt19937& random, WorldRecord& world) {
   std::uniform_real_distribution<double> uniform(0, 1e5);
   WallForces walls;
-  for (std::size_t side = 0; side < kSideCount; ++side) {
+  for (std::size_t side = 0; side < kPushedCount; ++side) {
     walls.peak_force.at(side) = uniform(random);
     walls.peak_time.at(side) = uniform(random);
     walls.peak_point.at(side) = Vec3(uniform(random), uniform(random), uniform(random));

@@ -103,11 +103,18 @@ void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies&
   manifold.found_at = {now_a, now_b};
 }
 
+OrientedBox block_for(const Side& side, std::int32_t body) {
+  OrientedBox block = *side.block;
+  block.centre -= side.play[static_cast<std::size_t>(body)] * side.space.normal;
+  return block;
+}
+
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
                        double margin, const ContactAxis& previous) {
   const OrientedBox& box = bodies.shape[static_cast<std::size_t>(b)];
   if (a < 0) {
     const Side& side = sides[static_cast<std::size_t>(-1 - a)];
+    if (side.block) return contact_of(block_for(side, b), box, margin, previous);
     return contact_of({side.space.normal, side.space.offset - side.play[static_cast<std::size_t>(b)]}, box, margin);
   }
   return contact_of(bodies.shape[static_cast<std::size_t>(a)], box, margin, previous);

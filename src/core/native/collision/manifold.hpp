@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/native/bodies.hpp"
@@ -12,11 +13,15 @@ namespace holdfast::internal::native {
 
 /// A side of the container as a body that does not move.
 struct Side {
-  std::size_t index = 0;  ///< in `kContainerSides`
-  HalfSpace space;
+  std::size_t index = 0;             ///< in `kPushedNames`
+  HalfSpace space;                   ///< beyond its inner face
+  std::optional<OrientedBox> block;  ///< what there is of it, where it ends and boxes can get round its edges
   Surface surface;
   std::vector<double> play;  ///< a body: how far the side stands back for it, m
 };
+
+/// The side's block as it is for a body: moved back by its play.
+OrientedBox block_for(const Side& side, std::int32_t body);
 
 /// What the last solve found at a point, from which the next one starts; container frame.
 struct CachedImpulse {
