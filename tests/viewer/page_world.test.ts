@@ -215,6 +215,62 @@ test("a world of an earlier version is judged at the end, alone and beside anoth
   await page.close();
 });
 
+test("a trailer says how boxes left it, and which are fixed", async () => {
+  const page = await openWorld("trailer.h5", 0);
+  const panel = await page.innerText(".panel");
+  assert.match(
+    panel,
+    /Of 4 boxes 2 fell, 2 moved, 2 tilted\.\s+Left the container: 1 through the open rear, 1 over the low left side\./,
+  );
+  assert.match(panel, /It slides towards the rear\.[\s\S]*It has 27\.0 cm of free space there, up to the open rear\./);
+  assert.match(panel, /It left through the open rear by 0\.70 s, and fell to the ground\./);
+  assert.match(panel, /4\s+fixed/);
+  assert.match(await page.innerText(".colours"), /stayed\s+fell\s+fixed/);
+  assert.match(await page.innerText(".labels"), /front\s*rear/);
+  await page.evaluate(() => {
+    location.hash = "world=0&box=4";
+  });
+  await page.waitForFunction(() =>
+    /BOX 4\s+fixed/i.test(document.querySelector<HTMLElement>(".panel .box")?.innerText ?? ""),
+  );
+  assert.match(await page.innerText(".panel .box"), /part of the container: it never moves, and has no verdict/);
+  assert.doesNotMatch(await page.innerText(".panel .box"), /displacement|mass/);
+  await page.keyboard.press("m");
+  await page.waitForSelector("main.fleet");
+  assert.match(
+    await page.innerText(".panel"),
+    /rear, roof open; left 60 cm high; right 60 cm high; floor 120 cm above the ground/,
+  );
+  await page.close();
+});
+
+test("boxes on the ground are in the picture, from every side", async () => {
+  const page = await openWorld("trailer.h5", 0, "&time=3");
+  for (const key of ["1", "2", "3", "4", "5", "6"]) {
+    await page.keyboard.press(key);
+    await colours(page);
+    const border = await page.evaluate(() => {
+      const source = document.querySelector(".scene canvas") as HTMLCanvasElement;
+      const copy = document.createElement("canvas");
+      copy.width = source.width;
+      copy.height = source.height;
+      const context = copy.getContext("2d") as CanvasRenderingContext2D;
+      context.drawImage(source, 0, 0);
+      const { data, width, height } = context.getImageData(0, 0, copy.width, copy.height);
+      // Boxes that fell are red.
+      const red: boolean[] = Array.from({ length: width * height }, (_, i) => data[4 * i] - data[4 * i + 2] > 60);
+      const at = (x: number, y: number) => red[y * width + x];
+      let touching = 0;
+      for (let x = 0; x < width; ++x) touching += Number(at(x, 0)) + Number(at(x, height - 1));
+      for (let y = 0; y < height; ++y) touching += Number(at(0, y)) + Number(at(width - 1, y));
+      return { touching, inside: red.filter((is) => is).length };
+    });
+    assert.equal(border.touching, 0, `a box is cut off in view ${key}`);
+    assert.ok(border.inside > 1000, `${border.inside} pixels of boxes in view ${key}`);
+  }
+  await page.close();
+});
+
 test("boxes count from 1, in the address too", async () => {
   const page = await openWorld("demo.h5", 4, "&box=60");
   assert.match(await page.innerText(".panel .box"), /^box 60/i);

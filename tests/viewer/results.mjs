@@ -45,6 +45,28 @@ async function foreign() {
   file.close();
 }
 
+/** Puts a dataset, with the groups that it is in. */
+function put(file, path, data, shape, dtype) {
+  const names = path.split("/").slice(1);
+  const group = names.slice(0, -1).reduce((of, next) => of.get(next) ?? of.create_group(next), file);
+  group.create_dataset({ name: names[names.length - 1], data, shape, dtype });
+}
+
+/** Copies a group and what is in it, without the datasets and attributes that are left out. */
+function copy(hdf5, group, file, leftOut, path = "") {
+  const target = path === "" ? file : file.get(path);
+  for (const [key, { value, shape, dtype }] of Object.entries(group.attrs))
+    if (!leftOut(`${path}/${key}`)) target.create_attribute(key, value, shape, dtype);
+  for (const key of group.keys()) {
+    const entity = group.get(key);
+    const inside = `${path}/${key}`;
+    if (entity instanceof hdf5.Group) {
+      target.create_group(key);
+      copy(hdf5, entity, file, leftOut, inside);
+    } else if (!leftOut(inside)) put(file, inside, entity.value, entity.shape, entity.dtype);
+  }
+}
+
 /** What files have since version 3, by which worlds are judged. */
 const SINCE_3 =
   /\/(status_time|caveats|fallen_at_end|critical_box|first_beyond|peak_(drop|tilt|speed)|settling_peak_\w+|end_(displacement|kinetic_energy)|\w+_within_limits)$/;
@@ -58,32 +80,14 @@ async function earlier(name, from) {
   const hdf5 = await library();
   const source = new hdf5.File(at(from), "r");
   const file = new hdf5.File(at(name), "w");
-  const put = (path, data, shape, dtype) => {
-    const names = path.split("/").slice(1);
-    const group = names.slice(0, -1).reduce((of, next) => of.get(next) ?? of.create_group(next), file);
-    group.create_dataset({ name: names[names.length - 1], data, shape, dtype });
-  };
-  const copy = (group, path) => {
-    const target = path === "" ? file : file.get(path);
-    for (const [key, { value, shape, dtype }] of Object.entries(group.attrs))
-      if (key !== "format_version") target.create_attribute(key, value, shape, dtype);
-    for (const key of group.keys()) {
-      const entity = group.get(key);
-      const inside = `${path}/${key}`;
-      if (entity instanceof hdf5.Group) {
-        target.create_group(key);
-        copy(entity, inside);
-      } else if (!JUDGED.has(inside) && (!SINCE_3.test(inside) || SINCE_1.test(inside)))
-        put(inside, entity.value, entity.shape, entity.dtype);
-    }
-  };
   const column = (path) => source.get(path).value;
-  const JUDGED = new Set([
+  const judged = new Set([
+    "/format_version",
     "/worlds/stop_reason",
     ...["verdict", "fallen_boxes", "moved_boxes", "tilted_boxes"].map((of) => `/summary/worlds/${of}`),
     ...["fallen", "moved", "tilted"].map((of) => `/summary/boxes/${of}`),
   ]);
-  copy(source, "");
+  copy(hdf5, source, file, (path) => judged.has(path) || (SINCE_3.test(path) && !SINCE_1.test(path)));
   file.create_attribute("format_version", 2);
 
   const displacement = column("boxes/end_displacement");
@@ -94,14 +98,15 @@ async function earlier(name, from) {
     moved: Uint8Array.from(length, (value) => (value > 0.1 ? 1 : 0)),
     tilted: Uint8Array.from(column("boxes/end_tilt"), (value) => (value > 10 ? 1 : 0)),
   };
-  put("/summary/boxes/drop", drop);
-  for (const [of, values] of Object.entries(flags)) put(`/summary/boxes/${of}`, values);
+  put(file, "/summary/boxes/drop", drop);
+  for (const [of, values] of Object.entries(flags)) put(file, `/summary/boxes/${of}`, values);
   const boxes = column("worlds/box_count");
   const begin = Array.from(column("worlds/box_begin"), Number);
   const ofWorld = (values, world) => Array.from(values.subarray(begin[world], begin[world] + boxes[world]));
   const count = (values) => Uint32Array.from(boxes, (_, world) => ofWorld(values, world).reduce((a, b) => a + b, 0));
-  for (const of of Object.keys(flags)) put(`/summary/worlds/${of}_boxes`, count(flags[of]));
+  for (const of of Object.keys(flags)) put(file, `/summary/worlds/${of}_boxes`, count(flags[of]));
   put(
+    file,
     "/summary/worlds/max_displacement",
     Float32Array.from(boxes, (_, world) => Math.max(...ofWorld(length, world))),
   );
@@ -114,8 +119,91 @@ async function earlier(name, from) {
     verdict[world] = 5;
     stopReason[world] = 4;
   }
-  put("/summary/worlds/verdict", verdict);
-  put("/worlds/stop_reason", stopReason);
+  put(file, "/summary/worlds/verdict", verdict);
+  put(file, "/worlds/stop_reason", stopReason);
+  source.close();
+  file.close();
+}
+
+/** Five boxes, cm: the first goes out at the rear, the second over the left side, and the fourth is a bulkhead. */
+const TRAILER = `trailer 5
+460\t20\t0\t560\t120\t100\t1
+200\t0\t100\t300\t80\t200\t1
+200\t0\t0\t300\t80\t100\t1
+0\t0\t0\t10\t233\t150\t2
+10\t60\t0\t110\t160\t100\t1
+`;
+
+/** How boxes go that are on their way for a time, s: m, and the quaternion w, x, y, z. Both end on the ground. */
+function trailerMoves(box, time) {
+  const fall = (from, height) => -Math.min(height, 4.9 * Math.max(0, time - from) ** 2);
+  const turn = (from, axis) => {
+    const half = (Math.PI / 4) * Math.min(1, Math.max(0, (time - from) / 0.5));
+    return [Math.cos(half), axis === 0 ? Math.sin(half) : 0, axis === 1 ? Math.sin(half) : 0, 0];
+  };
+  if (box === 0) return { by: [Math.min(2.1, 2 * time * time), 0, fall(0.65, 1.2)], turn: turn(0.65, 1) };
+  if (box === 1) return { by: [0, -Math.min(1.6, 2 * time * time), fall(0.5, 2.3)], turn: turn(0.4, 0) };
+  return { by: [0, 0, 0], turn: [1, 0, 0, 0] };
+}
+
+/** A trailer whose rear and roof are open and whose left and right sides are low. How its boxes go is made by hand. */
+async function trailer(name) {
+  const hdf5 = await library();
+  writeFileSync(at("trailer.txt"), TRAILER);
+  writeFileSync(at("to-front.txt"), "0 2 -8 0 0\n");
+  writeFileSync(at("trailer.ini"), "[Container]\nOpenSides = rear roof\n");
+  screen("sliding.h5", at("trailer.ini"), "--layouts", at("trailer.txt"), "--accelerations", at("to-front.txt"));
+  const source = new hdf5.File(at("sliding.h5"), "r");
+  const file = new hdf5.File(at(name), "w");
+  const column = (path) => source.get(path).value;
+  const samples = column("series/time");
+  const last = samples[samples.length - 1];
+  if (last < 1.5) throw new Error(`the trailer rests at ${last} s`);
+  const boxes = [0, 1, 2, 3, 4];
+  const series = [...samples].flatMap((time) => boxes.map((box) => trailerMoves(box, time)));
+  const end = boxes.map((box) => trailerMoves(box, last));
+  const far = Float32Array.from(end, ({ by }) => Math.hypot(...by));
+  const drop = Float32Array.from(end, ({ by }) => -by[2]);
+  const tilt = Float32Array.of(90, 90, 0, 0, 0);
+  const gone = Uint8Array.of(1, 1, 0, 0, 0);
+  const nan = Number.NaN;
+  const made = {
+    "/series/displacement": Float32Array.from(series.flatMap(({ by }) => by)),
+    "/series/orientation": Float32Array.from(series.flatMap(({ turn }) => turn)),
+    "/boxes/end_displacement": Float32Array.from(end.flatMap(({ by }) => by)),
+    "/boxes/settling_displacement": new Float32Array(15),
+    "/boxes/peak_displacement": far,
+    "/boxes/peak_drop": drop,
+    "/boxes/peak_tilt": tilt,
+    "/boxes/end_tilt": tilt,
+    "/boxes/first_beyond": Float32Array.of(0.24, 0.25, nan, nan, nan),
+    "/summary/boxes/first_beyond": Float32Array.of(0.24, 0.25, nan, nan, nan),
+    "/summary/boxes/unstable": new Uint8Array(5),
+    ...Object.fromEntries(["fallen", "moved", "tilted", "fallen_at_end"].map((of) => [`/summary/boxes/${of}`, gone])),
+    "/summary/worlds/verdict": Uint8Array.of(2),
+    "/summary/worlds/critical_box": Uint32Array.of(1),
+    ...Object.fromEntries(
+      ["fallen_boxes", "moved_boxes", "tilted_boxes", "fallen_at_end"].map((of) => [
+        `/summary/worlds/${of}`,
+        Uint32Array.of(2),
+      ]),
+    ),
+    "/summary/worlds/unstable_boxes": Uint32Array.of(0),
+  };
+  copy(hdf5, source, file, (path) => path in made);
+  for (const [path, data] of Object.entries(made)) {
+    const { shape, dtype } = source.get(path);
+    put(file, path, data, shape, dtype);
+  }
+  const settings = file.get("inputs/settings");
+  for (const [key, value] of [
+    ["Container/DropSides", "left 60 right 60"],
+    ["Container/BedHeight", "120"],
+    ["Material 2/Fixed", "true"],
+  ]) {
+    if (key in settings.attrs) settings.delete_attribute(key);
+    settings.create_attribute(key, value);
+  }
   source.close();
   file.close();
 }
@@ -129,6 +217,7 @@ writeFileSync(cardboard, readFileSync(DEMO, "utf8").replaceAll("= anti-slip", "=
 screen("rich.h5", cardboard, "--layouts", ...layouts.slice(0, 2), "--norm", "road", ...analyses);
 screen("early.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--stop-when", "moved");
 await earlier("earlier.h5", "rich.h5");
+await trailer("trailer.h5");
 screen("no-series.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--no-series");
 const { status } = spawnSync(program, ["view", at("demo.h5"), "--no-open", "-o", at("demo.html")], {
   stdio: "inherit",

@@ -1,11 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { beginOfMotion, freeWay, supported } from "../../viewer/src/box/cause";
+import { departureOf, departureSentences, sideBeyond } from "../../viewer/src/box/departure";
 import { criticalBox, excursionsTo } from "../../viewer/src/data/excursions";
+import { fixedMaterials, openingsText, readOpenings } from "../../viewer/src/data/openings";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../../viewer/src/data/outcome";
-import type { BoxColumns, Series, World } from "../../viewer/src/data/results";
+import type { BoxColumns, Results, Series, World } from "../../viewer/src/data/results";
 import { caveatsOf } from "../../viewer/src/data/status";
 import { meaningOf, verdictText } from "../../viewer/src/data/verdict";
+import { bedOf, insideOf } from "../../viewer/src/load/container_faces";
 import { accelerationAt, accelerationSteps } from "../../viewer/src/time/acceleration";
 import { between, slerp, tiltOf, times } from "../../viewer/src/time/poses";
 import { markers } from "../../viewer/src/time/strips";
@@ -60,6 +63,82 @@ test("the way of a box is free until the next box or the wall", () => {
   assert.ok(Math.abs(freeWay(pile, container, 0, 0, true) - 0.2) < 1e-5);
   assert.ok(Math.abs(freeWay(pile, container, 0, 0, false) - 1) < 1e-5);
   assert.ok(Math.abs(freeWay(pile, container, 1, 0, true) - 2.8) < 1e-5);
+});
+
+const SIZE = [6, 2.4, 2.2] as const;
+const TRAILER = readOpenings({ "Container/OpenSides": "rear roof", "Container/DropSides": "left 60 right 62.5" }, 2.2);
+
+test("settings say what is open, how high walls and floor are, and which materials are fixed", () => {
+  assert.deepEqual(readOpenings({}, 2.2), { walls: [2.2, 2.2, 2.2, 2.2], roof: true, bedHeight: 1.2 });
+  assert.equal(openingsText(readOpenings({}, 2.2), 2.2), null);
+  assert.deepEqual(TRAILER, { walls: [2.2, 0, 0.6, 0.625], roof: false, bedHeight: 1.2 });
+  assert.equal(
+    openingsText(TRAILER, 2.2),
+    "rear, roof open; left 60 cm high; right 62.5 cm high; floor 120 cm above the ground",
+  );
+  const high = readOpenings({ "Container/DropSides": "Left=400, front", "Container/BedHeight": "0" }, 2.2);
+  assert.deepEqual(
+    high,
+    { walls: [2.2, 2.2, 2.2, 2.2], roof: true, bedHeight: 0 },
+    "a wall is no higher than the roof",
+  );
+  const settings = { "Material 2/Fixed": "true", "Material 3/Fixed": "false", "Material 4/Mass": "1" };
+  assert.deepEqual([...fixedMaterials(settings)], [2]);
+});
+
+test("a container is drawn with the walls that it has, and its floor as a block where one is open or low", () => {
+  const closed = readOpenings({}, 2.2);
+  assert.equal(insideOf(SIZE, closed).corners.length, 6);
+  assert.equal(bedOf(SIZE, closed).corners.length, 0);
+  assert.deepEqual(insideOf(SIZE, TRAILER).corners, [
+    { low: [0, 0, 0], high: [6, 2.4, 0] },
+    { low: [0, 0, 0], high: [0, 2.4, 2.2] },
+    { low: [0, 0, 0], high: [6, 0, 0.6] },
+    { low: [0, -0.05, 0.6], high: [6, 0, 0.6] },
+    { low: [0, 2.4, 0], high: [6, 2.4, 0.625] },
+    { low: [0, 2.4, 0.625], high: [6, 2.4 + 0.05, 0.625] },
+  ]);
+  const block = bedOf(SIZE, TRAILER).corners;
+  assert.deepEqual(block[0], { low: [-0.05, -0.05, -1.2], high: [-0.05, 2.4 + 0.05, 0] });
+  assert.deepEqual(block[1].low, [6, -0.05, -1.2], "it ends with the floor where the rear is open");
+  assert.equal(bedOf(SIZE, { ...TRAILER, bedHeight: 0 }).corners.length, 0);
+});
+
+test("a point is beyond a side that lets it out", () => {
+  const beyond = (...point: number[]) => sideBeyond(SIZE, TRAILER, point);
+  assert.equal(beyond(3, 1, 1), -1);
+  assert.equal(beyond(6.1, 1, 1), 1);
+  assert.equal(beyond(6.1, -0.2, -1), 2, "the farther one");
+  assert.equal(beyond(-0.1, 1, 1), 4, "behind a full wall, it went out above");
+  assert.equal(sideBeyond(SIZE, { ...TRAILER, roof: true }, [-0.1, 1, 1]), -1);
+});
+
+test("a box leaves through an open side or over a low one, and falls to the ground where there is one", () => {
+  const boxes = boxesOf([{ at: [2, 0, 0], size: [1, 1, 1] }]);
+  const left = (endDisplacement: number[], tilt: number, series: Series | null = null, openings = TRAILER) => {
+    const results = { container: SIZE, openings, thresholds: LIMITS } as unknown as Results;
+    const end = excursionsTo(Float32Array.from(endDisplacement), Float32Array.of(tilt));
+    const world = { boxes: { ...boxes, end, endDisplacement: Float32Array.from(endDisplacement) }, series };
+    return departureSentences(results, world as unknown as World, 0).join();
+  };
+  assert.equal(left([0.5, 0, 0], 0), "");
+  assert.equal(left([4, 0, 0], 0), "It left through the open rear.");
+  assert.equal(left([4, 0, -1.2], 90), "It left through the open rear, and fell to the ground.");
+  assert.equal(left([4, 0, -1.2], 90, null, { ...TRAILER, bedHeight: 0 }), "It left through the open rear.");
+  assert.equal(left([0, -1, -1.2], 90), "It tipped over the low left side, and fell to the ground.");
+  assert.equal(left([0, -1, -1.2], 5), "It went over the low left side, and fell to the ground.");
+  // It goes over the left side first, and ends behind the rear.
+  const series = {
+    time: Float64Array.of(0, 0.1, 0.2),
+    displacement: Float32Array.of(0, 0, 0, 0, -0.6, 0.4, 4, -1, -1.2),
+    orientation: Float32Array.of(1, 0, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 0, 0, 1, 0, 0, 0),
+  } as unknown as Series;
+  assert.equal(left([4, -1, -1.2], 0, series), "It tipped over the low left side by 0.10 s, and fell to the ground.");
+  const outside = boxesOf([{ at: [5.8, 0, 0], size: [1, 1, 1] }]);
+  const still = { ...outside, end: excursionsTo(new Float32Array(3), new Float32Array(1)) };
+  const world = { boxes: { ...still, endDisplacement: new Float32Array(3) }, series: null } as unknown as World;
+  const results = { container: SIZE, openings: TRAILER, thresholds: LIMITS } as unknown as Results;
+  assert.equal(departureOf(results, world, 0), null, "loaded outside, it leaves through nothing");
 });
 
 test("a base is supported by what it stands on", () => {

@@ -147,7 +147,7 @@ export class BoxList {
             onpointerleave: () => this.hover(null),
           },
           element("span", {}, element("i", { class: `dot verdict-${boxVerdict(boxes, box)}` }), String(boxes.id[box])),
-          element("span", {}, Number.isNaN(firstBeyond[box]) ? "" : seconds(firstBeyond[box]).replace(" s", "")),
+          element("span", {}, boxes.fixed[box] ? "fixed" : firstText(firstBeyond[box])),
           element("span", {}, short(displacement[box], metres)),
           element("span", {}, tilt[box] < 0.05 ? "" : degrees(tilt[box])),
           element("span", {}, short(drop[box], metres)),
@@ -157,6 +157,8 @@ export class BoxList {
     this.body.replaceChildren(...rows);
   }
 }
+
+const firstText = (time: number) => (Number.isNaN(time) ? "" : seconds(time).replace(" s", ""));
 
 /** Nothing where next to nothing happened: what is left stands out. */
 const short = (value: number, text: (value: number) => string) => (Math.abs(value) < 0.0005 ? "" : text(value));

@@ -1,4 +1,5 @@
 import { excursionsTo, shareOfLimits } from "../data/excursions";
+import { REAR, sideName, UPRIGHT } from "../data/openings";
 import type { BoxColumns, Results, Series, Thresholds, World } from "../data/results";
 import { tiltOf } from "../time/poses";
 import { gravities, metres } from "../ui/text";
@@ -14,11 +15,6 @@ const MARGINAL = 0.02;
 /** m: boxes closer than this touch, as loaded. */
 const TOUCH = 0.005;
 
-const NAMES = [
-  ["front", "door"],
-  ["left", "right"],
-] as const;
-
 const low = (boxes: BoxColumns, box: number, axis: number) =>
   boxes.reference[3 * box + axis] - boxes.size[3 * box + axis] / 2;
 const high = (boxes: BoxColumns, box: number, axis: number) =>
@@ -26,7 +22,7 @@ const high = (boxes: BoxColumns, box: number, axis: number) =>
 const overlap = (boxes: BoxColumns, a: number, b: number, axis: number) =>
   Math.min(high(boxes, a, axis), high(boxes, b, axis)) - Math.max(low(boxes, a, axis), low(boxes, b, axis));
 
-/** m that the box can go along an axis, as loaded, until another box or a wall is in its way. */
+/** m that the box can go along an axis, as loaded, until another box or the end of the container is in its way. */
 export function freeWay(
   boxes: BoxColumns,
   container: readonly number[],
@@ -83,10 +79,16 @@ export function causeOf(results: Results, world: World, box: number): string[] {
   const tilt = tiltOf(series.orientation, 4 * box, 4 * (sample * count + box));
   // Turning by the tilt moves an edge so far; what is more than sliding tips.
   const turned = ((tilt * Math.PI) / 180) * boxes.size[3 * box + 2];
-  const side = NAMES[axis][up ? 1 : 0];
+  const side = UPRIGHT.findIndex((of) => of.axis === axis && of.far === up);
+  const wall = results.openings.walls[side];
+  const full = wall >= results.container[2];
   const sinks = -z > way && -z > turned / 2;
   const tips = !sinks && turned > way;
-  const sentences = [sinks ? "It sinks." : `It ${tips ? "tips" : "slides"} towards the ${side}.`];
+  const sentences = [
+    sinks
+      ? "It sinks."
+      : `It ${tips ? "tips" : "slides"} towards the ${side === REAR && full ? "door" : UPRIGHT[side].name}.`,
+  ];
 
   const push = Math.max(
     ...[sample, sample - 1]
@@ -108,13 +110,24 @@ export function causeOf(results: Results, world: World, box: number): string[] {
   }
   if (!sinks) {
     const free = freeWay(boxes, results.container, box, axis, up);
-    sentences.push(
-      free < TOUCH
-        ? `What stands next to it on that side goes with it, or is lower.`
-        : `It has ${metres(free)} of free space there.`,
-    );
+    const toEnd = up ? results.container[axis] - high(boxes, box, axis) : low(boxes, box, axis);
+    if (!full && free >= toEnd) sentences.push(endSentence(free, side, wall, low(boxes, box, 2)));
+    else
+      sentences.push(
+        free < TOUCH
+          ? `What stands next to it on that side goes with it, or is lower.`
+          : `It has ${metres(free)} of free space there.`,
+      );
   }
   return sentences;
+}
+
+/** What is on the way of a box to a side that is open or low, from so far and so high above the floor. */
+function endSentence(free: number, side: number, wall: number, bottom: number): string {
+  const space = free < TOUCH ? "It stands" : `It has ${metres(free)} of free space there, up`;
+  const what = wall > 0 ? `the ${sideName(side)}, which is only ${metres(wall)} high` : `the open ${sideName(side)}`;
+  const above = wall > 0 && bottom > wall - TOUCH ? ": it stands above that" : "";
+  return `${space}${free < TOUCH ? " at" : " to"} ${what}${above}.`;
 }
 
 const slenderness = (boxes: BoxColumns, box: number, axis: number) =>

@@ -1,6 +1,7 @@
 import { isBeyond, shareOfLimits } from "../data/excursions";
+import { UPRIGHT } from "../data/openings";
 import { VERDICT_CODES } from "../data/outcome";
-import { type Margins, NOT_COUNTED, type Results, SIDES, type World } from "../data/results";
+import { type Margins, NOT_COUNTED, PRESSED, type Results, type World } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
@@ -11,6 +12,9 @@ import type { Store } from "../ui/state";
 import { degrees, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
 import { BoxList } from "./box_list";
 import { causeOf } from "./cause";
+import { departureSentences, departuresSentence } from "./departure";
+
+const soft = (text: string) => element("p", { class: "soft" }, text);
 
 /** The numbers of a world: its verdict, the critical box and why it moves, a box, forces on the walls, all boxes. */
 export class WorldPanel {
@@ -44,7 +48,7 @@ export class WorldPanel {
     const { world, results } = this;
     const { worlds, margins, replicas, judgedAtEnd } = results;
     const { index, verdict, stopReason } = world;
-    const soft = (text: string | null) => (text === null ? null : element("p", { class: "soft" }, text));
+    const counts = [this.counts(), departuresSentence(results, world)].filter((text) => text !== null);
     return element(
       "section",
       {},
@@ -56,7 +60,7 @@ export class WorldPanel {
         element("span", { class: "faint" }, world.engine),
       ),
       soft(meaningOf(verdict, judgedAtEnd)),
-      soft(this.counts()),
+      ...counts.map(soft),
       isAtLeast(verdict, stopReason)
         ? element("p", { class: "notable" }, "It ended when that was decided: what would have followed is not known.")
         : null,
@@ -97,12 +101,12 @@ export class WorldPanel {
     const kept = said.filter(([number]) => some(number)).map(([number, what]) => `${number} ${what}`);
     if (kept.length === 0) return null;
     const least = isAtLeast(world.verdict, world.stopReason) ? "at least " : "";
-    return `Of ${plural(world.boxes.id.length, "box")} ${least}${kept.join(", ")}.`;
+    return `Of ${plural(world.boxes.fixed.filter((fixed) => !fixed).length, "box")} ${least}${kept.join(", ")}.`;
   }
 
   /** The box that was beyond a limit first, or came nearest to one, and why. */
   private critical(): HTMLElement[] {
-    const { world, results } = this;
+    const { world } = this;
     const { boxes, criticalBox } = world;
     const box = criticalBox - 1;
     if (boxes.id.length === 0) return [];
@@ -131,9 +135,15 @@ export class WorldPanel {
           ),
           this.whyCritical(box),
         ),
-        ...causeOf(results, world, box).map((sentence) => element("p", { class: "soft" }, sentence)),
+        ...this.story(box),
       ),
     ];
+  }
+
+  /** Why a box moves, and how it leaves the container. */
+  private story(box: number): HTMLElement[] {
+    const { results, world } = this;
+    return [...causeOf(results, world, box), ...departureSentences(results, world, box)].map(soft);
   }
 
   private whyCritical(box: number): string {
@@ -170,13 +180,16 @@ export class WorldPanel {
       );
       return;
     }
+    const fixed = boxes.fixed[box] === 1;
     const first = boxes.firstBeyond[box];
     const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => String(Number((100 * side).toFixed(1))));
     const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => (100 * part).toFixed(1));
     const facts: [string, string][] = [
       ["size, cm", size.join(" × ")],
-      ["mass", kilograms(boxes.mass[box])],
       ["material", String(boxes.material[box])],
+    ];
+    const way: [string, string][] = [
+      ["mass", kilograms(boxes.mass[box])],
       ["largest displacement", metres(boxes.peak.displacement[box])],
       ["displacement at the end", metres(boxes.end.displacement[box])],
       ["x, y, z at the end, cm", `${x}, ${y}, ${z}`],
@@ -188,25 +201,25 @@ export class WorldPanel {
     ];
     const verdict = boxVerdict(boxes, box);
     if (!this.results.judgedAtEnd)
-      facts.push([
+      way.push([
         "beyond a limit first",
         Number.isNaN(first) && verdict === VERDICT_CODES.stayed ? "never" : seconds(first),
       ]);
+    if (!fixed) facts.push(...way);
     this.box.replaceChildren(
       element("h2", {}, `Box ${boxes.id[box]}`),
       element(
         "p",
         { class: "title" },
-        element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
-        element("span", {}, VERDICTS[verdict].name),
+        fixed ? null : element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
+        element("span", {}, fixed ? "fixed" : VERDICTS[verdict].name),
         element("span", { class: "faint" }),
         element("button", { class: "plain", title: "Focus (F)", onclick: () => this.focus(box) }, "Focus"),
       ),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
-      // The critical box has its cause above.
-      ...(box === this.world.criticalBox - 1 ? [] : causeOf(this.results, this.world, box)).map((sentence) =>
-        element("p", { class: "soft" }, sentence),
-      ),
+      ...(fixed ? [soft("It is part of the container: it never moves, and has no verdict.")] : []),
+      // The critical box has its story above.
+      ...(box === this.world.criticalBox - 1 ? [] : this.story(box)),
     );
   }
 
@@ -216,8 +229,15 @@ export class WorldPanel {
     if (!walls) return;
     const { sample } = between(times(this.world), time);
     const limited = walls.limit.some((limit) => limit > 0);
-    const bars = SIDES.map((side, i) => {
-      const now = walls.force[6 * sample + i];
+    // An open side is nothing that is pressed, and not every container has ground and fixed boxes.
+    const { openings } = this.results;
+    const there = (i: number) => {
+      const side = UPRIGHT.findIndex(({ name }) => name === PRESSED[i]);
+      if (side >= 0) return openings.walls[side] > 0;
+      return PRESSED[i] === "floor" || (PRESSED[i] === "roof" && openings.roof) || walls.lasting[i] > 0;
+    };
+    const bars = [...walls.lasting.keys()].filter(there).map((i) => {
+      const now = walls.force[walls.lasting.length * sample + i];
       const limit = walls.limit[i];
       const most = walls.lasting[i];
       const scale = limit > 0 ? limit : Math.max(...walls.lasting, 1);
@@ -225,7 +245,7 @@ export class WorldPanel {
       return element(
         "div",
         { class: limit > 0 && most > limit ? "bar over" : "bar" },
-        element("span", {}, side),
+        element("span", {}, PRESSED[i]),
         element(
           "span",
           {
@@ -249,6 +269,7 @@ export class WorldPanel {
     const { boxes, series } = this.world;
     const { sample } = between(times(this.world), time);
     const count = boxes.id.length;
+    if (boxes.fixed[box]) return `box ${boxes.id[box]} · fixed`;
     if (!series) return `box ${boxes.id[box]} · ${metres(boxes.end.displacement[box])} at the end`;
     const at = 3 * (sample * count + box);
     const far = Math.hypot(...series.displacement.subarray(at, at + 3));

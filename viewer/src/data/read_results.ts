@@ -1,5 +1,6 @@
 import { criticalBox, excursionsTo } from "./excursions";
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
+import { fixedMaterials, readOpenings } from "./openings";
 import { VERDICT_CODES } from "./outcome";
 import {
   type BoxColumns,
@@ -105,12 +106,15 @@ export class ResultsReader {
       tilt: float(`boxes/${name}_tilt`),
     });
     const earlier = results.judgedAtEnd;
+    const fixed = fixedMaterials(results.settings);
+    const material = column("boxes/material") as Int32Array;
     const peak = earlier
       ? { displacement: float("boxes/peak_displacement"), drop: unknown(), tilt: unknown() }
       : peaks("peak");
     return {
       id: column("boxes/id") as Uint32Array,
-      material: column("boxes/material") as Int32Array,
+      material,
+      fixed: Uint8Array.from(material, (id) => (fixed.has(id) ? 1 : 0)),
       mass: float("boxes/mass"),
       size: float("boxes/size"),
       reference,
@@ -189,6 +193,7 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
   const settings: Record<string, string> = {};
   for (const [key, value] of Object.entries(file.attributes("inputs/settings"))) settings[key] = String(value);
   const metres = (key: string) => Number(settings[`Container/${key}`]) / 100;
+  const container: Results["container"] = [metres("Length"), metres("Width"), metres("Height")];
   const thresholds = file.attributes("summary");
   const judgedAtEnd = Number(root.format_version) < PEAKS_SINCE;
   return {
@@ -206,7 +211,8 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
       tilt: Number(thresholds.tilt_threshold),
     },
     judgedAtEnd,
-    container: [metres("Length"), metres("Width"), metres("Height")],
+    container,
+    openings: readOpenings(settings, container[2]),
     layouts: file.texts("inputs/layouts/name"),
     layoutBoxes: uint32(file.numbers("inputs/layouts/box_count")),
     accelerations: file.texts("inputs/accelerations/name"),

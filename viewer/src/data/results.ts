@@ -1,5 +1,7 @@
 /** What the page knows of a results file: plain columns, in the units and frame of docs/results_file.md. */
 
+import type { Openings } from "./openings";
+
 /** Number of boxes of a world that was not simulated, or that a file of an earlier version does not have. */
 export const NOT_COUNTED = 0xffffffff;
 
@@ -93,6 +95,7 @@ export interface Results {
   judgedAtEnd: boolean;
   /** m: length, width, height */
   container: [number, number, number];
+  openings: Openings;
   layouts: string[];
   layoutBoxes: Uint32Array;
   accelerations: string[];
@@ -119,6 +122,8 @@ export interface BoxColumns {
   id: Uint32Array;
   material: Int32Array;
   mass: Float32Array;
+  /** part of the container: it never moves, and counts in no verdict */
+  fixed: Uint8Array;
   size: Float32Array;
   /** m, from where displacement counts: as settled, at t = 0, or as loaded */
   reference: Float32Array;
@@ -149,14 +154,14 @@ export interface Series {
   orientation: Float32Array;
 }
 
-/** The sides of the container in the order of the file. */
-export const SIDES = ["floor", "front", "rear", "left", "right", "roof"] as const;
+/** What boxes press, in the order of the file; one of an earlier version ends with the roof. */
+export const PRESSED = ["floor", "front", "rear", "left", "right", "roof", "ground", "fixed boxes"] as const;
 
 export interface WallForces {
   peak: Float64Array;
   lasting: Float64Array;
   limit: Float64Array;
-  /** N, six per sample; empty without series */
+  /** N, as many per sample as the others have entries; empty without series */
   force: Float32Array;
 }
 

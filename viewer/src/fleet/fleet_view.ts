@@ -1,3 +1,4 @@
+import { openingsText } from "../data/openings";
 import { CAVEAT_BITS } from "../data/outcome";
 import type { Results } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
@@ -200,10 +201,12 @@ export class FleetView {
   private facts(): HTMLElement {
     const { results } = this;
     const { settings, thresholds, container } = results;
+    const openings = openingsText(results.openings, container[2]);
     const facts: [string, string][] = [
       ["engine", `${results.engine} ${settings["Native/Accuracy"] ?? ""}`],
       ["friction", `${settings["Contact/BoxBox"]} between boxes, ${settings["Contact/BoxFloor"]} on the floor`],
       ["container", `${container.map((side) => side.toFixed(2)).join(" × ")} m`],
+      ...(openings ? [["sides", openings] as [string, string]] : []),
       ["limits", `drop ${metres(thresholds.drop)}, move ${metres(thresholds.move)}, tilt ${thresholds.tilt}°`],
       ["made", `${results.created.replace("T", " ").replace("Z", "")} by ${results.software}`],
     ];

@@ -3,6 +3,7 @@ import type { Results, World } from "../data/results";
 import { CameraRig } from "../load/camera_rig";
 import { LoadScene } from "../load/load_scene";
 import { OptionsBar } from "../load/options_bar";
+import { outside } from "../load/outside";
 import { viewButtons } from "../load/view_buttons";
 import { TimePanel } from "../time/time_panel";
 import { element, oncePerFrame } from "../ui/dom";
@@ -155,7 +156,8 @@ export class LiveView {
   }
 
   view(index: number): void {
-    this.rig.view(index);
+    const { results, world } = this.driver.record;
+    this.rig.view(index, outside(results, world));
   }
 
   focus(box = this.store.state.box): void {

@@ -56,31 +56,35 @@ export class CameraRig {
     this.size = size;
   }
 
-  /** Shows the whole container from a side. */
-  view(index: number): void {
+  /**
+   * Shows the whole container from a side.
+   * @param outside places that are to be seen too
+   */
+  view(index: number, outside: readonly THREE.Vector3[] = []): void {
     const [length, width, height] = this.size;
     const from = new THREE.Vector3(...VIEWS[index].from).normalize();
     this.target.set(length / 2, width / 2, height * 0.42);
     this.camera.position.copy(this.target).add(from);
     this.camera.lookAt(this.target);
     this.camera.updateMatrixWorld();
+    const corners = [0, length].flatMap((x) =>
+      [0, width].flatMap((y) => [0, height * 1.12].map((z) => new THREE.Vector3(x, y, z))),
+    );
     // The distance at which all corners are within the picture, with a margin.
     const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0);
     const up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
     const tall = Math.tan((this.camera.fov * Math.PI) / 360);
     const wide = tall * this.aspect;
     let distance = 1;
-    for (const x of [0, length])
-      for (const y of [0, width])
-        for (const z of [0, height * 1.12]) {
-          const corner = new THREE.Vector3(x, y, z).sub(this.target);
-          const depth = corner.dot(from);
-          distance = Math.max(
-            distance,
-            depth + Math.abs(corner.dot(right)) / wide,
-            depth + Math.abs(corner.dot(up)) / tall,
-          );
-        }
+    for (const place of [...corners, ...outside]) {
+      const corner = place.clone().sub(this.target);
+      const depth = corner.dot(from);
+      distance = Math.max(
+        distance,
+        depth + Math.abs(corner.dot(right)) / wide,
+        depth + Math.abs(corner.dot(up)) / tall,
+      );
+    }
     this.camera.position.copy(this.target).addScaledVector(from, distance * 1.1);
     this.update();
   }

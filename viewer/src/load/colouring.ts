@@ -36,13 +36,18 @@ export function colouringsOf(results: Results, world: World): { value: Colouring
   return list;
 }
 
+/** Colour of a box that is part of the container. */
+const FIXED = { light: "#9b9ea4", dark: "#737880" };
+
 /** Colour of a box that nothing happens to. */
 export const calm = () => (isDark() ? "#47505a" : "#dcdfdd");
 
 const paintVerdict = ({ boxes }: World): Painted => {
   const { stayed, unstable, fell, moved } = VERDICT_CODES;
   const verdicts = Array.from(boxes.id, (_, box) => boxVerdict(boxes, box));
-  const shown = [stayed, unstable, fell, moved].filter((code) => verdicts.includes(code));
+  const shown = [stayed, unstable, fell, moved].filter((code) =>
+    verdicts.some((verdict, box) => verdict === code && !boxes.fixed[box]),
+  );
   const fill = (code: number) => (code === stayed ? calm() : colour(`verdict-${code}`));
   return {
     fills: verdicts.map(fill),
@@ -73,6 +78,25 @@ export function paint(
   time: number,
   distance: ArrayLike<number>,
 ): Painted {
+  const painted = paintLoad(colouring, results, world, time, distance);
+  const { fixed } = world.boxes;
+  if (!fixed.includes(1)) return painted;
+  const fill = isDark() ? FIXED.dark : FIXED.light;
+  return {
+    ...painted,
+    fills: painted.fills.map((of, box) => (fixed[box] ? fill : of)),
+    legend: [...painted.legend, { fill, label: "fixed" }],
+  };
+}
+
+/** The same, as if no box were part of the container. */
+function paintLoad(
+  colouring: Colouring,
+  results: Results,
+  world: World,
+  time: number,
+  distance: ArrayLike<number>,
+): Painted {
   const { boxes } = world;
   const count = boxes.id.length;
   const { move, tilt } = results.thresholds;
@@ -91,11 +115,11 @@ export function paint(
       return paintScale(angle, 2 * tilt, (value) => (value > 0 ? `${value}° or more` : "0°"), true);
     }
     case "mass": {
-      const most = Math.max(...boxes.mass);
+      const most = Math.max(...boxes.mass.filter((_, box) => !boxes.fixed[box]));
       return paintScale(boxes.mass, most, (value) => (value > 0 ? kilograms(value) : "0"), false);
     }
     case "material": {
-      const ids = [...new Set(boxes.material)].sort((a, b) => a - b);
+      const ids = [...new Set(boxes.material.filter((_, box) => !boxes.fixed[box]))].sort((a, b) => a - b);
       const fill = (id: number) => MATERIALS[ids.indexOf(id) % MATERIALS.length];
       return {
         fills: Array.from(boxes.material, fill),

@@ -12,7 +12,11 @@ export class Labels {
   readonly node = element("div", { class: "labels", "aria-hidden": "true" });
   private readonly labels: Label[];
 
-  constructor(private readonly container: readonly [number, number, number]) {
+  /** @param rear what the far end is called */
+  constructor(
+    private readonly container: readonly [number, number, number],
+    rear: string,
+  ) {
     const [length, width] = container;
     const label = (text: string, kind: string, ...at: [number, number, number]) => {
       const node = element("span", { class: kind }, text);
@@ -21,7 +25,7 @@ export class Labels {
     };
     this.labels = [
       label("front", "side", -0.28, width / 2, 0),
-      label("door", "side", length + 0.28, width / 2, 0),
+      label(rear, "side", length + 0.28, width / 2, 0),
       label("", "push", 0, 0, 0),
     ];
   }

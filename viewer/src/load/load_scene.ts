@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { isFull, REAR } from "../data/openings";
 import type { Results, World } from "../data/results";
 import { accelerationOf } from "../time/acceleration";
 import { type PoseSource, Poses } from "../time/poses";
@@ -67,7 +68,7 @@ export class LoadScene {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(devicePixelRatio);
     this.canvas = this.renderer.domElement;
-    this.frame = new ContainerFrame(results.container);
+    this.frame = new ContainerFrame(results.container, results.openings);
     this.arrow = new PushArrow(results.container);
     this.geometry = new BoxGeometry(boxes);
     this.ghostGeometry = new BoxGeometry(boxes);
@@ -85,7 +86,8 @@ export class LoadScene {
     this.centre.frustumCulled = false;
     this.centre.renderOrder = 3;
     this.scene.add(this.frame, mesh, this.ghosts, this.traces, this.arrow, this.centre);
-    this.labels = new Labels(results.container);
+    const hasDoor = isFull(results.openings, REAR, results.container[2]);
+    this.labels = new Labels(results.container, hasDoor ? "door" : "rear");
     this.node = element("div", { class: "scene" }, this.canvas, this.labels.node);
     this.recolour();
     this.show(state);
@@ -164,7 +166,8 @@ export class LoadScene {
     let mass = 0;
     for (let box = 0; box < count; ++box) {
       let squares = 0;
-      mass += boxes.mass[box];
+      const counted = boxes.fixed[box] ? 0 : boxes.mass[box];
+      mass += counted;
       for (let axis = 0; axis < 3; ++axis) {
         const i = 3 * box + axis;
         const apart = state.exploded * (boxes.reference[i] - middle[axis]);
@@ -172,8 +175,8 @@ export class LoadScene {
         squares += displacement * displacement;
         ghost[i] = boxes.reference[i] + apart;
         place[i] = ghost[i] + displacement;
-        before[axis] += boxes.mass[box] * boxes.reference[i];
-        weight[axis] += boxes.mass[box] * (boxes.reference[i] + displacement);
+        before[axis] += counted * boxes.reference[i];
+        weight[axis] += counted * (boxes.reference[i] + displacement);
       }
       this.distance[box] = Math.sqrt(squares);
       const seen = this.distance[box] > GHOST_FROM ? 1 : 0;

@@ -13,6 +13,7 @@ import { Video } from "../ui/video";
 import { CameraRig } from "./camera_rig";
 import { LoadScene } from "./load_scene";
 import { OptionsBar } from "./options_bar";
+import { outside } from "./outside";
 import { viewButtons } from "./view_buttons";
 
 /** A world that is open, or two side by side with one camera and one clock. */
@@ -166,7 +167,10 @@ export class WorldView {
   }
 
   view(index: number): void {
-    this.rig.view(index);
+    this.rig.view(
+      index,
+      this.shown.flatMap((of) => outside(of.results, of.world)),
+    );
   }
 
   /** Looks at a box, the chosen one when none is named. */

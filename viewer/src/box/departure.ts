@@ -1,0 +1,83 @@
+import { isFull, type Openings, sideName, UPRIGHT } from "../data/openings";
+import type { Results, World } from "../data/results";
+import { tiltOf } from "../time/poses";
+import { seconds } from "../ui/text";
+
+/** How a box left the container. */
+export interface Departure {
+  /** of `UPRIGHT`, or the roof after them */
+  side: number;
+  /** "through the open rear", "over the low left side" */
+  way: string;
+  /** s, of the first sample outside; NaN where the file has no series */
+  time: number;
+  /** its tilt was beyond the limit when it was outside first */
+  tipped: boolean;
+  /** it ends lower than the floor */
+  fell: boolean;
+}
+
+/**
+ * The side that a point is beyond: an open or low one, the farthest of several; the open roof where all that it is beyond are full
+ * walls; -1 where it is within, or where no way leads out.
+ */
+export function sideBeyond(container: readonly number[], openings: Openings, point: ArrayLike<number>): number {
+  let found = -1;
+  let farthest = 0;
+  let outside = false;
+  for (const [side, { axis, far }] of UPRIGHT.entries()) {
+    const beyond = far ? point[axis] - container[axis] : -point[axis];
+    outside ||= beyond > 0;
+    if (beyond <= farthest || isFull(openings, side, container[2])) continue;
+    farthest = beyond;
+    found = side;
+  }
+  return found < 0 && outside && !openings.roof ? UPRIGHT.length : found;
+}
+
+/** How a box left; null: its centre of mass is in the container at the end, or was outside as loaded. */
+export function departureOf(results: Results, world: World, box: number): Departure | null {
+  const { container, openings, thresholds } = results;
+  const { boxes, series } = world;
+  const centre = (displacement: Float32Array, at: number) =>
+    [0, 1, 2].map((axis) => boxes.reference[3 * box + axis] + displacement[at + axis]);
+  const end = centre(boxes.endDisplacement, 3 * box);
+  let side = sideBeyond(container, openings, end);
+  if (side < 0 || sideBeyond(container, openings, boxes.reference.subarray(3 * box, 3 * box + 3)) >= 0) return null;
+  let time = Number.NaN;
+  let tilt = boxes.end.tilt[box];
+  const count = boxes.id.length;
+  for (let sample = 0; series && sample < series.time.length; ++sample) {
+    const at = sample * count + box;
+    const beyond = sideBeyond(container, openings, centre(series.displacement, 3 * at));
+    if (beyond < 0) continue;
+    side = beyond;
+    time = series.time[sample];
+    tilt = tiltOf(series.orientation, 4 * box, 4 * at);
+    break;
+  }
+  const low = openings.walls[side] > 0;
+  const way = low ? `over the low ${sideName(side)}` : `through the open ${sideName(side)}`;
+  return { side, way, time, tipped: tilt > thresholds.tilt, fell: end[2] < 0 };
+}
+
+/** The same as sentences: none or one. */
+export function departureSentences(results: Results, world: World, box: number): string[] {
+  const departure = departureOf(results, world, box);
+  if (!departure) return [];
+  const { way, time, tipped, fell } = departure;
+  const verb = way.startsWith("through") ? "left" : tipped ? "tipped" : "went";
+  const when = Number.isNaN(time) ? "" : ` by ${seconds(time)}`;
+  return [`It ${verb} ${way}${when}${fell && results.openings.bedHeight > 0 ? ", and fell to the ground" : ""}.`];
+}
+
+/** How many boxes left which way, as a sentence; null: none. */
+export function departuresSentence(results: Results, world: World): string | null {
+  const ways = new Map<string, number>();
+  for (const box of world.boxes.id.keys()) {
+    const way = departureOf(results, world, box)?.way;
+    if (way) ways.set(way, (ways.get(way) ?? 0) + 1);
+  }
+  const list = [...ways].map(([way, number]) => `${number} ${way}`);
+  return list.length > 0 ? `Left the container: ${list.join(", ")}.` : null;
+}
