@@ -225,6 +225,8 @@ test("a trailer says how boxes left it, and which are fixed", async () => {
   assert.match(panel, /It slides towards the rear\.[\s\S]*It has 27\.0 cm of free space there, up to the open rear\./);
   assert.match(panel, /It left through the open rear by 0\.70 s, and fell to the ground\./);
   assert.match(panel, /4\s+fixed/);
+  const bars = (await page.innerText(".walls")).split("\n").filter((word) => /^[a-z ]+$/.test(word));
+  assert.deepEqual(bars, ["floor", "front", "left", "right", "ground", "fixed boxes"]);
   assert.match(await page.innerText(".colours"), /stayed\s+fell\s+fixed/);
   assert.match(await page.innerText(".labels"), /front\s*rear/);
   await page.evaluate(() => {
@@ -238,7 +240,7 @@ test("a trailer says how boxes left it, and which are fixed", async () => {
   await page.keyboard.press("m");
   await page.waitForSelector("main.fleet");
   assert.match(
-    await page.innerText(".panel"),
+    await page.innerText("main.fleet"),
     /rear, roof open; left 60 cm high; right 60 cm high; floor 120 cm above the ground/,
   );
   await page.close();

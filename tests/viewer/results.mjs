@@ -146,13 +146,25 @@ function trailerMoves(box, time) {
   return { by: [0, 0, 0], turn: [1, 0, 0, 0] };
 }
 
+/** N: rows of the sides, with the ground and the fixed boxes behind them. */
+const withGroundAndFixed = (forces, width) =>
+  forces.flatMap((_, i) => (i % width === 0 ? [...forces.slice(i, i + 6), 4905, 700] : []));
+
 /** A trailer whose rear and roof are open and whose left and right sides are low. How its boxes go is made by hand. */
 async function trailer(name) {
   const hdf5 = await library();
   writeFileSync(at("trailer.txt"), TRAILER);
   writeFileSync(at("to-front.txt"), "0 2 -8 0 0\n");
   writeFileSync(at("trailer.ini"), "[Container]\nOpenSides = rear roof\n");
-  screen("sliding.h5", at("trailer.ini"), "--layouts", at("trailer.txt"), "--accelerations", at("to-front.txt"));
+  screen(
+    "sliding.h5",
+    at("trailer.ini"),
+    "--layouts",
+    at("trailer.txt"),
+    "--accelerations",
+    at("to-front.txt"),
+    "--wall-forces",
+  );
   const source = new hdf5.File(at("sliding.h5"), "r");
   const file = new hdf5.File(at(name), "w");
   const column = (path) => source.get(path).value;
@@ -190,10 +202,15 @@ async function trailer(name) {
     ),
     "/summary/worlds/unstable_boxes": Uint32Array.of(0),
   };
-  copy(hdf5, source, file, (path) => path in made);
+  const walls = ["peak_force", "lasting_force", "limit", "force"].map((of) => `/walls/${of}`);
+  copy(hdf5, source, file, (path) => path in made || walls.includes(path));
   for (const [path, data] of Object.entries(made)) {
     const { shape, dtype } = source.get(path);
     put(file, path, data, shape, dtype);
+  }
+  for (const path of walls) {
+    const { shape, value, dtype } = source.get(path);
+    put(file, path, withGroundAndFixed([...value], shape[1]), [shape[0], 8], dtype);
   }
   const settings = file.get("inputs/settings");
   for (const [key, value] of [

@@ -78,7 +78,7 @@ export class LivePointer {
       this.placing = { box, boxes: driver.choices.boxes, from, plane };
     } else {
       const away = this.rig.camera.getWorldDirection(new THREE.Vector3());
-      if (!this.pull.begin(box, ray, away)) return;
+      if (this.isFixed(box) || !this.pull.begin(box, ray, away)) return;
       store.update({ time: driver.time, box });
     }
     this.rig.enable(false);
@@ -127,7 +127,12 @@ export class LivePointer {
       const corner = [boxes[7 * box] + by[0], boxes[7 * box + 1] + by[1], boxes[7 * box + 2]];
       driver.choices.boxes = placed(boxes, box, corner);
       driver.rechoose();
-    } else this.push = { box, direction, until: driver.time + PUSH };
+    } else if (!this.isFixed(box)) this.push = { box, direction, until: driver.time + PUSH };
+  }
+
+  /** Whether a box is part of the container: nothing can move it while the world runs. */
+  private isFixed(box: number): boolean {
+    return this.driver.record.world.boxes.fixed[box] === 1;
   }
 
   force(time: number): Changes["force"] {

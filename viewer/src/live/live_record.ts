@@ -267,8 +267,9 @@ function copy(from: Excursions, to: Excursions): void {
   to.tilt.set(from.tilt);
 }
 
-/** Kinetic energy of a box of even density, J. */
+/** Kinetic energy of a box of even density, J; 0 where it is fixed. */
 function energyOf(boxes: BoxColumns, box: number, q: Float64Array, v: Float64Array): number {
+  if (boxes.fixed[box]) return 0;
   const mass = boxes.mass[box];
   const [a, b, c] = boxes.size.subarray(3 * box, 3 * box + 3);
   const inertia = [b * b + c * c, a * a + c * c, a * a + b * b].map((squares) => (mass * squares) / 12);
