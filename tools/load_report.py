@@ -9,12 +9,14 @@ import argparse
 import html
 import os
 import sys
+from collections import Counter
 
 try:
     import h5py
     import numpy as np
 except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
+from load_openings import Openings, fixed_materials, side_name
 from load_views import draw
 
 VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
@@ -47,10 +49,13 @@ class Results:
         self.attributes = dict(file.attrs)
         self.settings = dict(file["inputs/settings"].attrs)
         self.container = [float(self.settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
+        self.openings = Openings(self.settings, self.container)
         inputs = file["inputs/layouts"]
         self.layout_names = inputs["name"].asstr()[:]
         self.begin, self.count = (inputs[name][:].astype(int) for name in ("box_begin", "box_count"))
         self.low, self.high = inputs["corner_min"][:], inputs["corner_max"][:]
+        fixed = sorted(fixed_materials(self.settings))
+        self.is_fixed = np.isin(inputs["material"][:], fixed)  # per box of the layouts: part of the container
         self.acceleration_names = file["inputs/accelerations/name"].asstr()[:]
         self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count", "stop_reason")}
         self.status_text = file["worlds/status_text"].asstr()[:]
@@ -61,6 +66,7 @@ class Results:
         # Per box how far it was displaced, m, lowered, m, and tilted, degrees: at most, and at the end.
         end = file["boxes/end_displacement"][:]
         self.box_end = np.column_stack([np.linalg.norm(end, axis=1), np.maximum(0, -end[:, 2]), file["boxes/end_tilt"][:]])
+        self.start, self.end = self.places(file, end)
         self.judged_at_end = file.attrs["format_version"] < WITH_PEAKS
         if self.judged_at_end:
             self.box_peak = np.full_like(self.box_end, np.nan)
@@ -75,6 +81,24 @@ class Results:
         self.wall_limit = file["walls/limit"][:, 1:5] if "walls" in file else None
         self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
         self.needed = self.needed_margins(file)
+
+    def places(self, file, end_displacement):
+        """Centres of mass of all boxes where displacement counts from, and at the end, m."""
+        start = file["boxes/initial_position"][:].astype(float)
+        if self.settings.get("Screening/ReferencePose") == "settled":
+            settling = file["boxes/settling_displacement"][:]
+            for world in np.flatnonzero(self.world_summary["verdict"] != UNSTABLE):
+                start[self.rows_of(world)] += settling[self.rows_of(world)]
+        return start, start + end_displacement
+
+    def sides_left(self, world):
+        """The side at which each box left the container that is outside at the end, by index."""
+        rows = self.rows_of(world)
+        if self.openings.is_closed:
+            return {}
+        sides = {box: self.openings.side_beyond(end) for box, (start, end) in enumerate(zip(self.start[rows], self.end[rows]))
+                 if self.openings.side_beyond(start) is None}
+        return {box: side for box, side in sides.items() if side}
 
     def needed_margins(self, file):
         """What the norm of the run asks for in each direction, g; zeros without a norm."""
@@ -183,6 +207,21 @@ def note(results, explained):
     return f"<p class=note>{' '.join(sentence[0].upper() + sentence[1:] + '.' for sentence in sentences)}</p>"
 
 
+def departures(results, worlds):
+    """How boxes leave the container under each acceleration, as sentences."""
+    sentences = []
+    for world in worlds:
+        ways = {box: results.openings.way(side) for box, side in results.sides_left(world).items()}
+        first = first_box(results, world)
+        told = [f"box {first + 1}, which goes first, leaves {ways.pop(first)}"] if first in ways else []
+        more = " more" if told else ""
+        told += [f"{number}{more} {'leaves' if number == 1 else 'leave'} {way}" for way, number in Counter(ways.values()).items()]
+        if told:
+            name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
+            sentences.append(f"<p>Under {name}, {' and '.join(filter(None, [', '.join(told[:-1]), told[-1]]))}.</p>")
+    return "".join(sentences)
+
+
 def margins_table(results, layout):
     if results.margins is None or np.isnan(results.margins["margin"][layout]).all():
         return ""
@@ -210,6 +249,8 @@ def walls_table(results, worlds):
         return ""
     rows = []
     for i, side in enumerate(SIDES):
+        if results.openings.walls[side] == 0:
+            continue
         world = worlds[np.nanargmax(force[:, i])]
         most, limit = results.wall_force[world, i], results.wall_limit[world, i]
         share = f"{most / limit:.0%}" if limit > 0 else "-"
@@ -231,7 +272,7 @@ def boxes_table(results, layout, worlds):
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
     order = sorted(found, key=lambda box: -found[box][0])
-    lines = []
+    lines, leave = [], False
     for box in order[:MOST_BOXES]:
         peak, world = found[box]
         row = results.rows_of(world).start + box
@@ -240,11 +281,16 @@ def boxes_table(results, layout, worlds):
         under = "gravity alone" if unstable else html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
         excursion = [most_and_last(unit * most, unit * last)
                      for unit, most, last in zip((100, 100, 1), results.box_peak[row], results.box_end[row])]
+        side = results.sides_left(world).get(box)
+        leave |= side is not None
         lines.append([box + 1, " × ".join(f"{100 * part:.0f}" for part in size), f"{results.box_mass[row]:.0f}", *excursion,
-                      when(results.box_summary["first_beyond"][row]), under])
+                      when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
     more = f"<p>and {len(order) - MOST_BOXES} more boxes</p>" if len(order) > MOST_BOXES else ""
-    heads = ["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "beyond from", "under"]
-    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=(7,)) + more
+    heads = ["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "beyond from", "under", "leaves at"]
+    if not leave:
+        for row in [heads, *lines]:
+            row.pop()
+    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=(7, 8)) + more
 
 
 def page(results, layout):
@@ -253,27 +299,32 @@ def page(results, layout):
     simulated = [world for world in worlds if results.worlds["box_count"][world] > 0]
     span = slice(int(results.begin[layout]), int(results.begin[layout]) + int(results.count[layout]))
     boxes = list(zip(results.low[span], results.high[span]))
-    states = ["still"] * len(boxes)
+    fixed = results.is_fixed[span]
+    states = ["fixed" if of_container else "still" for of_container in fixed]
     for world in simulated:
         for box in np.flatnonzero(results.is_beyond(world)):
             states[box] = "later" if states[box] == "still" else states[box]
     for world in simulated:
         if (first := first_box(results, world)) is not None:
             states[first] = "first"
-    size = sum(np.prod(high - low) for low, high in boxes) / np.prod(results.container)
+    size = sum(np.prod(high - low) for (low, high), of_container in zip(boxes, fixed) if not of_container) / np.prod(results.container)
     views = ""
     if boxes:
         top, side, corner = (
-            f"<figure>{draw(boxes, states, results.container, view, width)}<figcaption>{caption}</figcaption></figure>"
+            f"<figure>{draw(boxes, states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
             for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("side", 300, "from the left side"),
-                                         ("corner", 360, "from above the door")))
+                                         ("corner", 360, f"from above the {'door' if results.openings.is_full('rear') else 'rear'}")))
         views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
     key = ('<p class=key><span style="background:#d9534f;margin-left:0"></span>first to go under some acceleration'
-           '<span style="background:#f3c58b"></span>beyond a limit<span style="background:#e9edf2"></span>stayed under all</p>')
-    moved = boxes_table(results, layout, simulated) if simulated and any(state != "still" for state in states) else ""
-    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{len(boxes)} boxes, {size:.0%} of the container's volume; "
+           '<span style="background:#f3c58b"></span>beyond a limit<span style="background:#e9edf2"></span>stayed under all'
+           + ('<span style="background:#949da8"></span>fixed, part of the container' if fixed.any() else "") + "</p>")
+    if not results.openings.is_closed:
+        key += f"<p class=note>{results.openings.text().capitalize()}. The floor is dashed where no wall stands on it.</p>"
+    also = f", and {fixed.sum()} fixed" if fixed.any() else ""
+    moved = boxes_table(results, layout, simulated) if simulated and any(state in ("first", "later") for state in states) else ""
+    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{np.sum(~fixed)} boxes, {size:.0%} of the container's volume{also}; "
             f"fails under {len(failing)} of {len(worlds)} accelerations.</p>{views}{key if boxes else ''}"
-            f"{worlds_table(results, worlds)}<div class=beside>{margins_table(results, layout)}"
+            f"{worlds_table(results, worlds)}{departures(results, simulated)}<div class=beside>{margins_table(results, layout)}"
             f"{walls_table(results, worlds) if simulated else ''}</div>{moved}</section>")
 
 
@@ -284,7 +335,7 @@ def limits_of(results):
 
 def front_page(results, order, shown):
     names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
-             "norm": str(results.settings.get("Screening/Norm", "")), "limits": limits_of(results), "software": str(results.attributes["software"]),
+             "norm": str(results.settings.get("Screening/Norm", "")), "limits": limits_of(results), "sides": results.openings.text(), "software": str(results.attributes["software"]),
              "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
     if names["engine"] != "native":
         del names["accuracy"]

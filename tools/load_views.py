@@ -1,8 +1,12 @@
 """Draws a load as it was packed, as SVG: from above, from the side, and from a corner."""
 import numpy as np
 
-FILLS = {"still": "#e9edf2", "later": "#f3c58b", "first": "#d9534f"}
+from load_openings import SIDES
+
+FILLS = {"still": "#e9edf2", "later": "#f3c58b", "first": "#d9534f", "fixed": "#949da8"}
 LINE, FRAME = "#5a6470", "#222831"
+BED, GROUND = "#dfe2e6", "#f3f4f6"
+GROUND_MARGIN = 0.5  # m around the container that the ground is drawn for
 # Where a point of the container goes on the page, per view: rows are the page's right and up.
 TOP = np.array([[1.0, 0, 0], [0, 1, 0]])
 SIDE = np.array([[1.0, 0, 0], [0, 0, 1]])
@@ -58,17 +62,47 @@ def polygon(points, **attributes):
     return f'<polygon points="{path}" ' + " ".join(f'{name.replace("_", "-")}="{value}"' for name, value in attributes.items()) + "/>"
 
 
-def draw(boxes, states, container, view, width):
+def openings_drawn(openings, view, place):
+    """A container with open or low sides: what is drawn before the boxes, and what over them."""
+    length, width, height = openings.container
+    bed = np.array([[0.0, 0, -openings.bed_height], [length, width, 0]])
+    behind, over = [], []
+    if openings.bed_height > 0 and view != "top":
+        if view == "corner":
+            margin = np.array([GROUND_MARGIN, GROUND_MARGIN, 0])
+            behind.append(polygon(place(face_corners(bed[0] - margin, bed[1] + margin, 2, False)), fill=GROUND, stroke="none"))
+        behind += [polygon(place(face_corners(*bed, axis, far)), fill=shaded(BED, axis), stroke=LINE, stroke_width=0.6)
+                   for axis, far in FACES[view] if axis != 2]
+    room = np.array([np.zeros(3), [length, width, height]])
+    behind.append(polygon(place(face_corners(*room, 2, False)), fill="#ffffff", stroke=LINE, stroke_width=0.6, stroke_dasharray="4 3"))
+    if openings.has_roof and view == "side":
+        behind.append(polygon(place(face_corners(*room, 2, True)), fill="none", stroke=FRAME, stroke_width=1))
+    for name, (axis, far) in SIDES.items():
+        top = openings.walls[name]
+        is_near = (axis, far) in FACES[view]
+        if top == 0 or (is_near and openings.is_full(name)):
+            continue
+        line = {"stroke": FRAME, "stroke_width": 1} if openings.is_full(name) else {"stroke": LINE, "stroke_width": 1}
+        (over if is_near else behind).append(polygon(place(face_corners(room[0], [length, width, top], axis, far)), fill="none", **line))
+    return behind, over
+
+
+def draw(boxes, states, openings, view, width):
     """SVG of boxes in a container.
 
     :param boxes: pairs of the corners with the smallest and the largest coordinates, m
     :param states: per box a key of FILLS
-    :param container: inner length, width and height, m
+    :param openings: of the container
     :param width: of the picture, in pixels
     """
     projection = {"top": TOP, "side": SIDE, "corner": CORNER}[view]
-    room = np.array([np.zeros(3), np.asarray(container, dtype=float)])
-    edges = np.array([[room[i][0], room[j][1], room[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]) @ projection.T
+    room = np.array([np.zeros(3), np.asarray(openings.container, dtype=float)])
+    shown = room.copy()
+    if not openings.is_closed and openings.bed_height > 0:
+        shown[0, 2] = -openings.bed_height
+        if view == "corner":
+            shown += [[-GROUND_MARGIN, -GROUND_MARGIN, 0], [GROUND_MARGIN, GROUND_MARGIN, 0]]
+    edges = np.array([[shown[i][0], shown[j][1], shown[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]) @ projection.T
     low, high = edges.min(axis=0), edges.max(axis=0)
     scale = (width - 2) / (high - low)[0]
     height = scale * (high - low)[1] + 2
@@ -81,7 +115,7 @@ def draw(boxes, states, container, view, width):
         return [polygon(place(face_corners(*room, axis, far)), fill="none", stroke=FRAME, stroke_width=1) for axis, far in faces]
 
     hidden = [(axis, not far) for axis, far in FACES[view]]
-    parts = outline(hidden)
+    parts, over = (outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
     for i in back_to_front(boxes, view):
         for axis, far in FACES[view]:
             face = place(face_corners(*boxes[i], axis, far))
@@ -91,4 +125,4 @@ def draw(boxes, states, container, view, width):
             x, y = front.mean(axis=0)
             parts.append(f'<text x="{x:.1f}" y="{y + 3:.1f}" font-size="9" text-anchor="middle">{i + 1}</text>')
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}">'
-            + "".join(parts) + "</svg>")
+            + "".join(parts + over) + "</svg>")

@@ -30,6 +30,37 @@ def made_older(path):
                 del group[name]
 
 
+def made_trailer(path, **settings):
+    """Turns a file of three boxes with open rear and roof into one of a trailer with low left and right sides whose third box
+    is a bulkhead: the first box ends on the ground behind the rear, and the second beside the left side."""
+    with h5py.File(path, "r+") as file:
+        given = {"Container/DropSides": "left 60 right 60", "Container/BedHeight": "120", "Material 2/Fixed": "true", **settings}
+        for key, value in given.items():
+            file["inputs/settings"].attrs[key] = value
+        moves = np.array([[3.0, 0, -1.2], [0, -1.5, -1.2], [0, 0, 0]])
+        file["boxes/settling_displacement"][:] = 0
+        file["boxes/end_displacement"][:] = moves
+        file["boxes/peak_displacement"][:] = np.linalg.norm(moves, axis=1)
+        first = [0.4, 0.5, np.nan]
+        for name in ("boxes/first_beyond", "summary/boxes/first_beyond"):
+            file[name][:] = first
+        for name in ("fallen", "moved"):
+            file[f"summary/boxes/{name}"][:] = [1, 1, 0]
+        for name in ("tilted", "unstable"):
+            file[f"summary/boxes/{name}"][:] = 0
+        file["summary/worlds/verdict"][:] = 2
+        file["summary/worlds/critical_box"][:] = 1
+
+
+def views(text):
+    """The polygons of the three pictures of the first page, as pairs of attributes and corners."""
+    def corners(shape):
+        return [tuple(map(float, point.split(","))) for point in shape.get("points").split()]
+
+    pictures = [ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", text)[:3]]
+    return [[(shape.attrib, corners(shape)) for shape in picture.iter(f"{SVG}polygon")] for picture in pictures]
+
+
 class Report(CliTest):
     def screen(self, *arguments):
         self.assert_exit(self.run_here("screen", "--quiet", "--norm", "road", "--accuracy", "screening", *arguments), 0)
@@ -126,6 +157,60 @@ class Report(CliTest):
                     self.assertAlmostEqual(a, b * scale, delta=0.11)
         # The tall box tips to the rear, and the flat one slides to the front; the one below stays.
         self.assertEqual({element.text for element in corner.iter(f"{SVG}text")}, {"2", "3"})
+
+    def trailer(self, **settings):
+        self.write("trailer.txt", "1 3\n460 20 0 560 120 100 1\n200 0 0 300 80 100 1\n0 0 0 10 233 150 2\n")
+        self.write("front.txt", "0 1 -8 0 0\n")
+        self.write("trailer.ini", "[Container]\nOpenSides = rear roof\n")
+        done = self.run_here("screen", "--quiet", "-c", "trailer.ini", "--layouts", "trailer.txt", "--accelerations", "front.txt",
+                             "--wall-forces", "--overwrite")
+        self.assert_exit(done, 0)
+        made_trailer(self.folder / "results.h5", **settings)
+        return self.report()[1]
+
+    def test_boxes_that_leave_are_told_with_their_way(self):
+        text = self.trailer()
+        self.assertIn("<td class=text>rear, roof open; left 60 cm high; right 60 cm high; floor 120 cm above the ground</td>", text)
+        self.assertIn("<p>2 boxes, 6% of the container's volume, and 1 fixed; fails under 1 of 1 accelerations.</p>", text)
+        self.assertIn("<p>Under front.txt, box 1, which goes first, leaves through the open rear and 1 more leaves over the low left "
+                      "side.</p>", text)
+        rows = re.findall(r"<td class=text>front.txt</td><td class=text>(.*?)</td>", text)
+        self.assertEqual(rows, ["rear", "left side"])  # the farthest first
+        self.assertEqual(re.findall(r"<tr><td>(\w+)</td><td>[\d.]+ kN", text), ["front", "left", "right"])
+        self.assertIn("fixed, part of the container", text)
+        self.assertIn("from above the rear", text)
+        # A wall up to the roof lets nothing over it.
+        text = self.trailer(**{"Container/DropSides": "left 220", "Container/OpenSides": "rear"})
+        self.assertIn("leaves through the open rear.</p>", text)
+        self.assertNotIn("left side", text.replace("from the left side", ""))
+
+    def test_views_show_walls_as_high_as_they_are_and_the_floor_on_the_ground(self):
+        top, side, corner = views(self.trailer())
+        scale = 298 / 5.87  # pixels per metre of the first two
+
+        def height(corners):
+            return max(y for _, y in corners) - min(y for _, y in corners)
+
+        # From the side: the block of the floor, the front wall and the two low walls.
+        block = [corners for attributes, corners in side if attributes["fill"] == "#cfd2d6"]
+        self.assertEqual(len(block), 1)
+        self.assertAlmostEqual(height(block[0]), 1.2 * scale, delta=0.2)
+        walls = sorted(height(corners) / scale for attributes, corners in side if attributes["fill"] == "none")
+        self.assertEqual([round(wall, 2) for wall in walls], [0.6, 0.6, 2.2])
+        # From above: a floor whose border is dashed, and a line for each wall, of which the rear is none.
+        self.assertEqual(sum("stroke-dasharray" in attributes for attributes, _ in top), 1)
+        lines = [corners for attributes, corners in top if attributes["fill"] == "none"]
+        self.assertEqual(len(lines), 3)
+        self.assertFalse(any(min(x for x, _ in corners) > 290 for corners in lines))
+        # From the corner: ground, and the fixed box in its own colour, three faces of it.
+        self.assertEqual(sum(attributes["fill"] == "#f3f4f6" for attributes, _ in corner), 1)
+        self.assertEqual(sum(attributes["fill"] in ("#949da8", "#8a929c", "#7f8790") for attributes, _ in corner), 3)
+        # A floor without end has no block and no ground, and what is closed is drawn as ever.
+        _, side, corner = views(self.trailer(**{"Container/BedHeight": "0"}))
+        self.assertFalse(any(attributes["fill"] in ("#cfd2d6", "#f3f4f6") for attributes, _ in side + corner))
+        top, side, corner = views(self.trailer(**{"Container/OpenSides": "", "Container/DropSides": ""}))
+        self.assertFalse(any("stroke-dasharray" in attributes for attributes, _ in top + side + corner))
+        self.assertEqual([sum(attributes["fill"] == "none" for attributes, _ in view) for view in (top, side, corner)], [1, 1, 3])
 
     def test_the_worst_come_first_and_the_rest_is_named(self):
         self.screen("--layouts", LAYOUTS / "seed_example.txt", LAYOUTS / "unstable_BR2_007_bpjs.txt")
