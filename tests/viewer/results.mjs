@@ -201,6 +201,10 @@ async function trailer(name) {
       ]),
     ),
     "/summary/worlds/unstable_boxes": Uint32Array.of(0),
+    "/summary/worlds/peak_displacement": Float32Array.of(Math.max(...far)),
+    "/summary/worlds/end_displacement": Float32Array.of(Math.max(...far)),
+    "/summary/worlds/peak_drop": Float32Array.of(Math.max(...drop)),
+    "/summary/worlds/peak_tilt": Float32Array.of(90),
   };
   const walls = ["peak_force", "lasting_force", "limit", "force"].map((of) => `/walls/${of}`);
   copy(hdf5, source, file, (path) => path in made || walls.includes(path));

@@ -2,12 +2,12 @@ import * as THREE from "three";
 import { departureOf } from "../box/departure";
 import type { Results, World } from "../data/results";
 
-/** Corners around the boxes that end outside the container, but no farther from it than it is long, and not below the ground. */
+/** Corners around the boxes that end outside the container, but no farther from it than two of its lengths, and not below the ground. */
 export function outside(results: Results, world: World): THREE.Vector3[] {
   const { container, openings } = results;
   const { boxes } = world;
   const places: THREE.Vector3[] = [];
-  const far = container[0];
+  const far = 2 * container[0];
   const least = new THREE.Vector3(-far, -far, -openings.bedHeight);
   const most = new THREE.Vector3(...container).addScalar(far);
   for (const box of boxes.id.keys()) {
