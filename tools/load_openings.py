@@ -1,7 +1,7 @@
 """What of a container is open or low, which boxes are part of it, and how boxes leave it."""
 import re
 
-BED_HEIGHT = "120"  # cm: where the settings do not say it, as the program has it
+BED_HEIGHT = "0"  # cm: where the settings do not say it; floors had no end in versions that did not know the key
 SIDES = {"front": (0, False), "rear": (0, True), "left": (1, False), "right": (1, True)}  # axis, and whether at its far end
 
 

@@ -66,10 +66,13 @@ test("the way of a box is free until the next box or the wall", () => {
 });
 
 const SIZE = [6, 2.4, 2.2] as const;
-const TRAILER = readOpenings({ "Container/OpenSides": "rear roof", "Container/DropSides": "left 60 right 62.5" }, 2.2);
+const TRAILER = readOpenings(
+  { "Container/OpenSides": "rear roof", "Container/DropSides": "left 60 right 62.5", "Container/BedHeight": "120" },
+  2.2,
+);
 
 test("settings say what is open, how high walls and floor are, and which materials are fixed", () => {
-  assert.deepEqual(readOpenings({}, 2.2), { walls: [2.2, 2.2, 2.2, 2.2], roof: true, bedHeight: 1.2 });
+  assert.deepEqual(readOpenings({}, 2.2), { walls: [2.2, 2.2, 2.2, 2.2], roof: true, bedHeight: 0 });
   assert.equal(openingsText(readOpenings({}, 2.2), 2.2), null);
   assert.deepEqual(TRAILER, { walls: [2.2, 0, 0.6, 0.625], roof: false, bedHeight: 1.2 });
   assert.equal(

@@ -34,7 +34,7 @@ export interface World {
   poses(): Float64Array;
   /** Rows of six numbers: velocity (m/s), angular velocity (rad/s). */
   velocities(): Float64Array;
-  /** Rows of three numbers, N: floor, front, rear, left, right, roof; with the setting WallForces. */
+  /** Rows of three numbers, N: floor, front, rear, left, right, roof, ground, fixed boxes; with the setting WallForces. */
   sideForces(): Float64Array;
   stateHash(): string;
   /** m/s² */

@@ -215,9 +215,9 @@ class World {
     return this.rows(this.wasm.holdfast_world_velocities, this.boxCount, 6);
   }
 
-  /** Forces on floor, front, rear, left, right, roof (N), rows of three; with the setting WallForces. */
+  /** Forces on floor, front, rear, left, right, roof, ground and fixed boxes (N), rows of three; with the setting WallForces. */
   sideForces() {
-    return this.rows(this.wasm.holdfast_world_side_forces, 6, 3);
+    return this.rows(this.wasm.holdfast_world_side_forces, 8, 3);
   }
 
   /** Of poses and velocities at the last step end, 16 hexadecimal digits as of `holdfast screen --json`. */

@@ -9,8 +9,8 @@ export const UPRIGHT = [
 ] as const;
 export const REAR = 1;
 
-/** cm: where the settings do not say it, as the program has it. */
-const BED_HEIGHT = "120";
+/** cm: where the settings do not say it. Floors had no end in files of versions that did not know the key. */
+const BED_HEIGHT = "0";
 
 export interface Openings {
   /** m above the floor, per side of `UPRIGHT`; 0: the side is open */
