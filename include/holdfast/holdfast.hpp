@@ -356,7 +356,8 @@ class HOLDFAST_API World {
   void set_force(std::size_t box, const std::array<double, 3>& force,
                  const std::optional<std::array<double, 3>>& point = {});
 
-  /// Forces of the boxes on floor, front, rear, left, right and roof, mean over the last step, container frame, N.
+  /// Forces of the boxes on floor, front, rear, left, right, roof, ground and the fixed boxes together, mean over the last
+  /// step, container frame, N.
   /// Empty without the setting `WallForces` or `Walls`, or where the engine does not measure them.
   std::vector<std::array<double, 3>> side_forces() const;
 

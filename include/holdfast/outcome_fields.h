@@ -86,7 +86,7 @@
   X(recorded, caveat,      caveats,      "/worlds/caveats",         "caveats",     3, "1", "what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in docs/results_file.md") \
   X(recorded, stop_reason, stop_reason,  "/worlds/stop_reason",     "stop_reason", 1, "1", "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with StopWhen or while settling)") \
   X(stored,   u64,         box_begin,    "/worlds/box_begin",       "",            1, "1", "first box of the world: row of /boxes and /summary/boxes") \
-  X(recorded, u32,         boxes,        "/worlds/box_count",       "boxes",       1, "1", "boxes of the world; 0 when it was not run") \
+  X(recorded, u32,         boxes,        "/worlds/box_count",       "boxes",       1, "1", "boxes of the world, with those that are fixed to the container; 0 when it was not run") \
   X(stored,   u64,         sample_begin, "/worlds/sample_begin",    "",            1, "1", "first sample of the world: entry of /series/time and the other datasets with one entry per sample") \
   X(stored,   u32,         sample_count, "/worlds/sample_count",    "",            1, "1", "samples of the world; 0 without series") \
   X(stored,   u64,         row_begin,    "/worlds/row_begin",       "",            1, "1", "first row of the world in /series/displacement and the other datasets with one entry per sample and box: row = row_begin + sample * box_count + box") \

@@ -31,7 +31,7 @@ class WorldColumns:
         "Why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with "
         "StopWhen or while settling). See :class:`StopReason`."
     )
-    boxes = Column("Boxes of the world; 0 when it was not run.")
+    boxes = Column("Boxes of the world, with those that are fixed to the container; 0 when it was not run.")
     fallen = Column("Boxes that were ever lowered by more than DropThreshold.")
     unstable = Column("Boxes that were beyond a limit while settling, before any acceleration.")
     moved = Column("Boxes that were ever displaced by more than MoveThreshold.")

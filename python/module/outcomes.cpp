@@ -65,12 +65,12 @@ class Columns {
   };
 
   template <class Number>
-  void place(const std::string& name, std::size_t index, Write write) {
+  void place(const std::string& name, std::size_t index, Write writer) {
     size_ = aligned(size_, alignof(Number));
     names_.append(name);
     types_.append(py::dtype::of<Number>());
     offsets_.append(size_);
-    writers_.push_back({size_, index, write});
+    writers_.push_back({size_, index, writer});
     size_ += sizeof(Number);
     alignment_ = std::max(alignment_, alignof(Number));
   }

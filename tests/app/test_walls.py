@@ -8,7 +8,7 @@ import numpy as np
 
 from cli import CliTest, SHOVE, datasets, layout_text, same_bits
 
-SIDES = ["floor", "front", "rear", "left", "right", "roof"]
+SIDES = ["floor", "front", "rear", "left", "right", "roof", "ground", "fixed"]
 GRAVITY, DENSITY = 9.81, 250.0
 # Friction of 0.3 but at the walls: how these share the weight with the floor is not for statics to say.
 CONFIG = """\
@@ -51,14 +51,14 @@ class Walls(CliTest):
         self.assertEqual(len(data["/walls/force"]), len(data["/series/time"]))
         np.testing.assert_allclose(data["/walls/force"][-1, :2], [MASS * GRAVITY, force], rtol=1e-3)
         # What acted on all sides for a second is the weight and what braking calls for.
-        total = data["/walls/impulse"].reshape(6, 3).sum(axis=0)
+        total = data["/walls/impulse"].reshape(8, 3).sum(axis=0)
         np.testing.assert_allclose(total, [-MASS * 7, 0, -MASS * GRAVITY], atol=1e-6 * MASS * GRAVITY)
 
         self.assert_exit(self.run_here("summary", "results.h5", "--csv", "tables"), 0)
         with open(self.folder / "tables/walls.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([row["side"] for row in rows], SIDES)
-        self.assertEqual([row["exceeded"] for row in rows], ["0", "1", "0", "0", "0", "0"])
+        self.assertEqual([row["exceeded"] for row in rows], ["0", "1"] + 6 * ["0"])
         self.assertEqual(float(rows[1]["lasting_force_N"]), data["/walls/lasting_force"][0, 1])
         self.assertEqual(rows[0]["limit_N"], "")
 
@@ -70,7 +70,7 @@ class Walls(CliTest):
     def test_without_a_norm_forces_are_in_kilonewtons(self):
         done = self.screen_row("--wall-forces", "--no-series")
         self.assertRegex(done.stdout, r"in kN\n.*\n  row\.txt +2\.7 +0\.0 +0\.0 +0\.0  front, brake\.txt\n")
-        self.assertEqual(datasets(self.folder / "results.h5")["/walls/force"].shape, (0, 6))
+        self.assertEqual(datasets(self.folder / "results.h5")["/walls/force"].shape, (0, 8))
 
     def test_only_where_asked_for_and_without_a_change_of_the_rest(self):
         self.assertNotIn("walls", self.screen_row().stdout)
@@ -91,7 +91,7 @@ class Walls(CliTest):
             self.assertAlmostEqual(floor / GRAVITY, 1, delta=0.01)
             self.assertGreater(front, 0.99 * (7 - 0.3 * GRAVITY))
             self.assertLess(front, 1.01 * (7 + 0.3 * GRAVITY))
-            total = data["/walls/impulse"].reshape(6, 3).sum(axis=0)
+            total = data["/walls/impulse"].reshape(8, 3).sum(axis=0)
             np.testing.assert_allclose(total, [-MASS * 7, 0, -MASS * GRAVITY], atol=rounding * MASS * GRAVITY)
 
     def test_is_refused_in_a_line_where_it_is_not_measured(self):

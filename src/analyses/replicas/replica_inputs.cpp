@@ -5,7 +5,7 @@ namespace holdfast::internal {
 ReplicaInputs::ReplicaInputs(const Layout& layout, const Settings& settings)
     : layout_(layout), boxes_(boxes_hash(layout)) {
   const ScreeningSettings& screening = settings.screening;
-  if (screening.play_shift > 0.0) play_ = play_of(layout, settings.container, screening.play_shift);
+  if (screening.play_shift > 0.0) play_ = play_of(layout, settings, screening.play_shift);
   const auto count = static_cast<std::uint32_t>(screening.replicas);
   for (std::uint32_t number = 1; number <= count; ++number)
     draws_.push_back(draw_replica(layout, boxes_, number, screening));

@@ -40,7 +40,7 @@ inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, f
 /// to it, together.
 inline constexpr std::size_t kGround = 6, kFixedBoxes = 7, kPushedCount = 8;
 inline constexpr std::array<std::string_view, kPushedCount> kPushedNames = {"floor", "front", "rear",   "left",
-                                                                            "right", "roof",  "ground", "fixed boxes"};
+                                                                            "right", "roof",  "ground", "fixed"};
 
 /// Whether a side has that name and may be open.
 bool can_be_open(std::string_view side);

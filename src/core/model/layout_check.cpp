@@ -65,7 +65,8 @@ class LayoutCheck {
   void check_boxes() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (!is_box(i)) continue;
-      check_inside(i);
+      // What is fixed may reach through a side, as a wheel arch does, or hang outside, as a tail lift does.
+      if (!is_fixed(i)) check_inside(i);
       check_centre_of_mass(i);
       sound_.push_back({boxes_[i].corner_min, boxes_[i].corner_max, i});
     }
@@ -104,7 +105,7 @@ class LayoutCheck {
     for (const Extents& box : sound_) {
       const bool above_floor = (box.max.head<2>().array() > kExact).all() &&
                                (box.min.head<2>().array() < container_.size.head<2>().array() - kExact).all();
-      if (above_floor || is_fixed(box.index)) continue;
+      if (above_floor || is_fixed(box.index) || is_above_fixed(box)) continue;
       ++count;
       first = std::min(first, box.index);
     }
@@ -113,6 +114,14 @@ class LayoutCheck {
                         .what = "boxes are wholly beyond the floor",
                         .value = std::to_string(count) + ", the first is " + box_name(first),
                         .accepted = "such a box falls unless others carry it"});
+  }
+
+  bool is_above_fixed(const Extents& box) const {
+    return std::any_of(sound_.begin(), sound_.end(), [&](const Extents& other) {
+      const double beside = std::min(box.max.y(), other.max.y()) - std::max(box.min.y(), other.min.y());
+      return is_fixed(other.index) && other.max.z() <= box.min.z() + kLayoutTolerance && beside > kExact &&
+             depth_along(box, other) > kExact;
+    });
   }
 
   bool is_box(std::size_t i) {

@@ -13,22 +13,26 @@ double gap(const Box& a, const Box& b, int axis) {
   return std::max(b.corner_min[axis] - a.corner_max[axis], a.corner_min[axis] - b.corner_max[axis]);
 }
 
-/// Gives each of two boxes half of their gap along an axis.
-void halve(double gap, const Box& a, BoxPlay& play_a, const Box& b, BoxPlay& play_b, int axis) {
+/// Bounds the play of two boxes by their share of the gap along an axis.
+void share(double gap, const Box& a, BoxPlay& play_a, const Box& b, BoxPlay& play_b, int axis) {
   const auto side = static_cast<std::size_t>(axis);
   const bool a_first = a.corner_min[axis] < b.corner_min[axis];
   double& forth = (a_first ? play_a : play_b).forth[side];
   double& back = (a_first ? play_b : play_a).back[side];
-  forth = std::min(forth, 0.5 * gap);
-  back = std::min(back, 0.5 * gap);
+  forth = std::min(forth, gap);
+  back = std::min(back, gap);
 }
 
 }  // namespace
 
-std::vector<BoxPlay> play_of(const Layout& layout, const ContainerSettings& container, double largest) {
+std::vector<BoxPlay> play_of(const Layout& layout, const Settings& settings, double largest) {
+  const ContainerSettings& container = settings.container;
   std::vector<BoxPlay> play(layout.boxes.size());
+  std::vector<bool> fixed;
+  for (const Box& box : layout.boxes) fixed.push_back(material_of(settings, box.material).fixed);
   for (std::size_t i = 0; i < play.size(); ++i) {
     const Box& box = layout.boxes[i];
+    if (fixed[i]) continue;
     for (const int axis : {0, 1}) {
       const auto side = static_cast<std::size_t>(axis);
       play[i].back[side] = std::clamp(box.corner_min[axis], 0.0, largest);
@@ -45,7 +49,8 @@ std::vector<BoxPlay> play_of(const Layout& layout, const ContainerSettings& cont
       // Negative gaps are overlaps within the tolerance of layouts.
       const bool above_each_other = gap(a, b, 2) >= std::min(0.0, beside);
       if (above_each_other) continue;
-      halve(std::max(0.0, beside), a, play[i], b, play[j], along >= across ? 0 : 1);
+      const double part = fixed[i] || fixed[j] ? 1.0 : 0.5;
+      share(part * std::max(0.0, beside), a, play[i], b, play[j], along >= across ? 0 : 1);
     }
   }
   return play;

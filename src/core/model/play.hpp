@@ -21,7 +21,8 @@ struct BoxPlay {
 /// its own, do not overlap where they did not before: of each two that are apart along or across the container, the gap
 /// on the axis on which it is larger stays open. Two that are above each other stay so, and are not kept apart.
 /// @param largest m
-std::vector<BoxPlay> play_of(const Layout& layout, const ContainerSettings& container, double largest);
+/// Boxes that are fixed to the container have no play, and leave their neighbours all of the gap.
+std::vector<BoxPlay> play_of(const Layout& layout, const Settings& settings, double largest);
 
 /// The layout with every box shifted within its play, uniformly and independently: a function of its arguments alone,
 /// with the same bits on every machine.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 #include "core/native/constants.hpp"
 
@@ -31,52 +31,71 @@ bool is_narrow(const Bodies& bodies, const std::vector<Side>& sides, std::int32_
 bool Sinking::is_flush(const Bodies& bodies, const std::vector<Side>& sides, const std::vector<Manifold>& manifolds,
                        std::int32_t a, std::int32_t b, const ContactSet& contact) {
   if (!is_narrow(bodies, sides, a, b, contact)) return false;
-  const auto j = static_cast<std::size_t>(b);
   const int k = contact.across;
-  const bool b_above = bodies.shape[j].centre[k] > box_of(bodies, sides, a).centre[k];
-  double sunk = below(bodies, manifolds, k, j);
-  if (a >= 0) sunk -= below(bodies, manifolds, k, static_cast<std::size_t>(a));
+  const Vec3& point = contact.points[0].on_a;
+  const bool b_above = bodies.shape[static_cast<std::size_t>(b)].centre[k] > box_of(bodies, sides, a).centre[k];
+  const double sunk = below(bodies, manifolds, k, b, point) - below(bodies, manifolds, k, a, point);
   return contact.width - (b_above ? sunk : -sunk) < kFlushWidth;
 }
 
-double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::size_t body) {
-  const auto axis = static_cast<std::size_t>(k);
-  if (!known_[axis]) {
-    known_[axis] = true;
-    below_[axis].assign(bodies.count(), 0.0);
-    for (const double up : {1.0, -1.0}) add_up(bodies, manifolds, k, up);
-  }
-  return below_[axis][body];
+double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::int32_t body,
+                      const Vec3& point) {
+  bool& known = known_[static_cast<std::size_t>(k)];
+  if (!known) find_supports(bodies, manifolds, k);
+  known = true;
+  constexpr double kAnyHeight = std::numeric_limits<double>::infinity();
+  return sunk(bodies, k, true, body, point, kAnyHeight).value_or(0.0) -
+         sunk(bodies, k, false, body, point, kAnyHeight).value_or(0.0);
 }
 
-/// Adds up overlaps, contact by contact in the direction `up` of the axis, from what is fixed on.
-void Sinking::add_up(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, double up) {
-  from_below_.clear();
+void Sinking::find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k) {
+  auto& supports = supports_[static_cast<std::size_t>(k)];
+  for (auto& of_direction : supports) of_direction.clear();
+  const auto add = [&](bool up, std::int32_t body, std::int32_t lower, const ContactSet& contact) {
+    if (body < 0 || bodies.fixed[static_cast<std::size_t>(body)] != 0) return;
+    supports[up ? 1 : 0].push_back({body, lower, &contact});
+  };
   for (const Manifold& manifold : manifolds) {
-    const ContactSet& contact = manifold.contact;
-    if (contact.count == 0 || manifold.nearest_gap > kContactTolerance) continue;
-    if (std::abs(contact.normal[k]) < kSupporting) continue;
-    from_below_.emplace_back(up * contact.points[0].on_a[k], &manifold);
+    const double along = manifold.contact.normal[k];
+    if (manifold.contact.count == 0 || manifold.nearest_gap > kContactTolerance) continue;
+    if (std::abs(along) < kSupporting) continue;
+    add(along > 0.0, manifold.b, manifold.a, manifold.contact);
+    add(along < 0.0, manifold.a, manifold.b, manifold.contact);
   }
-  std::sort(from_below_.begin(), from_below_.end(), [](const auto& first, const auto& second) {
-    const auto key = [](const auto& one) { return std::tuple(one.first, one.second->a, one.second->b); };
-    return key(first) < key(second);
-  });
-  sum_.assign(bodies.count(), -1.0);
-  for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (bodies.fixed[i] != 0) sum_[i] = 0.0;
-  for (const auto& [height, manifold] : from_below_) {
-    const bool b_above = up * manifold->contact.normal[k] > 0.0;
-    const std::int32_t lower = b_above ? manifold->a : manifold->b;
-    const std::int32_t upper = b_above ? manifold->b : manifold->a;
-    if (upper < 0 || bodies.fixed[static_cast<std::size_t>(upper)] != 0) continue;
-    const double below_lower = lower < 0 ? 0.0 : sum_[static_cast<std::size_t>(lower)];
-    if (below_lower < 0.0) continue;
-    double& sum = sum_[static_cast<std::size_t>(upper)];
-    sum = std::max(sum, below_lower + std::max(0.0, -manifold->nearest_gap));
+  for (auto& of_direction : supports)
+    std::sort(of_direction.begin(), of_direction.end(), [](const Support& first, const Support& second) {
+      return first.body < second.body || (first.body == second.body && first.lower < second.lower);
+    });
+}
+
+/// Goes down from contact to contact, each below `height` along the direction. None where this ends at nothing fixed.
+std::optional<double> Sinking::sunk(const Bodies& bodies, int k, bool up, std::int32_t body, const Vec3& point,
+                                    double height) const {
+  if (body < 0 || bodies.fixed[static_cast<std::size_t>(body)] != 0) return 0.0;
+  const std::vector<Support>& supports = supports_[static_cast<std::size_t>(k)][up ? 1 : 0];
+  const auto before = [](const Support& support, std::int32_t of) { return support.body < of; };
+  const Support* nearest = nullptr;
+  const ContactPoint* carried = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto it = std::lower_bound(supports.begin(), supports.end(), body, before);
+       it != supports.end() && it->body == body; ++it) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(it->contact->count); ++i) {
+      const ContactPoint& at = it->contact->points[i];
+      if ((up ? at.on_a[k] : -at.on_a[k]) >= height) continue;
+      Vec3 apart = at.on_a - point;
+      apart[k] = 0.0;
+      if (apart.squaredNorm() >= least) continue;
+      least = apart.squaredNorm();
+      nearest = &*it;
+      carried = &at;
+    }
   }
-  std::vector<double>& below = below_[static_cast<std::size_t>(k)];
-  for (std::size_t i = 0; i < bodies.count(); ++i) below[i] += up * std::max(0.0, sum_[i]);
+  if (nearest == nullptr) return std::nullopt;
+  const double at_height = up ? carried->on_a[k] : -carried->on_a[k];
+  const std::optional<double> lower = sunk(bodies, k, up, nearest->lower, carried->on_a, at_height);
+  if (!lower) return std::nullopt;
+  // An end that is raised counts, too: boxes of a row lean on each other, each by what all before it overlap.
+  return *lower - carried->gap;
 }
 
 }  // namespace holdfast::internal::native

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "core/native/bodies.hpp"
@@ -17,8 +17,8 @@ bool is_narrow(const Bodies& bodies, const std::vector<Side>& sides, std::int32_
                const ContactSet& contact);
 
 /// How far bodies have sunk into what carries them. Boxes that press on each other overlap a little, layer by layer,
-/// and positions are corrected from some overlap on only: tops that are level in the layout are not exactly so on the
-/// way, and a box that slides over them would catch on edges that are not there.
+/// more at one end than at the other, and positions are corrected from some overlap on only: tops that are level in the
+/// layout are not exactly so on the way, and a box that slides over them would catch on edges that are not there.
 class Sinking {
  public:
   /// Bodies have moved: what is asked for next is found anew.
@@ -29,17 +29,26 @@ class Sinking {
   bool is_flush(const Bodies& bodies, const std::vector<Side>& sides, const std::vector<Manifold>& manifolds,
                 std::int32_t a, std::int32_t b, const ContactSet& contact);
 
-  /// How far a body is below where it would be if nothing overlapped, along the container's axis k, m; negative where
-  /// it is above. Overlaps are summed up from the container and fixed boxes on; what these do not hold has not sunk.
-  double below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::size_t body);
+  /// How far a body, as it is near a point, is below where it would be if nothing overlapped, along the container's
+  /// axis k, m; negative where it is above. Overlaps are summed down to the container and fixed boxes, each where the
+  /// body above is carried nearest to the point; what these do not hold has not sunk.
+  double below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::int32_t body,
+               const Vec3& point);
 
  private:
-  void add_up(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, double up);
+  /// What carries a body in one direction of an axis: the manifold, and its other end.
+  struct Support {
+    std::int32_t body;
+    std::int32_t lower;
+    const ContactSet* contact;
+  };
 
-  std::array<bool, 3> known_ = {};            ///< along an axis
-  std::array<std::vector<double>, 3> below_;  ///< along an axis, a body each, m
-  std::vector<double> sum_;                   ///< of overlaps below a body; negative where nothing holds it, m
-  std::vector<std::pair<double, const Manifold*>> from_below_;
+  void find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k);
+  std::optional<double> sunk(const Bodies& bodies, int k, bool up, std::int32_t body, const Vec3& point,
+                             double height) const;
+
+  std::array<bool, 3> known_ = {};                               ///< along an axis
+  std::array<std::array<std::vector<Support>, 2>, 3> supports_;  ///< along an axis, down and up, by body
 };
 
 }  // namespace holdfast::internal::native

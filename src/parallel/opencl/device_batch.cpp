@@ -24,7 +24,8 @@ Float4Column column_of(const Vec3& v) { return {narrow(v.x()), narrow(v.y()), na
 /// the model `pairs`, a box has the square root of the coefficient of two boxes, and a side of the container the
 /// quotient of its coefficient and that root.
 struct FrictionSides {
-  explicit FrictionSides(const ContactSettings& contact) : contact_(contact) {}
+  /// @param box_friction of all boxes, one factor of a product: only with `product` do materials have their own
+  FrictionSides(const ContactSettings& contact, double box_friction) : contact_(contact), box_friction_(box_friction) {}
 
   double of(SurfaceKind kind, double own) const {
     if (contact_.friction_model == FrictionModel::product) return own;
@@ -32,11 +33,13 @@ struct FrictionSides {
     // allows this.
     const double box = std::sqrt(std::max(contact_.box_box, 1e-12));
     if (kind == SurfaceKind::box) return box;
+    if (kind == SurfaceKind::ground) return own * box_friction_ / box;
     return (kind == SurfaceKind::floor ? contact_.box_floor : contact_.box_wall) / box;
   }
 
  private:
   const ContactSettings& contact_;
+  double box_friction_;
 };
 
 struct Body {
@@ -101,7 +104,7 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
     const std::size_t begin = device.bodies.size();
     const World& load = batch.worlds[world];
-    const FrictionSides friction(load.contact);
+    const FrictionSides friction(load.contact, load.box_count == 0 ? 0.0 : batch.boxes.friction[load.box_begin]);
     const std::vector<Panel> panels = container_panels(settings.container, load.container_friction, kClosedThickness);
     for (std::size_t i = load.box_begin; i < load.box_begin + load.box_count; ++i) {
       append(device, shapes,

@@ -99,7 +99,7 @@ TEST_CASE("replica_run: boxes are shifted within their play", "[replica_run]") {
   settings.screening.friction_spread = 0.0;
   settings.screening.play_shift = 0.1;
   Layout layout = layout_of({box({9, 9, 0}, {1, 1, 1}), box({9.45, 9, 1}, {1, 1, 0.2})});
-  const std::vector<BoxPlay> play = play_of(layout, settings.container, 0.1);
+  const std::vector<BoxPlay> play = play_of(layout, settings, 0.1);
   std::uint32_t falling = 0;
   for (std::uint32_t number = 1; number <= 32; ++number) {
     const Layout shifted = shifted_layout(layout, play, boxes_hash(layout), number);

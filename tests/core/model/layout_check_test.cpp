@@ -90,6 +90,33 @@ TEST_CASE("layout_check: an open side is no boundary", "[core][layout_check]") {
   CHECK(check(cubes({{-1, 0, 0}}), settings).errors.size() == 1);
 }
 
+TEST_CASE("layout_check: a box above a drop side may stand out, and one beyond the floor is named",
+          "[core][layout_check]") {
+  Settings settings;
+  settings.container.drop_sides = {{"right", 0.6}};
+  CHECK(check(cubes({{0, 1.5, 0.6}}), settings).errors.empty());
+  CHECK(check(cubes({{0, 1.5, 0.5}}), settings).errors.size() == 1);
+  settings.container.open_sides = {"rear"};
+  const Outcome beyond = check(cubes({{0, 0, 0}, {6, 0, 0}, {5.5, 1.1, 0}}), settings);
+  CHECK(beyond.errors.empty());
+  CHECK(beyond.warnings == Messages{"a.txt: boxes are wholly beyond the floor: 1, the first is box 2; such a box falls "
+                                    "unless others carry it"});
+}
+
+TEST_CASE("layout_check: fixed boxes may overlap each other, reach through a side, and carry what is beyond the floor",
+          "[core][layout_check]") {
+  Settings settings;
+  settings.container.open_sides = {"rear"};
+  settings.materials[2].fixed = true;
+  Layout layout = cubes({{-0.5, 0, -0.2}, {0, 0, 0}, {6, 0, -1}, {6, 0, 0}});
+  for (const std::size_t fixed : {0U, 1U, 2U}) layout.boxes[fixed].material = 2;
+  const Outcome outcome = check(layout, settings);
+  CHECK(outcome.errors.empty());
+  CHECK(outcome.warnings.empty());
+  layout.boxes[1].material = 1;
+  CHECK(check(layout, settings).errors.size() == 1);
+}
+
 TEST_CASE("layout_check: zero, negative and non-finite extents", "[core][layout_check]") {
   Layout layout = cubes({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}});
   layout.boxes[0].corner_max.z() = 0.0;

@@ -15,10 +15,10 @@ namespace {
 
 using Room = std::array<double, 2>;
 
-ContainerSettings container_of(const Vec3& size) {
-  ContainerSettings container;
-  container.size = size;
-  return container;
+Settings container_of(const Vec3& size) {
+  Settings settings;
+  settings.container.size = size;
+  return settings;
 }
 
 void check_room(const BoxPlay& play, const Room& back, const Room& forth) {
@@ -43,6 +43,16 @@ TEST_CASE("play: neighbours have half of the gap between them, and a box on anot
   check_room(play.at(0), {0.0, 0.0}, {0.02, 0.02});
   check_room(play.at(1), {0.02, 0.0}, {0.1, 0.02});
   check_room(play.at(2), {0.0, 0.0}, {0.1, 0.02});
+}
+
+TEST_CASE("play: a fixed box has no play, and leaves its neighbour all of the gap", "[play]") {
+  Settings settings = container_of({3, 1, 3});
+  settings.materials[2].fixed = true;
+  Layout layout = layout_of({box({0, 0, 0}, {1, 1, 1}), box({1.04, 0, 0}, {1, 1, 1})});
+  layout.boxes[1].material = 2;
+  const std::vector<BoxPlay> play = play_of(layout, settings, 0.1);
+  check_room(play.at(0), {0.0, 0.0}, {0.04, 0.0});
+  check_room(play.at(1), {0.0, 0.0}, {0.0, 0.0});
 }
 
 TEST_CASE("play: boxes at a corner of each other keep the larger of their two gaps", "[play]") {
@@ -82,7 +92,7 @@ TEST_CASE("play: shifted layouts of boxes anywhere are good layouts", "[play]") 
     }
     std::vector<Error> warnings;
     REQUIRE(check_layout(layout, settings, "grid", warnings).empty());
-    const std::vector<BoxPlay> play = play_of(layout, settings.container, 0.5);
+    const std::vector<BoxPlay> play = play_of(layout, settings, 0.5);
     std::set<double> places;
     for (std::uint32_t number = 1; number <= 10; ++number) {
       const Layout shifted = shifted_layout(layout, play, boxes_hash(layout), number);

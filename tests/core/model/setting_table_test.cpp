@@ -82,6 +82,8 @@ TEST_CASE("setting_table: keys set the member they name, in SI units", "[core][s
   };
   set("Container", "Length", "1203.5");
   set("Container", "OpenSides", "rear,roof  rear");
+  set("Container", "DropSides", "left 60, right 62.5");
+  set("Material N", "Fixed", "yes");
   set("Physics Engine", "SimulationStepsPerSecond", "480");
   set("Export Settings", "ResultsIntervalInSeconds", "0.25");
   set("Material N", "CentreOfMass", "1 -2.5\t0");
@@ -90,6 +92,8 @@ TEST_CASE("setting_table: keys set the member they name, in SI units", "[core][s
   set("Screening", "TiltThreshold", "5");
   CHECK(s.container.size.x() == 12.035);
   CHECK(s.container.open_sides == std::vector<std::string>{"rear", "roof"});
+  CHECK(s.container.drop_sides == std::vector<DropSide>{{"left", 0.6}, {"right", 0.625}});
+  CHECK(s.materials.at(3).fixed);
   CHECK(s.steps_per_second == 480.0);
   CHECK(s.results_interval == 0.25);
   CHECK(s.materials.at(3).centre_of_mass == Vec3(0.01, -0.025, 0.0));
@@ -145,6 +149,9 @@ TEST_CASE("setting_table: booleans, words and lists", "[core][setting_table]") {
   CHECK_FALSE(takes("Screening", "Scheduler", "pthread"));
   CHECK_FALSE(takes("Container", "OpenSides", "rear; roof"));
   CHECK(round_trip("Container", "OpenSides", "").empty());
+  CHECK(round_trip("Container", "DropSides", "rear 40 left 60.5") == "rear 40 left 60.5");
+  for (const char* wrong : {"left", "60", "left 60 left 50", "roof 60", "left -1", "left 0", "left 60 right"})
+    CHECK_FALSE(takes("Container", "DropSides", wrong));
   CHECK_FALSE(takes("Material N", "CentreOfMass", "1,5 0 0"));
   CHECK_FALSE(takes("Material N", "CentreOfMass", "1,2,3"));
   CHECK_FALSE(takes("Material N", "CentreOfMass", "1 2"));

@@ -90,9 +90,9 @@ TEST_CASE("sinking: overlaps are summed up from the floor on, and what nothing h
   meet(manifolds[1], 0, 1, contact_of(bodies.shape[0], bodies.shape[1], 1e-3, {}));
   meet(manifolds[2], -1, 0, contact_of(HalfSpace{}, bodies.shape[0], 1e-3));
   Sinking sinking;
-  CHECK(sinking.below(bodies, manifolds, 2, 0) == Approx(1e-4));
-  CHECK(sinking.below(bodies, manifolds, 2, 1) == Approx(3e-4));
-  CHECK(sinking.below(bodies, manifolds, 2, 2) == Approx(3e-4));
-  CHECK(sinking.below(bodies, manifolds, 2, 3) == 0.0);
-  CHECK(sinking.below(bodies, manifolds, 0, 1) == 0.0);
+  CHECK(sinking.below(bodies, manifolds, 2, 0, bodies.shape[0].centre) == Approx(1e-4));
+  CHECK(sinking.below(bodies, manifolds, 2, 1, bodies.shape[1].centre) == Approx(3e-4));
+  CHECK(sinking.below(bodies, manifolds, 2, 2, bodies.shape[2].centre) == Approx(3e-4));
+  CHECK(sinking.below(bodies, manifolds, 2, 3, bodies.shape[3].centre) == 0.0);
+  CHECK(sinking.below(bodies, manifolds, 0, 1, bodies.shape[1].centre) == 0.0);
 }

@@ -103,7 +103,7 @@ export interface WorldOutcome {
    * or while settling)
    */
   stopReason: StopReasonName;
-  /** boxes of the world; 0 when it was not run */
+  /** boxes of the world, with those that are fixed to the container; 0 when it was not run */
   boxes: number;
   /** boxes that were ever lowered by more than DropThreshold */
   fallen: number;
