@@ -6,7 +6,7 @@
 /// verdicts out. It gives the same bits as `holdfast screen` does on the same layouts, whatever the number of threads,
 /// the batch and the order.
 ///
-///     holdfast::Screen screen({.norm = "road"});
+///     holdfast::Screen screen(holdfast::ScreenOptions{.norm = "road"});
 ///     for (const holdfast::WorldOutcome& world : screen.evaluate(layouts))
 ///       if (world.verdict != holdfast::Verdict::stayed) reject(layouts[world.layout]);
 ///
@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -152,22 +153,22 @@ HOLDFAST_API std::vector<Setting> read_settings(const std::string& text);
 
 /// How a `Screen` works. What is absent is as `config` says.
 struct ScreenOptions {
-  std::string config;             ///< text of a config.ini, see docs/config.md; empty: all defaults
-  std::vector<Setting> settings;  ///< keys that are set after `config`, in this order
+  std::string config = {};             ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::vector<Setting> settings = {};  ///< keys that are set after `config`, in this order
   /// Name of a norm whose accelerations the screen has before those that it is given, such as "road"
   /// (docs/norms.md); "": none.
-  std::optional<std::string> norm;
-  std::optional<std::string> engine;    ///< such as "native"; see `engines`
-  std::optional<std::string> accuracy;  ///< of the native engine: "screening", "standard", "reference"
+  std::optional<std::string> norm = {};
+  std::optional<std::string> engine = {};    ///< such as "native"; see `engines`
+  std::optional<std::string> accuracy = {};  ///< of the native engine: "screening", "standard", "reference"
   /// Ends a world when its verdict is decided: "moved", as soon as a box is beyond any limit; "fallen", as soon as one
   /// has fallen; "end", never. Its verdict is then at least what it says; whether a world stayed never depends on this.
-  std::optional<std::string> stop_when;
-  std::optional<std::string> scheduler;  ///< "tbb", "openmp" or "serial"; never changes a result
-  std::optional<int> threads;            ///< worlds that are simulated at the same time; 0: one per core
+  std::optional<std::string> stop_when = {};
+  std::optional<std::string> scheduler = {};  ///< "tbb", "openmp" or "serial"; never changes a result
+  std::optional<int> threads = {};            ///< worlds that are simulated at the same time; 0: one per core
   /// Leaves the worlds of a layout out once one of them neither stayed nor failed to be simulated: they are
   /// `Verdict::not_needed`. In a call the accelerations that failed most layouts come first; a layout that is submitted
   /// takes them in their order.
-  std::optional<bool> first_failure;
+  std::optional<bool> first_failure = {};
   LengthUnit unit = LengthUnit::metre;  ///< of the corners of boxes; layout files have centimetres
   BadLayouts bad_layouts = BadLayouts::raise;
   bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
@@ -176,15 +177,15 @@ struct ScreenOptions {
   /// Called whenever a submitted layout is finished, on a thread of the screen, so that the program need not wait in
   /// `poll`: it may write into a pipe or wake a loop of events. It returns soon, throws nothing and calls no function
   /// of the screen. May be empty.
-  std::function<void()> on_finished;
+  std::function<void()> on_finished = {};
 };
 
 /// How `Screen::record` treats its file.
 struct RecordOptions {
-  bool series = true;        ///< write time series too
-  bool resume = false;       ///< continue a run of the same layouts that was stopped or killed
-  bool overwrite = false;    ///< replace the results of an earlier run; not together with `resume`
-  std::string command_line;  ///< noted in the file; may be empty
+  bool series = true;             ///< write time series too
+  bool resume = false;            ///< continue a run of the same layouts that was stopped or killed
+  bool overwrite = false;         ///< replace the results of an earlier run; not together with `resume`
+  std::string command_line = {};  ///< noted in the file; may be empty
 };
 
 /// A submitted layout that is finished.
@@ -231,6 +232,10 @@ class HOLDFAST_API Screen {
   /// live until the call returns. Throws `Error`; worlds that are lost to `cancel` have `StopReason::not_run`.
   std::vector<WorldOutcome> evaluate(std::span<const Layout> layouts);
 
+  std::vector<WorldOutcome> evaluate(std::initializer_list<Layout> layouts) {
+    return evaluate(std::span<const Layout>(layouts.begin(), layouts.size()));
+  }
+
   /// The same into memory of the caller, whose capacity is used again.
   void evaluate(std::span<const Layout> layouts, std::vector<WorldOutcome>& worlds);
 
@@ -242,16 +247,25 @@ class HOLDFAST_API Screen {
   /// False too for a layout that cannot be used, and after `cancel`. Throws `Error`.
   std::vector<bool> holds(std::span<const Layout> layouts);
   std::vector<bool> holds(std::span<const LayoutView> layouts);
+  std::vector<bool> holds(std::initializer_list<Layout> layouts) {
+    return holds(std::span<const Layout>(layouts.begin(), layouts.size()));
+  }
 
   /// How many g each layout stands, one entry per layout; the accelerations of the screen play no part. Throws `Error`,
   /// also where the engine cannot: native can.
   std::vector<LayoutMargins> margins(std::span<const Layout> layouts);
   std::vector<LayoutMargins> margins(std::span<const LayoutView> layouts);
+  std::vector<LayoutMargins> margins(std::initializer_list<Layout> layouts) {
+    return margins(std::span<const Layout>(layouts.begin(), layouts.size()));
+  }
 
   /// What geometry alone says of each layout; nothing is simulated, and the accelerations play no part. Numbers are not
   /// numbers where `BadLayouts::mark` lets a layout pass that cannot be used. Throws `Error`.
   std::vector<LayoutIndicators> indicators(std::span<const Layout> layouts);
   std::vector<LayoutIndicators> indicators(std::span<const LayoutView> layouts);
+  std::vector<LayoutIndicators> indicators(std::initializer_list<Layout> layouts) {
+    return indicators(std::span<const Layout>(layouts.begin(), layouts.size()));
+  }
 
   /// The same as `evaluate` into a results file, as `holdfast screen` writes it, with everything that a later analysis
   /// needs. What is finished survives whatever ends the process. Throws `Error`, also when the file exists and
@@ -356,9 +370,9 @@ class HOLDFAST_API World {
   void set_force(std::size_t box, const std::array<double, 3>& force,
                  const std::optional<std::array<double, 3>>& point = {});
 
-  /// Forces of the boxes on floor, front, rear, left, right, roof, ground and the fixed boxes together, mean over the last
-  /// step, container frame, N.
-  /// Empty without the setting `WallForces` or `Walls`, or where the engine does not measure them.
+  /// Forces of the boxes on floor, front, rear, left, right, roof, ground and the fixed boxes together, mean over the
+  /// last step, container frame, N. Empty without the setting `WallForces` or `Walls`, or where the engine does not
+  /// measure them.
   std::vector<std::array<double, 3>> side_forces() const;
 
   /// Of poses and velocities at the last step end: equal bits, equal hash.

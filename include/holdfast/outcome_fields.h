@@ -95,7 +95,7 @@
   X(derived,  u32, moved,         "/summary/worlds/moved_boxes",    "moved_boxes",    1, "1", "boxes that were ever displaced by more than MoveThreshold") \
   X(derived,  u32, tilted,        "/summary/worlds/tilted_boxes",   "tilted_boxes",   1, "1", "boxes that were ever rotated by more than TiltThreshold") \
   X(derived,  u32, fallen_at_end, "/summary/worlds/fallen_at_end",  "fallen_at_end",  3, "1", "boxes that are lower by more than DropThreshold at the end") \
-  X(derived,  u32, critical_box,  "/summary/worlds/critical_box",   "critical_box",   3, "1", "box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0 where no box has moved at all") \
+  X(derived,  u32, critical_box,  "/summary/worlds/critical_box",   "critical_box",   3, "1", "box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0 where no box used up a hundredth of a limit") \
   X(derived,  f32, peak_displacement, "/summary/worlds/peak_displacement", "peak_displacement_m",  1, "m", "largest displacement of a box, over all steps") \
   X(derived,  f32, peak_drop,         "/summary/worlds/peak_drop",         "peak_drop_m",          3, "m", "by how much a box was lowered at most, over all steps") \
   X(derived,  f32, peak_tilt,         "/summary/worlds/peak_tilt",         "peak_tilt_deg",        3, "degree", "largest angle of rotation of a box, over all steps") \

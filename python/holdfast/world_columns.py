@@ -39,7 +39,7 @@ class WorldColumns:
     fallen_at_end = Column("Boxes that are lower by more than DropThreshold at the end.")
     critical_box = Column(
         "Box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0"
-        " where no box has moved at all."
+        " where no box used up a hundredth of a limit."
     )
     peak_displacement = Column("Largest displacement of a box, over all steps, m.")
     peak_drop = Column("By how much a box was lowered at most, over all steps, m.")

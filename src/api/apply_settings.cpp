@@ -1,5 +1,6 @@
 #include "api/apply_settings.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -49,7 +50,13 @@ holdfast::Setting main_spelling(const holdfast::Setting& given) {
 
 void apply_settings(Settings& settings, std::span<const holdfast::Setting> given) {
   for (const holdfast::Setting& setting : given) apply_setting(settings, setting);
+  const auto is_given = [&](std::string_view section, std::string_view key) {
+    return std::any_of(given.begin(), given.end(),
+                       [&](const auto& one) { return one.section == section && one.key == key; });
+  };
   std::vector<Error> errors;
+  for (SettingConflict& conflict : choose_friction_model(settings, is_given))
+    errors.push_back(std::move(conflict.error));
   for (SettingConflict& conflict : check_settings(settings)) errors.push_back(std::move(conflict.error));
   if (!errors.empty()) throw exception_of(errors);
 }

@@ -17,6 +17,7 @@
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_file.hpp"
 #include "parallel/schedulers/scheduler.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 namespace holdfast {
 
@@ -66,7 +67,10 @@ void Screen::State::add(Acceleration acceleration) {
   if (stream().in_flight() > 0)
     throw internal::exception_of(
         {{.file = acceleration.name, .what = "an acceleration cannot be added while layouts are in flight"}});
-  read_accelerations.push_back({value_or_throw(internal::read_acceleration(acceleration)), ""});
+  internal::Acceleration read = value_or_throw(internal::read_acceleration(acceleration));
+  if (const auto error = internal::check_steps(acceleration.name, read, settings, engine->traits().steps_per_second))
+    throw internal::exception_of({*error});
+  read_accelerations.push_back({std::move(read), ""});
   accelerations.push_back(std::move(acceleration));
 }
 

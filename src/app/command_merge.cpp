@@ -44,6 +44,15 @@ Result<std::vector<std::string>> shard_paths(const MergeOptions& options) {
   return paths;
 }
 
+/// Refuses an output that is one of the shards, by whatever path or link: --overwrite would remove it.
+std::optional<Error> check_no_shard(const std::string& output, const std::vector<std::string>& shards) {
+  std::error_code absent;
+  for (const std::string& shard : shards)
+    if (std::filesystem::equivalent(output, shard, absent))
+      return Error{.file = output, .what = "is one of the shards", .value = shard, .accepted = "give another name"};
+  return std::nullopt;
+}
+
 /// `done` when HDF5 can open all shards, and does not crash on a damaged one.
 ExitCode check_readable(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
@@ -96,6 +105,7 @@ class MergeObserver final : public RunObserver {
 ExitCode run_merge_command(const MergeOptions& options) {
   const Result<std::vector<std::string>> paths = shard_paths(options);
   if (!paths) return fail(ExitCode::bad_usage, paths.error());
+  if (const auto error = check_no_shard(options.results_path, *paths)) return fail(ExitCode::bad_usage, *error);
   if (check_readable(*paths) == ExitCode::bad_usage) return ExitCode::bad_usage;
   const Result<RunOfShards> shards = RunOfShards::gather(*paths);
   if (!shards) return fail(ExitCode::bad_usage, shards.errors());

@@ -14,7 +14,7 @@
 #include "core/model/norms.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/text_file.hpp"
-#include "parallel/screening/series_limit.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
 
@@ -34,11 +34,16 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
   if (warning) warn(std::span(&*warning, 1));
 }
 
-std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job) {
+std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double steps_per_second) {
   std::vector<ReadAcceleration> accelerations;
   const auto take = [&](const std::string& label, Result<Acceleration> acceleration) {
     if (acceleration) {
-      const auto error = job.record_series ? check_samples(label, *acceleration, job.settings) : std::nullopt;
+      auto error = check_steps(label, *acceleration, job.settings, steps_per_second);
+      if (!error && job.record_series) error = check_samples(label, *acceleration, job.settings);
+      const double steps = most_steps(*acceleration, job.settings, steps_per_second);
+      const Error many{
+          .file = label, .what = "a world takes very many steps", .value = fmt::format("up to {:.2g}", steps)};
+      if (!error && steps > kManySteps) warn(std::span(&many, 1));
       if (error) acceleration = *error;
     }
     if (acceleration) {

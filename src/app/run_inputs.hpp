@@ -16,8 +16,9 @@ std::string input_name(const std::string& path);
 void warn_of_same_names(const std::vector<std::string>& paths);
 
 /// The accelerations of a run: those of its norm, and those of its files. What is wrong with one is reported, and
-/// becomes the message of its worlds.
-std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job);
+/// becomes the message of its worlds. A warning says where a world takes very many steps.
+/// @param steps_per_second of the engine, 1/s
+std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double steps_per_second);
 
 /// What the results file says about the run.
 RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAcceleration>& accelerations,

@@ -175,7 +175,7 @@ ExitCode run_screening(const ScreeningJob& asked) {
   const Result<std::unique_ptr<Engine>> engine = make_engine(asked.settings.screening.engine, asked.settings);
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
 
-  const std::vector<ReadAcceleration> accelerations = read_accelerations(asked);
+  const std::vector<ReadAcceleration> accelerations = read_accelerations(asked, (*engine)->traits().steps_per_second);
   if (!asked.part) return run_whole(asked, **engine, accelerations);
   const DividedJob divided(asked, accelerations, asked.part->parts);
   if (asked.part->part > divided.shards_with_layouts()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <utility>
@@ -28,27 +29,40 @@ std::string engine_text(const Settings& settings) {
   return settings.screening.engine + (accuracy.empty() ? "" : ", accuracy " + accuracy);
 }
 
+/// The coefficients of friction that act.
+std::string friction_text(const Settings& settings) {
+  const ContactSettings& contact = settings.contact;
+  if (contact.friction_model == FrictionModel::pairs)
+    return fmt::format("friction: box on box {:.3g}, on the floor {:.3g}, on walls {:.3g}\n", contact.box_box,
+                       contact.box_floor, contact.box_wall);
+  const bool own = std::any_of(settings.materials.begin(), settings.materials.end(),
+                               [](const auto& one) { return one.second.friction.has_value(); });
+  return fmt::format("friction: box on box {:.3g}, on floor and walls {:.3g}{}\n",
+                     settings.box_friction * settings.box_friction, settings.box_friction * settings.container.friction,
+                     own ? ", others where a material has its own" : "");
+}
+
 /// The first lines: what is run, and what its norm says.
 std::string start_text(const ScreeningJob& job, std::size_t accelerations, std::size_t finished) {
   const Settings& settings = job.settings;
   const std::size_t layouts = job.layout_paths.size();
   const auto threads = static_cast<std::size_t>(thread_count(settings.screening.threads));
   const std::string& norm = settings.screening.norm;
-  return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n{}", counted(layouts, "layout"),
+  return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n{}{}", counted(layouts, "layout"),
                      counted(accelerations, "acceleration"), counted(layouts * accelerations, "world"),
                      engine_text(settings), find_setting("Screening", "Scheduler")->get(settings, 0),
                      counted(threads, "thread"), finished > 0 ? fmt::format(", {} finished before", finished) : "",
-                     norm.empty() ? "" : norm_text(norm));
+                     friction_text(settings), norm.empty() ? "" : norm_text(norm));
 }
 
 }  // namespace
 
 void TerminalObserver::started(const RunProgress& progress) {
+  warn_of_same_names(job_.layout_paths);
+  warn_of_same_names(job_.acceleration_paths);
   if (!job_.quiet) {
     if (job_.existing == ExistingResults::resume && progress.resumed == 0)
       print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job_.results_path);
-    warn_of_same_names(job_.layout_paths);
-    warn_of_same_names(job_.acceleration_paths);
     print_to(stderr, "{}", start_text(job_, description_.accelerations.size(), progress.resumed));
   }
   display_.emplace(progress, job_.quiet);
@@ -62,7 +76,7 @@ void TerminalObserver::started(const RunProgress& progress) {
 }
 
 void TerminalObserver::warned(const Error& warning) {
-  if (!job_.quiet && ++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
+  if (++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
 }
 
 void TerminalObserver::layout_finished(const LayoutRecord& layout) {

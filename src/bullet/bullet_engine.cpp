@@ -30,6 +30,7 @@ class BulletSimulation final : public SteppedSimulation {
 BulletEngine::BulletEngine(std::string_view name, const Settings& settings)
     : settings_(settings), preset_(bullet_preset(name, settings)) {
   traits_.name = name;
+  traits_.steps_per_second = preset_.steps_per_second;
   traits_.measures_walls = settings.container.motion == ContainerMotion::prescribed;
   install_contact_laws();
 }

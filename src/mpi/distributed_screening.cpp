@@ -69,7 +69,7 @@ ShardsEnd run_shards(const ScreeningJob& job, SharedCounter& counter) {
   ScreeningJob of_shards = job;
   of_shards.quiet = true;
   of_shards.existing = ExistingResults::resume;
-  const DividedJob divided(of_shards, read_accelerations(job), kMostShards);
+  const DividedJob divided(of_shards, read_accelerations(job, 0.0), kMostShards);
   const std::uint64_t count = divided.shards_with_layouts();
   ShardsEnd end;
   for (std::uint64_t next = counter.add(1); next < count && end.finished; next = counter.add(1)) {

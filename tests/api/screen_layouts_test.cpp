@@ -34,7 +34,7 @@ std::vector<Problem> problems_of(const std::vector<double>& numbers, const holdf
 TEST_CASE("screen: layouts in memory of the caller give the bits of layouts of boxes", "[api][screen]") {
   Screen screen({brake()}, {.accuracy = "screening"});
   const std::vector<Layout> layouts = {screen.read_layout(HOLDFAST_SOURCE_DIR "/configs/layouts/seed_example.txt"),
-                                       {"none", {}}};
+                                       {"one", {{{2.0, 1.0, 0.0}, {2.5, 1.5, 0.4}, 1}}}};
   std::vector<std::vector<double>> rows;
   std::vector<LayoutView> views;
   for (const Layout& layout : layouts) {

@@ -31,6 +31,55 @@ def commands(document):
             if line and not line.startswith("#") and shlex.split(line)[0] not in NOT_HERE]
 
 
+# What the snippets of README and docs leave to the reader.
+AROUND = """
+struct { void operator()(std::size_t) const {} } reject;
+std::vector<holdfast::Layout> layouts;
+std::vector<holdfast::Acceleration> accelerations;
+std::vector<bool> holds;
+std::vector<int> out_of_place;
+"""
+AROUND_C = """
+static const double segments[5] = {0, 1, 1, 0, 0};
+static holdfast_layouts layouts;
+"""
+
+
+class Snippets(CliTest):
+    """C and C++ in README and docs compile as they stand, without a warning."""
+
+    def compiled(self, compiler, name, text):
+        self.write(name, text)
+        done = subprocess.run([*compiler, "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I", SOURCE / "include", name],
+                              cwd=self.folder, text=True, capture_output=True, timeout=PATIENCE, check=False)
+        self.assertEqual(done.returncode, 0, f"{text}\n{done.stderr}")
+
+    def test_snippets_compile(self):
+        count = 0
+        for path in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
+            for content in blocks(path.relative_to(SOURCE), "cpp", "c++"):
+                body = "".join(line for line in content.splitlines(True) if not line.startswith("#include"))
+                self.compiled(["g++", "-std=c++20"], "snippet.cpp",
+                              f"#include <holdfast/holdfast.hpp>\n#include <vector>\n{AROUND}\nvoid f() {{\n{body}\n}}\n")
+                count += 1
+            for content in blocks(path.relative_to(SOURCE), "c"):
+                body = "".join(line for line in content.splitlines(True) if not line.startswith("#include"))
+                self.compiled(["gcc", "-std=c11"], "snippet.c",
+                              f"#include <holdfast/holdfast.h>\n#include <stdio.h>\n{AROUND_C}\nvoid f(void);\nvoid f(void) {{\n{body}\n}}\n")
+                count += 1
+        self.assertGreaterEqual(count, 3)
+
+    def test_layouts_may_be_a_list(self):
+        self.compiled(["g++", "-std=c++20"], "list.cpp", """#include <holdfast/holdfast.hpp>
+void f(holdfast::Screen& screen, const holdfast::Layout& layout) {
+  screen.evaluate({layout});
+  screen.holds({layout, layout});
+  screen.margins({layout});
+  screen.indicators({layout});
+}
+""")
+
+
 class Readme(CliTest):
     """A folder like that of the sources, with the program built and a small demo run."""
 

@@ -196,7 +196,7 @@ class Signals(CliTest):
         time.sleep(0.3)  # so that the second world has surely begun
         process.send_signal(signal.SIGINT)
         said = process.stderr.readline()
-        while said.startswith(("0/2 worlds", "1/2 worlds")):  # progress, where ten seconds have passed
+        while said.startswith(("friction", "0/2 worlds", "1/2 worlds")):  # progress, where ten seconds have passed
             said = process.stderr.readline()
         self.assertIn("press Ctrl-C again", said)
         self.assertIsNone(process.poll())

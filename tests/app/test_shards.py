@@ -108,6 +108,19 @@ class Shards(ShardTest):
         # Blocks 1, 3 and 5 of five.
         self.assertEqual(len(datasets(self.folder / "node1/a.h5")["/worlds/layout"]), 2 * (128 + 128 + 88))
 
+    def test_an_output_that_is_a_shard_is_refused_before_anything_is_removed(self):
+        folder = self.shards(2, "--no-series")
+        shard = folder / "shard-1-of-2.h5"
+        content = shard.read_bytes()
+        os.symlink(shard, self.folder / "link.h5")
+        os.link(shard, self.folder / "same.h5")
+        for output in (shard, self.folder / "link.h5", self.folder / "same.h5", folder / ".." / folder.name / shard.name):
+            with self.subTest(output=str(output)):
+                done = self.run_here("merge", str(output), str(folder), "--overwrite")
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn("is one of the shards", done.stderr)
+                self.assertEqual(shard.read_bytes(), content)
+
     def test_all_analyses_are_merged(self):
         shutil.rmtree(self.folder / "layouts")
         for name in ("seed_example.txt", "BR5_020_layer_h60.txt"):

@@ -73,10 +73,12 @@ class EvaluateTest(unittest.TestCase):
 
     def test_layouts_may_be_one_array_with_offsets_or_of_three_dimensions(self):
         with holdfast.Screen([SLIDE, REST]) as screen:
-            expected = screen.evaluate([BOX, STACK, BOX[:0]])
-            flat = screen.evaluate(np.concatenate([BOX, STACK]), offsets=np.array([0, 1, 3, 3]))
+            expected = screen.evaluate([BOX, STACK])
+            flat = screen.evaluate(np.concatenate([BOX, STACK]), offsets=np.array([0, 1, 3]))
+            with self.assertRaisesRegex(holdfast.Error, "no boxes"):
+                screen.evaluate([BOX, BOX[:0]])
             cube = screen.evaluate(np.array([BOX, BOX]))
-            generated = screen.evaluate(layout for layout in [BOX, STACK, []])
+            generated = screen.evaluate(layout for layout in [BOX, STACK])
         np.testing.assert_array_equal(flat.state_hash, expected.state_hash)
         np.testing.assert_array_equal(generated.state_hash, expected.state_hash)
         np.testing.assert_array_equal(cube.state_hash, expected.state_hash[[0, 0]])

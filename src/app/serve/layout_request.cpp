@@ -79,6 +79,8 @@ class RequestReader {
     const char* unused = nullptr;
     const char* const end = line_.data() + line_.size();
     const bool complete = nlohmann::json::sax_parse(Cursor(line_.data(), &furthest_), Cursor(end, &unused), this);
+    // The parser takes a zero byte for the end.
+    if (complete && line_.find('\0') != std::string_view::npos) wrong("the line has a zero byte", "", "text");
     if (complete && !given(Key::boxes)) wrong("boxes are missing", "", kBoxesShape);
     return {std::move(request_), std::move(error_)};
   }

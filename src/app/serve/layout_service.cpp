@@ -10,7 +10,7 @@
 
 #include "api/convert.hpp"
 #include "app/report.hpp"
-#include "parallel/screening/series_limit.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
 

@@ -49,6 +49,8 @@ struct EngineTraits {
   bool proves_rest = false;
   /// Longest step, s: far shorter samples of a curve come as one phase, see `grouped`. 0: as phases of their own.
   double longest_step = 0.0;
+  /// Steps that a world takes in a second at least, 1/s.
+  double steps_per_second = 0.0;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
   bool has_kinetic_friction = false;
 };

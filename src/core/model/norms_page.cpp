@@ -62,7 +62,6 @@ A name stands for the coefficient of a **pair** of materials. Where friction is 
 
 ```ini
 [Contact]
-FrictionModel = pairs
 BoxBox = cardboard-cardboard
 BoxFloor = timber-plywood
 BoxWall = 0.3

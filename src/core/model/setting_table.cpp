@@ -135,7 +135,8 @@ std::vector<SettingKey> make_table() {
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
       "Coefficient of restitution of every contact whose material does not have its own.");
   add(OneOf<FrictionModels>{}, "FrictionModel", "", "product", MEMBER(contact.friction_model),
-      "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair.");
+      "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair. Where "
+      "this key is not given, it is `pairs` as soon as BoxBox, BoxFloor or BoxWall is.");
   add(NamedFriction<OfPair>{}, "BoxBox", "", "0.5", MEMBER(contact.box_box),
       "Friction coefficient between two boxes when FrictionModel is `pairs`.");
   add(NamedFriction<OfPair>{}, "BoxFloor", "", "0.5", MEMBER(contact.box_floor),
@@ -334,6 +335,30 @@ std::vector<std::pair<std::string, std::string>> effective_settings(const Settin
     for (const SettingKey& key : setting_table())
       if (key.section == kMaterialSection) add("Material " + std::to_string(id), key, id);
   return texts;
+}
+
+std::vector<SettingConflict> choose_friction_model(
+    Settings& settings, const std::function<bool(std::string_view section, std::string_view key)>& given) {
+  std::vector<SettingConflict> conflicts;
+  FrictionModel& model = settings.contact.friction_model;
+  const bool chosen = given("Contact", "FrictionModel");
+  const bool factors = given("Simulation Settings", "BoxFriction") || given("Simulation Settings", "ContainerFriction");
+  for (const char* name : {"BoxBox", "BoxFloor", "BoxWall"}) {
+    if (!given("Contact", name) || (chosen && model == FrictionModel::pairs)) continue;
+    if (!chosen && !factors) {
+      model = FrictionModel::pairs;
+      return {};
+    }
+    const char* const what = chosen ? "a key has no effect while FrictionModel is product"
+                                    : "a coefficient of a pair is given beside BoxFriction or ContainerFriction, which "
+                                      "are factors of a product";
+    conflicts.push_back({"Contact", name,
+                         Error{.what = what,
+                               .value = std::string("[Contact] ") + name,
+                               .accepted = chosen ? "remove it, or set FrictionModel = pairs"
+                                                  : "set FrictionModel, or give the keys of one model"}});
+  }
+  return conflicts;
 }
 
 std::vector<SettingConflict> check_settings(const Settings& settings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,6 +57,13 @@ struct SettingConflict {
   std::string name;     ///< of the key
   Error error;          ///< without file and line
 };
+
+/// Lets the friction model follow from the keys that are given, where FrictionModel itself is not: `pairs` where a
+/// coefficient of a pair is given.
+/// @param given whether a key of a section is given
+/// @return keys of a pair that have no effect
+std::vector<SettingConflict> choose_friction_model(
+    Settings& settings, const std::function<bool(std::string_view section, std::string_view key)>& given);
 
 /// Contradictions between keys whose values are valid separately; empty when there are none.
 std::vector<SettingConflict> check_settings(const Settings& settings);

@@ -46,14 +46,18 @@ double share_of_limits(const Excursion& box, const Thresholds& thresholds) {
       {share(box.displacement, thresholds.move), share(box.drop, thresholds.drop), share(box.tilt, thresholds.tilt)});
 }
 
+/// Share of a limit below which no box is worth a name: 1 mm of a displacement of 0.1 m.
+constexpr double kNotableShare = 0.01;
+
 /// The box that was beyond a limit first, in the order of the layout where several were in one step; where none was, or
-/// times are not known, the one that used up most of a limit. Counted from 1; 0 where none has moved.
+/// times are not known, the one that used up most of a limit. Counted from 1; 0 where none has used
+/// up `kNotableShare`.
 std::uint32_t critical_box(const EndTable& end, const std::vector<BoxVerdict>& boxes, bool unstable,
                            const Judging& judging) {
   std::uint32_t first = 0;
   std::uint32_t farthest = 0;
   float earliest = std::numeric_limits<float>::infinity();
-  double most = 0.0;
+  double most = kNotableShare;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const auto id = static_cast<std::uint32_t>(i + 1);
     if (boxes[i].first_beyond < earliest) {  // false where it is NaN

@@ -58,6 +58,7 @@ NativeEngine::NativeEngine(const Settings& settings)
   traits_.measures_walls = true;
   traits_.takes_changes = true;
   traits_.longest_step = 1.0 / options_.steps_per_second;
+  traits_.steps_per_second = options_.steps_per_second;
   traits_.has_kinetic_friction = true;
 }
 

@@ -24,7 +24,10 @@ class PlainSimulation final : public SteppedSimulation {
 
 }  // namespace
 
-PlainEngine::PlainEngine(const Settings& settings) : settings_(settings) { traits_.name = "native-plain"; }
+PlainEngine::PlainEngine(const Settings& settings) : settings_(settings) {
+  traits_.name = "native-plain";
+  traits_.steps_per_second = plain::steps_per_second(settings);
+}
 
 std::unique_ptr<Simulation> PlainEngine::build(const WorldBatch& batch) const {
   return std::make_unique<PlainSimulation>(batch, settings_);

@@ -52,6 +52,8 @@ Eigen::Matrix3d in_container(const Rotation& container_from_body, const Vec3& pr
 
 }  // namespace
 
+double steps_per_second(const Settings& settings) { return settings.steps_per_second.value_or(kStepsPerSecond); }
+
 Block PlainWorld::Body::block() const {
   return {position - orientation * centre_of_mass, half_extents, orientation.toRotationMatrix()};
 }
@@ -91,7 +93,7 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
 
 double PlainWorld::advance(const Phase& phase) {
   field_ = Vec3(0.0, 0.0, -settings_.gravity) - phase.acceleration;
-  const StepPlan plan(phase, settings_.steps_per_second.value_or(kStepsPerSecond));
+  const StepPlan plan(phase, steps_per_second(settings_));
   const std::uint64_t index = plan.steps_before(std::max(time_, phase.begin));
   take_step(plan.step());
   time_ = plan.end_of(index);

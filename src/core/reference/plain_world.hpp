@@ -15,6 +15,9 @@
 
 namespace holdfast::internal::plain {
 
+/// Steps in a second of simulated time, 1/s.
+double steps_per_second(const Settings& settings);
+
 /// One container with its boxes, simulated step by step, in the container's frame.
 ///
 /// A step (Moreau 1988): contacts are found at the start of the step; the effective gravity g − a(t) changes the

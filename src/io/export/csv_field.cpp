@@ -3,8 +3,10 @@
 namespace holdfast::internal {
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
+  // A spreadsheet takes a text that begins so for a formula, and may run it: an apostrophe makes it a text.
+  const bool is_formula = text.find_first_of("=+-@\t\r") == 0;
+  if (!is_formula && text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = is_formula ? "\"'" : "\"";
   for (const char letter : text) field += letter == '"' ? std::string("\"\"") : std::string(1, letter);
   return field + '"';
 }

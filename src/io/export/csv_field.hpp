@@ -10,7 +10,8 @@
 
 namespace holdfast::internal {
 
-/// A field as RFC 4180 defines it: quoted if it contains a comma, a quote or a line break.
+/// A field as RFC 4180 defines it: quoted if it contains a comma, a quote or a line break. A text that a spreadsheet
+/// would take for a formula begins with an apostrophe.
 std::string csv_field(const std::string& text);
 
 /// A number; an empty field, which readers treat as a missing value, if it is NaN.

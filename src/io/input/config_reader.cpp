@@ -178,7 +178,12 @@ class ConfigReader {
   }
 
   void add_conflicts() {
-    for (SettingConflict& conflict : check_settings(config_.settings)) {
+    const auto is_given = [&](std::string_view section, std::string_view key) {
+      return given_.contains({std::string(section), std::string(key)});
+    };
+    std::vector<SettingConflict> conflicts = choose_friction_model(config_.settings, is_given);
+    for (SettingConflict& conflict : check_settings(config_.settings)) conflicts.push_back(std::move(conflict));
+    for (SettingConflict& conflict : conflicts) {
       const Place place = given_[{conflict.section, conflict.name}];
       conflict.error.line = place.line;
       conflict.error.column = place.column;
@@ -189,15 +194,9 @@ class ConfigReader {
   /// Keys that the chosen friction model does not read.
   void add_warnings() {
     const bool pairs = config_.settings.contact.friction_model == FrictionModel::pairs;
-    const std::vector<std::pair<std::string, std::string>> unread =
-        pairs ? std::vector<std::pair<std::string, std::string>>{{"Simulation Settings", "ContainerFriction"},
-                                                                 {"Simulation Settings", "BoxFriction"}}
-              : std::vector<std::pair<std::string, std::string>>{
-                    {"Contact", "BoxBox"}, {"Contact", "BoxFloor"}, {"Contact", "BoxWall"}};
-    for (const auto& key : unread)
-      if (const auto found = given_.find(key); found != given_.end())
-        add_warning(found->second,
-                    key.second + " has no effect while FrictionModel is " + (pairs ? "pairs" : "product"), "");
+    for (const char* key : {"ContainerFriction", "BoxFriction"})
+      if (const auto found = given_.find({"Simulation Settings", key}); pairs && found != given_.end())
+        add_warning(found->second, std::string(key) + " has no effect while FrictionModel is pairs", "");
     if (given_.empty()) add_warning({}, "sets no key, so that all keys have their defaults", "");
   }
 

@@ -209,6 +209,7 @@ std::vector<Error> unsupported(const Settings& settings) {
 OpenClEngine::OpenClEngine(const std::string& name, const Settings& settings, const OpenClDevice& device)
     : settings_(settings), bodies_at_once_(bodies_at_once(device)) {
   traits_.name = name;
+  traits_.steps_per_second = settings.steps_per_second.value_or(kStepsPerSecond);
   const std::size_t fitting = std::max<std::size_t>(1, bodies_at_once_ / kBoxesPerLayout);
   traits_.layouts_per_unit = std::min(static_cast<std::size_t>(settings.opencl.layouts_per_batch), fitting);
   traits_.all_together = true;

@@ -7,7 +7,7 @@
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
-#include "parallel/screening/series_limit.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
 

@@ -39,6 +39,13 @@ TEST_CASE("layout_request: boxes, and everything that is optional", "[app][layou
   CHECK(good(R"({"unit":"m","boxes":[]})").options == RequestOptions{});
 }
 
+TEST_CASE("layout_request: a zero byte does not hide the rest of a line", "[app][layout_request]") {
+  const std::string line = std::string("{\"boxes\":[]}") + '\0' + "{\"boxes\":1}";
+  const ReadRequest read = read_request(line, kNames);
+  REQUIRE(read.error);
+  CHECK(read.error->what == "the line has a zero byte");
+}
+
 TEST_CASE("layout_request: an id is any JSON, and kept as it is written", "[app][layout_request]") {
   for (const std::string id :
        {"1", "-1.50e+3", "18446744073709551616123", "null", "true", "\"a \\\"b\\\" \\u00e4,\"",

@@ -180,11 +180,22 @@ TEST_CASE("config_reader: keys without effect give a warning", "[io][config_read
   CHECK(warnings_of("[Renderer Engine]\nDrawAxis=true\nTexturePack =\nUseRenderer=0\n") ==
         Messages{"in/c.ini:2:1: DrawAxis has no effect yet: true", "in/c.ini:3:1: TexturePack has no effect yet",
                  "in/c.ini:4:1: UseRenderer has no effect yet: 0"});
-  CHECK(warnings_of("[Contact]\nBoxBox = 0.5\n") ==
-        Messages{"in/c.ini:2:1: BoxBox has no effect while FrictionModel is product"});
   CHECK(warnings_of("[Contact]\nFrictionModel=pairs\n[Simulation Settings]\nBoxFriction = 0.5\n") ==
         Messages{"in/c.ini:4:1: BoxFriction has no effect while FrictionModel is pairs"});
   CHECK(warnings_of("; nothing\n") == Messages{"in/c.ini: sets no key, so that all keys have their defaults"});
+}
+
+TEST_CASE("config_reader: the friction model follows from the keys, and keys without effect are errors",
+          "[io][config_reader]") {
+  CHECK(parse("[Contact]\nBoxFloor = 0.3\n")->settings.contact.friction_model == FrictionModel::pairs);
+  CHECK(parse("[Simulation Settings]\nBoxFriction = 0.5\n")->settings.contact.friction_model == FrictionModel::product);
+  CHECK(errors_of("[Contact]\nFrictionModel = product\nBoxFloor = 0.3\n") ==
+        Messages{
+            "in/c.ini:3:1: a key has no effect while FrictionModel is product: [Contact] BoxFloor; remove it, or set "
+            "FrictionModel = pairs"});
+  CHECK(errors_of("[Contact]\nBoxFloor = 0.3\n[Simulation Settings]\nBoxFriction = 0.5\n") ==
+        Messages{"in/c.ini:2:1: a coefficient of a pair is given beside BoxFriction or ContainerFriction, which are "
+                 "factors of a product: [Contact] BoxFloor; set FrictionModel, or give the keys of one model"});
 }
 
 TEST_CASE("config_reader: contradictions name the key to change", "[io][config_reader]") {

@@ -39,6 +39,26 @@ TEST_CASE("opencl_engine: a box slides by Coulomb's law, whatever its friction",
   }
 }
 
+TEST_CASE("opencl_engine: floors end, and the ground has its own friction", "[parallel][opencl_engine]") {
+  Settings settings = open_floor(0.2);
+  settings.container.size = {10, 4, 3};
+  settings.container.open_sides = {"rear"};
+  settings.box_friction = 0.8;
+  settings.container.ground_friction = 0.5;
+  const auto engine = opencl_engine(settings);
+  if (!engine) return;
+  const Vec3 size(0.6, 0.5, 0.4);
+  const auto with_beyond = [&](double share) {
+    return run(*engine, layout_of({box({10 - (1 - share) * size.x(), 1, 0}, size)}), constant(0, 2), settings);
+  };
+  CHECK(with_beyond(0.49).displacement().norm() < 2e-3);
+  CHECK(with_beyond(0.51).displacement().z() < -1.0);
+  // A plate that lies on the ground.
+  const Layout beyond = layout_of({box({11, 1, -1.2}, {1, 1, 0.1})});
+  const double moved = run(*engine, beyond, constant(-6.0, 1.0), settings).displacement().x();
+  CHECK(moved == Approx(slide(6.0, 0.5 * 0.8, 1.0, 1.0 / 240)).epsilon(2e-3));
+}
+
 TEST_CASE("opencl_engine: worlds of one batch feel their own accelerations", "[parallel][opencl_engine]") {
   const Settings settings = open_floor(0.3);
   const auto engine = opencl_engine(settings);

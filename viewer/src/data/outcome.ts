@@ -117,7 +117,7 @@ export interface WorldOutcome {
   fallenAtEnd: number;
   /**
    * box that was beyond a limit first, or, where none was, came nearest to one: position in the layout, from 1; 0 where
-   * no box has moved at all
+   * no box used up a hundredth of a limit
    */
   criticalBox: number;
   /** largest displacement of a box, over all steps, m */

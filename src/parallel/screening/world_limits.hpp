@@ -17,6 +17,16 @@ inline constexpr double kMostSamples = 200'000;
 /// world's end.
 inline constexpr double kMostRows = 20'000'000;
 
+/// Most steps of a world, which take days, and how many are worth a warning, since they take minutes.
+inline constexpr double kMostSteps = 1e9, kManySteps = 1e7;
+
+/// Steps of a world under an acceleration, at most, where it settles and runs out for as long as it may.
+double most_steps(const Acceleration& acceleration, const Settings& settings, double steps_per_second);
+
+/// What a world under the acceleration would take too many steps for, if it does.
+std::optional<Error> check_steps(const std::string& path, const Acceleration& acceleration, const Settings& settings,
+                                 double steps_per_second);
+
 /// Samples of a world under an acceleration, at most: one at the begin and one at the end besides those in between, of
 /// settling or from t = 0 on.
 double most_samples(const Acceleration& acceleration, const Settings& settings);

@@ -1,4 +1,4 @@
-#include "parallel/screening/series_limit.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +16,20 @@ std::string at_most(double number) {
 }
 
 }  // namespace
+
+double most_steps(const Acceleration& acceleration, const Settings& settings, double steps_per_second) {
+  return (settings.screening.settle_seconds + latest_end(acceleration, settings)) * steps_per_second;
+}
+
+std::optional<Error> check_steps(const std::string& path, const Acceleration& acceleration, const Settings& settings,
+                                 double steps_per_second) {
+  const double steps = most_steps(acceleration, settings, steps_per_second);
+  if (steps <= kMostSteps) return std::nullopt;
+  return Error{.file = path,
+               .what = "would take a world too many steps",
+               .value = fmt::format("{:.2g}", steps),
+               .accepted = fmt::format("at most {:.0e}: fewer steps per second, or a shorter time", kMostSteps)};
+}
 
 double most_samples(const Acceleration& acceleration, const Settings& settings) {
   const double longest = std::max(latest_end(acceleration, settings), settings.screening.settle_seconds);
