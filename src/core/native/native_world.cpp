@@ -40,6 +40,14 @@ std::vector<Side> sides_of(const ContainerSettings& container, double friction, 
   return sides;
 }
 
+/// Steps per second that the thinnest upright box needs, 1/s; see `kThinSteps`.
+double least_steps_per_second(const Bodies& bodies, double gravity) {
+  double extent = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.fixed[i] == 0) extent = std::min(extent, 2.0 * bodies.shape[i].half_extents.head<2>().minCoeff());
+  return kThinSteps * std::sqrt(0.5 * gravity / extent);
+}
+
 }  // namespace
 
 NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Settings& settings,
@@ -50,6 +58,8 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
       contact_(world.contact),
       memory_(std::move(memory)) {
   scene_.bodies = bodies_of(batch, world);
+  options_.steps_per_second =
+      std::max(options_.steps_per_second, least_steps_per_second(scene_.bodies, settings.gravity));
   scene_.sides = sides_of(settings.container, world.container_friction, scene_.bodies.shape);
   scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
