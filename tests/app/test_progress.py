@@ -48,8 +48,9 @@ class Progress(CliTest):
         lines = drawn.split("\r\n")
         self.assertEqual(lines[-1].count("\n"), 0)
         self.assertIn("20 layouts x 1 acceleration = 20 worlds", lines[0])
-        self.assertEqual(len(lines), 2, "the line is drawn over, never continued")
-        shown = lines[1].split("\r")
+        self.assertTrue(lines[1].startswith("friction: "), lines[1])
+        self.assertEqual(len(lines), 3, "the line is drawn over, never continued")
+        shown = lines[2].split("\r")
         texts = [text.strip() for text in shown if re.match(r"\d+/20 worlds  [\d.]+ worlds/s  \d+ % of steps skipped"
                                                             r"  \d+:\d\d to go *$", text)]
         self.assertGreater(len(texts), 1, drawn)
@@ -85,6 +86,7 @@ class Progress(CliTest):
         process = start(*self.arguments("--accelerations", "long.txt", "endless.txt", "--json"), cwd=self.folder)
         self.addCleanup(process.kill)
         self.assertIn("4 worlds", process.stderr.readline())
+        self.assertIn("friction", process.stderr.readline())
         self.assertIn("long.txt", process.stdout.readline(), "a world has finished")
         # A line comes every ten seconds; stopped meanwhile, the program leaves the processor to other tests.
         process.send_signal(signal.SIGSTOP)
@@ -102,7 +104,7 @@ class Progress(CliTest):
         self.write_layouts(1)
         done = self.run_here(*self.arguments("--accelerations", "long.txt"))
         self.assert_exit(done, 0)
-        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertEqual(len(done.stderr.splitlines()), 2)
 
     def test_a_reader_that_goes_away_ends_the_run(self):
         self.write_layouts(3)
