@@ -234,7 +234,6 @@ TEST_CASE("screen: what holds is what stays under every acceleration", "[api][sc
     CHECK(holds[0] == (strong < 5.0));
     CHECK(holds[2] == holds[0]);
   }
-  CHECK_THROWS_WITH(Screen({constant(1.0)}).holds({{"empty", {}}}), Catch::Contains("empty: the layout has no boxes"));
   CHECK(Screen({constant(1.0), constant(2.0)}).holds(std::vector<Layout>{}).empty());
 }
 

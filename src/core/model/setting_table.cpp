@@ -135,7 +135,8 @@ std::vector<SettingKey> make_table() {
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
       "Coefficient of restitution of every contact whose material does not have its own.");
   add(OneOf<FrictionModels>{}, "FrictionModel", "", "product", MEMBER(contact.friction_model),
-      "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair. Where "
+      "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair. "
+      "Where "
       "this key is not given, it is `pairs` as soon as BoxBox, BoxFloor or BoxWall is.");
   add(NamedFriction<OfPair>{}, "BoxBox", "", "0.5", MEMBER(contact.box_box),
       "Friction coefficient between two boxes when FrictionModel is `pairs`.");

@@ -38,7 +38,7 @@ TEST_CASE("layout_check: touching boxes inside the container are valid", "[core]
   const Outcome outcome = check(cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {4.87, 1.33, 1.2}}));
   CHECK(outcome.errors.empty());
   CHECK(outcome.warnings.empty());
-  CHECK(check(Layout{}).errors == Messages{"a.txt: the layout has no boxes; at least one"});
+  CHECK(check(Layout{}).errors.empty());
 }
 
 TEST_CASE("layout_check: an overlap names both boxes, their lines and its depth", "[core][layout_check]") {
