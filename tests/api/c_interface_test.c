@@ -262,7 +262,7 @@ static void settles_settings(void) {
 
 static void takes_a_world_forward(void) {
   holdfast_settings* settings = holdfast_settings_new();
-  double forces[18];
+  double forces[24];
   holdfast_world* world = NULL;
   holdfast_screen* screen = screen_with(NULL);
   const holdfast_layouts all = layouts();
@@ -287,15 +287,15 @@ static void takes_a_world_forward(void) {
   CHECK(holdfast_world_hash(world, NULL) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_world_hash(world, &hash) == HOLDFAST_OK);
   CHECK(hash == outcomes[5].state_hash);
-  CHECK(holdfast_world_side_forces(world, forces, 6) == HOLDFAST_BAD_ARGUMENT); /* not asked for */
+  CHECK(holdfast_world_side_forces(world, forces, 8) == HOLDFAST_BAD_ARGUMENT); /* not asked for */
   CHECK(strstr(holdfast_world_message(world), "WallForces") != NULL);
   holdfast_world_free(world);
   CHECK(holdfast_settings_set(settings, "Screening", "WallForces", "true") == HOLDFAST_OK);
   CHECK(holdfast_world_new(settings, kBoxes + 7, 2, HOLDFAST_METRE, kWeak, 1, &world) == HOLDFAST_OK);
   CHECK(holdfast_world_advance(world, 0.5) == HOLDFAST_OK);
-  CHECK(holdfast_world_side_forces(world, forces, 5) == HOLDFAST_BAD_ARGUMENT);
-  CHECK(holdfast_world_side_forces(world, NULL, 6) == HOLDFAST_BAD_ARGUMENT);
-  CHECK(holdfast_world_side_forces(world, forces, 6) == HOLDFAST_OK);
+  CHECK(holdfast_world_side_forces(world, forces, 7) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_side_forces(world, NULL, 8) == HOLDFAST_BAD_ARGUMENT);
+  CHECK(holdfast_world_side_forces(world, forces, 8) == HOLDFAST_OK);
   CHECK(fabs(forces[2] + 62.5 * 9.81) < 1e-3 &&
         fabs(forces[0] + 62.5 * 4.8) < 1e-3); /* the weight and m a of 62.5 kg */
   holdfast_settings_free(settings);

@@ -168,11 +168,10 @@ void NativeWorld::find_contacts(const std::vector<std::uint8_t>& moved) {
       update_pair(static_cast<std::int32_t>(pair.i), static_cast<std::int32_t>(pair.j));
   // How far bodies have sunk is known when all other contacts are.
   scene_.sinking.forget();
-  for (const NarrowContact& narrow : narrow_contacts_) {
-    const bool flush =
-        scene_.sinking.is_flush(bodies, scene_.sides, scene_.manifolds, narrow.a, narrow.b, narrow.contact);
-    take_contact(narrow.a, narrow.b, flush ? ContactSet{} : narrow.contact);
-  }
+  for (NarrowContact& narrow : narrow_contacts_)
+    if (scene_.sinking.is_flush(bodies, scene_.sides, scene_.manifolds, narrow.a, narrow.b, narrow.contact))
+      narrow.contact = {};
+  for (const NarrowContact& narrow : narrow_contacts_) take_contact(narrow.a, narrow.b, narrow.contact);
 }
 
 /// Marks bodies that have passed through others in the step. Contacts are looked for along the velocities at its start:

@@ -51,16 +51,19 @@ double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifol
 void Sinking::find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k) {
   auto& supports = supports_[static_cast<std::size_t>(k)];
   for (auto& of_direction : supports) of_direction.clear();
-  const auto add = [&](bool up, std::int32_t body, std::int32_t lower, const ContactSet& contact) {
+  std::vector<ContactSet>& contacts = contacts_[static_cast<std::size_t>(k)];
+  contacts.clear();
+  const auto add = [&](bool up, std::int32_t body, std::int32_t lower) {
     if (body < 0 || bodies.fixed[static_cast<std::size_t>(body)] != 0) return;
-    supports[up ? 1 : 0].push_back({body, lower, &contact});
+    supports[up ? 1 : 0].push_back({body, lower, contacts.size() - 1});
   };
   for (const Manifold& manifold : manifolds) {
     const double along = manifold.contact.normal[k];
     if (manifold.contact.count == 0 || manifold.nearest_gap > kContactTolerance) continue;
     if (std::abs(along) < kSupporting) continue;
-    add(along > 0.0, manifold.b, manifold.a, manifold.contact);
-    add(along < 0.0, manifold.a, manifold.b, manifold.contact);
+    contacts.push_back(manifold.contact);
+    add(along > 0.0, manifold.b, manifold.a);
+    add(along < 0.0, manifold.a, manifold.b);
   }
   for (auto& of_direction : supports)
     std::sort(of_direction.begin(), of_direction.end(), [](const Support& first, const Support& second) {
@@ -79,8 +82,9 @@ std::optional<double> Sinking::sunk(const Bodies& bodies, int k, bool up, std::i
   double least = std::numeric_limits<double>::infinity();
   for (auto it = std::lower_bound(supports.begin(), supports.end(), body, before);
        it != supports.end() && it->body == body; ++it) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(it->contact->count); ++i) {
-      const ContactPoint& at = it->contact->points[i];
+    const ContactSet& contact = contacts_[static_cast<std::size_t>(k)][it->contact];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+      const ContactPoint& at = contact.points[i];
       if ((up ? at.on_a[k] : -at.on_a[k]) >= height) continue;
       Vec3 apart = at.on_a - point;
       apart[k] = 0.0;

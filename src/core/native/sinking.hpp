@@ -40,7 +40,7 @@ class Sinking {
   struct Support {
     std::int32_t body;
     std::int32_t lower;
-    const ContactSet* contact;
+    std::size_t contact;  ///< of `contacts_`
   };
 
   void find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k);
@@ -49,6 +49,7 @@ class Sinking {
 
   std::array<bool, 3> known_ = {};                               ///< along an axis
   std::array<std::array<std::vector<Support>, 2>, 3> supports_;  ///< along an axis, down and up, by body
+  std::array<std::vector<ContactSet>, 3> contacts_;              ///< along an axis, as they were then
 };
 
 }  // namespace holdfast::internal::native
