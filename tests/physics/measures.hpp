@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analyses/walls/wall_forces.hpp"
 #include "core/model/container_sides.hpp"
 #include "core/reference/plain_contacts.hpp"
 #include "io/input/layout_reader.hpp"
@@ -58,6 +59,21 @@ inline double mass_of(const WorldBatch& batch) {
   for (const double m : batch.boxes.mass)
     if (!std::isinf(m)) mass += m;
   return mass;
+}
+
+/// How far the impulses on all sides are from what weight and change of momentum call for, over the weight of the time.
+/// The run was asked for wall forces.
+inline double imbalance(const Layout& layout, const Acceleration& acceleration, const Settings& settings,
+                        const scenes::Run& run) {
+  const Acceleration* const accelerations[] = {&acceleration};
+  const WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
+  Vec3 field = Vec3(0, 0, -scenes::kGravity) * run.record.row.end_time;
+  for (const Segment& segment : acceleration.segments) field -= segment.duration * segment.acceleration;
+  Vec3 missing = Vec3::Zero();
+  for (std::size_t i = 0; i < batch.boxes.mass.size(); ++i)
+    if (!std::isinf(batch.boxes.mass[i])) missing += batch.boxes.mass[i] * (field - run.state.velocity[i]);
+  for (const Vec3& of_side : run.record.found.get<WallForces>()->impulse) missing -= of_side;
+  return missing.norm() / (mass_of(batch) * scenes::kGravity * run.record.row.end_time);
 }
 
 /// Deepest overlap, m: of any two boxes, of a box and a closed side.

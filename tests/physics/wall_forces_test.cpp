@@ -37,23 +37,6 @@ const WallForces& walls(const Run& run) { return *run.record.found.get<WallForce
 /// Force on a side at the last sample, N.
 double last_force(const Run& run, std::size_t side) { return walls(run).force.back().at(side); }
 
-/// How far the impulses on all sides are from what weight and change of momentum call for, over the weight of the time.
-double imbalance(const Layout& layout, const Acceleration& acceleration, const Settings& settings, const Run& run) {
-  const Acceleration* const accelerations[] = {&acceleration};
-  const WorldBatch batch = scenes::batch_of(std::span(&layout, 1), accelerations, settings);
-  Vec3 field = Vec3(0, 0, -kGravity) * run.record.row.end_time;
-  for (const Segment& segment : acceleration.segments) field -= segment.duration * segment.acceleration;
-  Vec3 expected = Vec3::Zero();
-  double mass = 0.0;
-  for (std::size_t i = 0; i < batch.boxes.mass.size(); ++i) {
-    expected += batch.boxes.mass[i] * (field - run.state.velocity[i]);
-    mass += batch.boxes.mass[i];
-  }
-  Vec3 impulse = Vec3::Zero();
-  for (const Vec3& of_side : walls(run).impulse) impulse += of_side;
-  return (impulse - expected).norm() / (mass * kGravity * run.record.row.end_time);
-}
-
 }  // namespace
 
 TEST_CASE("wall_forces: a row that is braked presses the front wall with m k (a - mu g)", "[physics][walls]") {

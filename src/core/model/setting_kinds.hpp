@@ -342,9 +342,8 @@ struct Sides {
 /// Walls of the container with their heights in centimetres, each at most once.
 struct DropSides {
   static constexpr std::string_view kAccepted =
-      "names of walls (front, rear, left, right), each once and followed by a height from 1 to 1000000, such as left "
-      "60 "
-      "right 60";
+      "names of walls (front, rear, left, right), each once and followed by a height from 1 to 1000000, such as "
+      "left 60 right 60";
   static std::optional<std::vector<DropSide>> parse(std::string_view text) {
     const std::vector<std::string_view> words = words_of(text, " \t,");
     std::vector<DropSide> sides;

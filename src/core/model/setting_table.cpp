@@ -128,16 +128,14 @@ std::vector<SettingKey> make_table() {
       "Walls that are lower than the container, each with its height above the floor, such as `left 60 right 60`.");
   add(Centimetres<NotNegative>{}, "BedHeight", "cm", "120", MEMBER(container.bed_height),
       "Height of the floor above the ground, where a side is open or low: a box that gets out falls onto the ground, "
-      "which "
-      "moves with the container. With 0 the floor has no end.");
+      "which moves with the container. With 0 the floor has no end.");
 
   section = "Contact";
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
       "Coefficient of restitution of every contact whose material does not have its own.");
   add(OneOf<FrictionModels>{}, "FrictionModel", "", "product", MEMBER(contact.friction_model),
       "Whether the friction coefficient of a contact is the product of its two sides, or is set per kind of pair. "
-      "Where "
-      "this key is not given, it is `pairs` as soon as BoxBox, BoxFloor or BoxWall is.");
+      "Where this key is not given, it is `pairs` as soon as BoxBox, BoxFloor or BoxWall is.");
   add(NamedFriction<OfPair>{}, "BoxBox", "", "0.5", MEMBER(contact.box_box),
       "Friction coefficient between two boxes when FrictionModel is `pairs`.");
   add(NamedFriction<OfPair>{}, "BoxFloor", "", "0.5", MEMBER(contact.box_floor),
@@ -159,8 +157,7 @@ std::vector<SettingKey> make_table() {
       "Coefficient of restitution of boxes of material N; when absent, that of [Contact].");
   add(Truth{}, "Fixed", "", "false", OF_MATERIAL(fixed),
       "Whether boxes of material N are part of the container, such as a bulkhead, a wheel arch or cargo that is "
-      "blocked: "
-      "they do not move, and count in no verdict, weight or fill.");
+      "blocked: they do not move, and count in no verdict, weight or fill.");
   add(CentimetreVector{}, "CentreOfMass", "cm", "0 0 0", OF_MATERIAL(centre_of_mass),
       "Offset of the centre of mass from the middle of the box along the container's length, width and height as "
       "loaded; an engine that cannot model it reports an error.");

@@ -61,6 +61,13 @@ void match_points(Manifold& manifold, const ContactSet& contact, const OrientedB
 }
 
 /// Where a body is; a side stays where it is.
+/// The side's block as it is for a body: moved back by its play.
+OrientedBox block_for(const Side& side, std::int32_t body) {
+  OrientedBox block = *side.block;
+  block.centre -= side.play[static_cast<std::size_t>(body)] * side.space.normal;
+  return block;
+}
+
 const OrientedBox& pose_of(const Bodies& bodies, std::int32_t body) {
   static const OrientedBox kSide;
   return body < 0 ? kSide : bodies.shape[static_cast<std::size_t>(body)];
@@ -101,12 +108,6 @@ void update_contact(Manifold& manifold, const ContactSet& contact, const Bodies&
   manifold.contact = contact;
   manifold.nearest_gap = contact.nearest_gap();
   manifold.found_at = {now_a, now_b};
-}
-
-OrientedBox block_for(const Side& side, std::int32_t body) {
-  OrientedBox block = *side.block;
-  block.centre -= side.play[static_cast<std::size_t>(body)] * side.space.normal;
-  return block;
 }
 
 ContactSet contact_now(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,

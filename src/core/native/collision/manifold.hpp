@@ -20,9 +20,6 @@ struct Side {
   std::vector<double> play;  ///< a body: how far the side stands back for it, m
 };
 
-/// The side's block as it is for a body: moved back by its play.
-OrientedBox block_for(const Side& side, std::int32_t body);
-
 /// What the last solve found at a point, from which the next one starts; container frame.
 struct CachedImpulse {
   Vec3 force = Vec3::Zero();             ///< on b, N
