@@ -205,8 +205,8 @@ test("margins, wall forces and replicas are there when the run made them", async
   assert.ok(withinLimits!.criticalBox.some((box) => box > 0));
   assert.ok(reader.results.replicas!.count.some((count) => count > 0));
   const { walls, series } = reader.world(0);
-  assert.equal(walls?.peak.length, 6);
-  assert.equal(walls?.force.length, 6 * series!.time.length);
+  assert.equal(walls?.peak.length, 8);
+  assert.equal(walls?.force.length, 8 * series!.time.length);
   assert.ok(walls!.limit.some((limit) => limit > 0));
 });
 

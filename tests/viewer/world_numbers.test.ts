@@ -194,6 +194,8 @@ test("the critical box is the one that is beyond a limit first, or else has used
     "four of five centimetres down are more than five of ten aside",
   );
   assert.equal(criticalBox(never(), excursionsTo(new Float32Array(9), new Float32Array(3)), LIMITS), 0);
+  const still = excursionsTo(Float32Array.of(0.0009, 0, 0, 0, 0, 0, 0, 0, 0), new Float32Array(3));
+  assert.equal(criticalBox(never(), still, LIMITS), 0, "less than a hundredth of a limit is not told");
 });
 
 test("a world that ended early is at least its verdict; one that is unstable is no worse than that", () => {

@@ -111,7 +111,7 @@ export class WorldPanel {
     const box = criticalBox - 1;
     if (boxes.id.length === 0) return [];
     if (box < 0)
-      return [element("section", {}, element("h2", {}, "Critical box"), element("p", {}, "None: no box has moved."))];
+      return [element("section", {}, element("h2", {}, "Critical box"), element("p", {}, "None: no box has used up 1 % of a limit."))];
     const first = boxes.firstBeyond[box];
     return [
       element(

@@ -13,16 +13,19 @@ export function shareOfLimits(of: Excursions, box: number, limits: Thresholds): 
 export const isBeyond = (of: Excursions, box: number, limits: Thresholds) =>
   of.displacement[box] > limits.move || of.drop[box] > limits.drop || of.tilt[box] > limits.tilt;
 
+/** The least share of a limit that is told: boxes that use up less stand as well as still. As in the program. */
+const NOTABLE_SHARE = 0.01;
+
 /**
  * The box that was beyond a limit first, in the order of the layout where several were at a time; where none was, or times are not
- * known, the one that used up most of a limit. Counted from 1; 0 where none has moved. As the program finds it: for files that do
- * not have it, and worlds that run in this page.
+ * known, the one that used up most of a limit. Counted from 1; 0 where none has used up a notable share. As the program finds it:
+ * for files that do not have it, and worlds that run in this page.
  */
 export function criticalBox(firstBeyond: Float32Array, of: Excursions, limits: Thresholds): number {
   let first = 0;
   let farthest = 0;
   let earliest = Number.POSITIVE_INFINITY;
-  let most = 0;
+  let most = NOTABLE_SHARE;
   for (let box = 0; box < firstBeyond.length; ++box) {
     // False where it is NaN.
     if (firstBeyond[box] < earliest) {

@@ -37,7 +37,7 @@ export interface WorldColumns {
   moved: Uint32Array;
   tilted: Uint32Array;
   fallenAtEnd: Uint32Array;
-  /** from 1; 0: no box has moved */
+  /** from 1; 0: no box has used up 1 % of a limit */
   criticalBox: Uint32Array;
   /** m, over all steps */
   peakDisplacement: Float32Array;
@@ -185,7 +185,7 @@ export interface World {
   stopReason: number;
   /** False: it ended while it settled, before t = 0. */
   accelerated: boolean;
-  /** from 1; 0: no box has moved */
+  /** from 1; 0: no box has used up 1 % of a limit */
   criticalBox: number;
   /** s: 0, or earlier where only settling is recorded */
   beginTime: number;
