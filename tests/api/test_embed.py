@@ -77,12 +77,17 @@ class InstalledTest(unittest.TestCase):
         self.assertEqual(lines[0], f"stayed moved {lines[-1]}")
         self.assertIn("1.00 s: x = 1.2025 m", lines)
 
+    def flags_of(self, library, **environment):
+        """What pkg-config says of the package below a folder of libraries, which must name folders that are there."""
+        environment = {**os.environ, "PKG_CONFIG_LIBDIR": str(library / "pkgconfig"), **environment}
+        flags = done("pkg-config", "--cflags", "--libs", "holdfast", env=environment).split()
+        include, folder = [pathlib.Path(flag[2:]) for flag in flags if flag.startswith(("-I", "-L"))]
+        self.assertTrue((include / "holdfast/holdfast.h").exists(), flags)
+        self.assertTrue((folder / "libholdfast.so").exists(), flags)
+        return flags
+
     def test_pkg_config_tells_how_to_build(self):
-        environment = dict(os.environ, PKG_CONFIG_PATH=str(self.library / "pkgconfig"))
-        # The package is configured for the prefix of the build; here it lies elsewhere.
-        flags = done("pkg-config", f"--define-variable=prefix={self.prefix}",
-                     f"--define-variable=libdir={self.library}", f"--define-variable=includedir={self.prefix}/include",
-                     "--cflags", "--libs", "holdfast", env=environment).split()
+        flags = self.flags_of(self.library)
         program = self.folder / "embed_by_pkg_config"
         done("c++", "-std=c++20", SOURCE / "examples/embed/main.cpp", *flags, f"-Wl,-rpath,{self.library}", "-o", program)
         self.assertEqual(len(done(program, ACCELERATION, LAYOUTS[0]).splitlines()), 1)
@@ -90,6 +95,49 @@ class InstalledTest(unittest.TestCase):
         done("cc", "-std=c11", "-pedantic", "-Wall", "-Wextra", "-Werror", SOURCE / "examples/embed/plain.c", *flags,
              f"-Wl,-rpath,{self.library}", "-o", plain)
         self.check_plain(plain)
+
+    def test_pkg_config_finds_the_package_wherever_it_lies(self):
+        stage = self.folder / "stage"
+        done("cmake", "--install", BUILD, "--prefix", "/usr", env={**os.environ, "DESTDIR": str(stage)})
+        self.flags_of(stage / "usr" / self.library.relative_to(self.prefix))
+        shutil.move(stage / "usr", self.folder / "moved")
+        library = self.folder / "moved" / self.library.relative_to(self.prefix)
+        self.flags_of(library)
+        # As where packages for another machine are put together.
+        self.flags_of(library, PKG_CONFIG_SYSROOT_DIR=str(self.folder))
+
+    def test_pkg_config_follows_the_folder_of_libraries(self):
+        build, prefix = self.folder / "elsewhere", self.folder / "deep"
+        done("cmake", "-S", SOURCE, "-B", build, "-G", "Ninja", "-DBUILD_TESTING=OFF", "-DCMAKE_INSTALL_LIBDIR=lib/one/two")
+        library = prefix / "lib/one/two"
+        (library / "pkgconfig").mkdir(parents=True)
+        shutil.copy(build / "holdfast.pc", library / "pkgconfig")
+        (library / "libholdfast.so").touch()
+        shutil.copytree(SOURCE / "include", prefix / "include")
+        self.flags_of(library)
+
+    def test_a_build_of_the_program_alone_says_what_to_build(self):
+        """`make demo` builds no library: what installs must say so, and how the program is installed."""
+        build = self.folder / "program"
+        for script in BUILD.rglob("cmake_install.cmake"):
+            copy = build / script.relative_to(BUILD)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_text(script.read_text().replace(str(BUILD), str(build)))
+        refused = subprocess.run(["cmake", "--install", build, "--prefix", self.folder / "none", "--component", "program"],
+                                 capture_output=True, text=True, check=False)
+        self.assertIn(f"cmake --build {build} --target holdfast", refused.stderr)
+        for name in ("bin/holdfast", "holdfast.1", "holdfast.bash"):
+            (build / name).parent.mkdir(exist_ok=True)
+            shutil.copy(BUILD / name, build / name)
+        shutil.copytree(BUILD / "share", build / "share", symlinks=True)
+        refused = subprocess.run(["cmake", "--install", build, "--prefix", self.folder / "all"], capture_output=True, text=True,
+                                 check=False)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertNotIn("cannot find", refused.stderr)
+        for command in (f"cmake --build {build}", f"cmake --install {build} --component program"):
+            self.assertIn(command, [line.strip() for line in refused.stderr.splitlines()])
+        done("cmake", "--install", build, "--component", "program", "--prefix", self.folder / "alone")
+        self.assertIn("native ", done(self.folder / "alone/bin/holdfast", "engines"))
 
     def test_a_project_of_c_alone_finds_the_package(self):
         folder = self.folder / "c_alone"
