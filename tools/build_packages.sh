@@ -13,11 +13,8 @@ fi
 mkdir -p "${1:-build/packages}"
 folder=$(cd "${1:-build/packages}" && pwd)
 
-as_root=()
-((EUID == 0)) || as_root=(sudo)
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
-  build-essential debhelper dh-python chrpath lintian > /dev/null
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq build-dep -y --no-install-recommends . > /dev/null
+tools/apt_get.sh install -y --no-install-recommends build-essential debhelper dh-python chrpath lintian > /dev/null
+tools/apt_get.sh build-dep -y --no-install-recommends . > /dev/null
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -56,6 +56,7 @@ python_packages=(
   python3-pip        # pip install . --no-build-isolation
   python3-pybind11   # pybind11 as pip looks for it
   python3-setuptools # the build that pip starts
+  python3-venv       # the environment that pip installs into
   python3-wheel      # what it makes
   mypy               # checks types and the stub
   python3-distributed # Dask, worker processes on many machines, in an example and its test
@@ -110,17 +111,13 @@ if ((${#missing[@]} == 0)); then
   exit 0
 fi
 
-as_root=()
-if ((EUID != 0)); then
-  if ! command -v sudo > /dev/null; then
-    echo "These packages are missing, and installing them takes root or sudo:" >&2
-    echo "  ${missing[*]}" >&2
-    exit 1
-  fi
-  as_root=(sudo)
+if ((EUID != 0)) && ! command -v sudo > /dev/null; then
+  echo "These packages are missing, and installing them takes root or sudo:" >&2
+  echo "  ${missing[*]}" >&2
+  exit 1
 fi
 
 echo "Dependencies: installing ${missing[*]}"
-apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
-"${apt[@]}" update < /dev/null
-"${apt[@]}" install -y --no-install-recommends "${missing[@]}" < /dev/null
+apt_get=$(dirname "$0")/apt_get.sh
+"$apt_get" update
+"$apt_get" install -y --no-install-recommends "${missing[@]}"

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 packages=$(cd "${1:-build/packages}" && pwd)
 ((EUID == 0)) || { echo "$0: debootstrap and chroot take root" >&2; exit 2; }
-command -v debootstrap > /dev/null || apt-get -qq install -y --no-install-recommends debootstrap > /dev/null 2>&1
+command -v debootstrap > /dev/null || tools/apt_get.sh install -y --no-install-recommends debootstrap > /dev/null
 
 root=$(mktemp -d)
 finish() {
