@@ -3,7 +3,7 @@ import { test } from "node:test";
 import * as THREE from "three";
 import { hitBox } from "../../viewer/src/live/box_hit";
 import { DrivenAcceleration } from "../../viewer/src/live/driven_acceleration";
-import { bitsSentence, floorFriction } from "../../viewer/src/live/live_words";
+import { bitsSentence } from "../../viewer/src/live/live_words";
 import { dragged, placed } from "../../viewer/src/live/placing";
 import { accelerationText, engineSettings, layoutText, settingsText } from "../../viewer/src/live/saved_files";
 import { SpeedMeter } from "../../viewer/src/live/speed_meter";
@@ -147,10 +147,4 @@ test("what a replay says of the file", () => {
   assert.match(said("00fe", {}, "holdfast 0.9.0").text, /of holdfast 0\.9\.0, this page of 2\.0\.0/);
   assert.match(said("00fe", { endTime: -0.9 }).text, /ended while it settled/);
   assert.match(said("00ff", { engine: "bullet" }).text, /of the engine bullet: there are no bits/);
-});
-
-test("friction begins where the settings have it", () => {
-  const product = { "Simulation Settings/BoxFriction": "0.8", "Simulation Settings/ContainerFriction": "0.5" };
-  assert.ok(Math.abs(floorFriction(product) - 0.4) < 1e-12);
-  assert.equal(floorFriction({ ...product, "Contact/FrictionModel": "pairs", "Contact/BoxFloor": "0.3" }), 0.3);
 });

@@ -1,8 +1,9 @@
 import { excursionsTo, shareOfLimits } from "../data/excursions";
+import { betweenBoxes, onFloor } from "../data/friction";
 import { REAR, sideName, UPRIGHT } from "../data/openings";
 import type { BoxColumns, Results, Series, Thresholds, World } from "../data/results";
 import { tiltOf } from "../time/poses";
-import { gravities, metres } from "../ui/text";
+import { compared, gravities, metres } from "../ui/text";
 
 const GRAVITY = 9.81;
 /**
@@ -40,17 +41,47 @@ export function freeWay(
   return Math.max(0, free);
 }
 
-/** Share of the box's base that lies on the floor or on boxes, as loaded. */
-export function supported(boxes: BoxColumns, box: number): number {
-  if (low(boxes, box, 2) < TOUCH) return 1;
-  let area = 0;
+const standsOnFloor = (boxes: BoxColumns, box: number) => low(boxes, box, 2) < TOUCH;
+
+/** The boxes that a box stands on, as loaded, and the areas, m². */
+function boxesBelow(boxes: BoxColumns, box: number): { below: number; area: number }[] {
+  const found: { below: number; area: number }[] = [];
   for (let below = 0; below < boxes.id.length; ++below) {
     if (below === box || Math.abs(low(boxes, box, 2) - high(boxes, below, 2)) > TOUCH) continue;
     const x = overlap(boxes, box, below, 0);
     const y = overlap(boxes, box, below, 1);
-    if (x > 0 && y > 0) area += x * y;
+    if (x > 0 && y > 0) found.push({ below, area: x * y });
   }
+  return found;
+}
+
+/** Share of the box's base that lies on the floor or on boxes, as loaded. */
+export function supported(boxes: BoxColumns, box: number): number {
+  if (standsOnFloor(boxes, box)) return 1;
+  const area = boxesBelow(boxes, box).reduce((sum, one) => sum + one.area, 0);
   return Math.min(1, area / (boxes.size[3 * box] * boxes.size[3 * box + 1]));
+}
+
+/**
+ * The coefficient of friction of a box and what it stands on, as loaded; NaN where the settings do not say it, or say different ones
+ * of the boxes below.
+ */
+export function frictionBelow(settings: Results["settings"], boxes: BoxColumns, box: number): number {
+  const { material } = boxes;
+  if (standsOnFloor(boxes, box)) return onFloor(settings, material[box]);
+  const all = new Set(
+    boxesBelow(boxes, box).map(({ below }) => betweenBoxes(settings, material[box], material[below])),
+  );
+  return all.size === 1 ? [...all][0] : Number.NaN;
+}
+
+/** Whether friction holds a push (g), as a sentence; null: it holds, or its coefficient is not known. */
+export function frictionSentence(push: number, friction: number): string | null {
+  if (Math.abs(push - friction) <= MARGINAL * push)
+    return `The push of ${gravities(push)} is what friction just holds, or just does not.`;
+  if (!(push > friction)) return null;
+  const [more, less] = compared(push, friction, gravities);
+  return `The push of ${more} is more than friction holds (${less}).`;
 }
 
 /** The first sample in which a box moves; -1: it does not. */
@@ -98,15 +129,13 @@ export function causeOf(results: Results, world: World, box: number): string[] {
   const share = supported(boxes, box);
   if (share < 0.995) sentences.push(`${(100 * share).toFixed(0)} % of its base is supported.`);
   if (push > 0.005) {
-    const onFloor = low(boxes, box, 2) < TOUCH;
-    const friction = Number(results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"]);
-    const known = Number.isFinite(friction) && results.settings[onFloor ? "Contact/BoxFloor" : "Contact/BoxBox"] !== "";
-    if (known && Math.abs(push - friction) <= MARGINAL * push)
-      sentences.push(`The push of ${gravities(push)} is what friction just holds, or just does not.`);
-    else if (known && push > friction)
-      sentences.push(`The push of ${gravities(push)} is more than friction holds (${friction.toFixed(2)} g).`);
-    else if (known && tips)
-      sentences.push(`The push is ${gravities(push)}; it is ${slenderness(boxes, box, axis)} times as high as deep.`);
+    const friction = frictionBelow(results.settings, boxes, box);
+    const slides = frictionSentence(push, friction);
+    if (slides) sentences.push(slides);
+    else if (friction > push && tips)
+      sentences.push(
+        `The push is ${gravities(push)}, and the box is ${slenderness(boxes, box, axis)} times as high as it is deep in that direction.`,
+      );
   }
   if (!sinks) {
     const free = freeWay(boxes, results.container, box, axis, up);

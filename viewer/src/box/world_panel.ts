@@ -9,7 +9,7 @@ import { boxVerdict } from "../load/quantities";
 import { between, tiltOf, times } from "../time/poses";
 import { element } from "../ui/dom";
 import type { Store } from "../ui/state";
-import { degrees, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
+import { compared, degrees, fixed, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
 import { BoxList } from "./box_list";
 import { causeOf } from "./cause";
 import { departureSentences, departuresSentence } from "./departure";
@@ -111,7 +111,14 @@ export class WorldPanel {
     const box = criticalBox - 1;
     if (boxes.id.length === 0) return [];
     if (box < 0)
-      return [element("section", {}, element("h2", {}, "Critical box"), element("p", {}, "None: no box has used up 1 % of a limit."))];
+      return [
+        element(
+          "section",
+          {},
+          element("h2", {}, "Critical box"),
+          element("p", {}, "None: no box has used up 1 % of a limit."),
+        ),
+      ];
     const first = boxes.firstBeyond[box];
     return [
       element(
@@ -164,7 +171,8 @@ export class WorldPanel {
     ];
     const share = shareOfLimits(of, box, limits);
     const { size, limit, text, what } = sizes.find((one) => one.size / one.limit === share) ?? sizes[0];
-    const numbers = `${text(size)} of ${what}, where the limit is ${text(limit)}${settles ? ", while the load settled" : ""}`;
+    const [far, allowed] = compared(size, limit, text);
+    const numbers = `${far} of ${what}, where the limit is ${allowed}${settles ? ", while the load settled" : ""}`;
     return isBeyond(of, box, limits)
       ? ` went farthest beyond a limit: ${numbers}.`
       : ` came nearest to a limit: ${numbers}.`;
@@ -180,10 +188,10 @@ export class WorldPanel {
       );
       return;
     }
-    const fixed = boxes.fixed[box] === 1;
+    const isFixed = boxes.fixed[box] === 1;
     const first = boxes.firstBeyond[box];
     const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => String(Number((100 * side).toFixed(1))));
-    const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => (100 * part).toFixed(1));
+    const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => fixed(100 * part, 1));
     const facts: [string, string][] = [
       ["size, cm", size.join(" × ")],
       ["material", String(boxes.material[box])],
@@ -205,19 +213,19 @@ export class WorldPanel {
         "beyond a limit first",
         Number.isNaN(first) && verdict === VERDICT_CODES.stayed ? "never" : seconds(first),
       ]);
-    if (!fixed) facts.push(...way);
+    if (!isFixed) facts.push(...way);
     this.box.replaceChildren(
       element("h2", {}, `Box ${boxes.id[box]}`),
       element(
         "p",
         { class: "title" },
-        fixed ? null : element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
-        element("span", {}, fixed ? "fixed" : VERDICTS[verdict].name),
+        isFixed ? null : element("i", { class: `swatch verdict-${verdict}` }, VERDICTS[verdict].glyph),
+        element("span", {}, isFixed ? "fixed" : VERDICTS[verdict].name),
         element("span", { class: "faint" }),
         element("button", { class: "plain", title: "Focus (F)", onclick: () => this.focus(box) }, "Focus"),
       ),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
-      ...(fixed ? [soft("It is part of the container: it never moves, and has no verdict.")] : []),
+      ...(isFixed ? [soft("It is part of the container: it never moves, and has no verdict.")] : []),
       // The critical box has its story above.
       ...(box === this.world.criticalBox - 1 ? [] : this.story(box)),
     );
@@ -250,12 +258,12 @@ export class WorldPanel {
           "span",
           {
             class: "track",
-            title: `now ${newtons(now)}, largest over 0.05 s ${newtons(most)}, limit ${newtons(limit)}`,
+            title: `now ${newtons(now)}, largest over 0.05 s ${newtons(most)}${limit > 0 ? `, limit ${newtons(limit)}` : ""}`,
           },
           element("i", { class: "most", style: `width: ${share(most)}` }),
           element("i", { class: "now", style: `width: ${share(Number.isFinite(now) ? now : 0)}` }),
         ),
-        element("span", { class: "value" }, limit > 0 ? `${((100 * most) / limit).toFixed(0)} %` : newtons(most)),
+        element("span", { class: "value" }, limit > 0 ? shareText(most / limit) : newtons(most)),
       );
     });
     this.walls.replaceChildren(
@@ -277,6 +285,9 @@ export class WorldPanel {
     return `box ${boxes.id[box]} · ${metres(far)} · ${degrees(tilt)}`;
   }
 }
+
+/** In percent. What is more than 100 % reads as more. */
+const shareText = (share: number) => compared(100 * share, 100, (value, more) => `${fixed(value, more)} %`)[0];
 
 /** What a layout stands in each direction, as sentences. */
 function marginSentences(margins: Margins, layout: number): string[] {

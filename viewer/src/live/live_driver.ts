@@ -136,18 +136,22 @@ export class LiveDriver implements TimeControl {
   /** The settings of the world, and with them a configuration that repeats it. */
   settings(mode: Mode, saved = false): LiveInputs["settings"] {
     if (mode === "replay") return engineSettings(this.file.settings, {});
-    const { accuracy, friction } = this.choices;
+    const { accuracy } = this.choices;
     const changed: Record<string, string> = {
       "Simulation Settings/TimeoutInSeconds": saved ? "" : String(LONGEST),
       "Simulation Settings/StoppingCondition": "timeout",
       "Screening/StopWhen": "end",
       "Native/Accuracy": accuracy,
     };
-    if (friction !== null) {
-      changed["Contact/FrictionModel"] = "pairs";
-      for (const pair of ["BoxBox", "BoxFloor", "BoxWall"]) changed[`Contact/${pair}`] = String(friction);
-    }
-    return engineSettings(this.file.settings, changed);
+    return engineSettings(this.file.settings, { ...changed, ...this.chosenFriction(mode) });
+  }
+
+  /** Settings of the friction that was chosen; none where it is that of the file. */
+  private chosenFriction(mode: Mode): Record<string, string> {
+    const { friction } = this.choices;
+    if (mode === "replay" || friction === null) return {};
+    const ofPairs = ["BoxBox", "BoxFloor", "BoxWall"].map((pair) => [`Contact/${pair}`, String(friction)]);
+    return { "Contact/FrictionModel": "pairs", ...Object.fromEntries(ofPairs) };
   }
 
   /** What the container did, and will do when nothing is changed. */
@@ -315,6 +319,8 @@ export class LiveDriver implements TimeControl {
   private take(frame: Frame): void {
     const { record } = this;
     record.world.segments = this.segments(this.end);
+    // Sentences about the cause compare with the friction that acts.
+    record.results.settings = { ...this.file.settings, ...this.chosenFriction(this.mode) };
     // At a change, the value before it, as in a results file.
     const acceleration = accelerationAt(record.world.segments, frame.time - 1e-9);
     if (frame.stateHash !== null) this.hash = frame.stateHash;

@@ -1,8 +1,9 @@
+import { onFloor } from "../data/friction";
 import type { Results, World } from "../data/results";
 import { choice, element } from "../ui/dom";
-import { newtons } from "../ui/text";
+import { fixed, gravities, newtons } from "../ui/text";
 import type { LiveDriver } from "./live_driver";
-import { bitsSentence, floorFriction } from "./live_words";
+import { bitsSentence } from "./live_words";
 import type { Vector } from "./messages";
 import { placed } from "./placing";
 import { Slider } from "./slider";
@@ -195,13 +196,14 @@ export class LivePanel {
     const now = driver.acceleration;
     for (const [axis, slider] of this.axes.entries()) {
       const value = now[axis] / GRAVITY;
-      slider.show(value, `${value.toFixed(2)} g`, replay);
+      slider.show(value, gravities(value), replay);
     }
     this.source.textContent = driver.driven.taken ? "by hand" : "the file's";
     const { friction } = driver.choices;
     const given = replay || friction === null;
-    const shown = given ? floorFriction(this.file.settings) : friction;
-    this.friction.show(shown, given ? "file" : shown.toFixed(2), replay);
+    const ofFile = onFloor(this.file.settings);
+    const shown = given ? (Number.isFinite(ofFile) ? ofFile : 0.5) : friction;
+    this.friction.show(shown, given ? "file" : fixed(shown, 2), replay);
     this.accuracy.set(driver.choices.accuracy as (typeof ACCURACIES)[number]);
     this.showCorner();
   }

@@ -28,13 +28,3 @@ export function bitsSentence(
     return { same: false, text: "Other bits than the file's, whose world failed." };
   return { same: false, text: `Other bits than the file's, whose hash is ${world.stateHash}.` };
 }
-
-/** Coefficient of friction of box and floor, as the settings have it; the sliders begin there. */
-export function floorFriction(settings: Readonly<Record<string, string>>): number {
-  const number = (key: string) => Number(settings[key]);
-  const value =
-    settings["Contact/FrictionModel"] === "pairs"
-      ? number("Contact/BoxFloor")
-      : number("Simulation Settings/BoxFriction") * number("Simulation Settings/ContainerFriction");
-  return Number.isFinite(value) ? value : 0.5;
-}

@@ -5,26 +5,50 @@ import { NOT_COUNTED } from "../data/results";
 /** g: margins are not sought beyond it. */
 const LARGEST_MARGIN = 1.5;
 
-export function metres(value: number): string {
-  if (!Number.isFinite(value)) return "–";
-  if (value < 0) return value > -0.0005 ? "0" : `−${metres(-value)}`;
-  const size = value;
-  if (size < 0.0005) return "0";
-  if (size < 0.01) return `${(value * 1000).toFixed(1)} mm`;
-  if (size < 1) return `${(value * 100).toFixed(1)} cm`;
-  return `${value.toFixed(2)} m`;
+/** A number with so many digits behind the point; what rounds to 0 has no sign. */
+export function fixed(value: number, digits: number): string {
+  const size = Math.abs(value).toFixed(digits);
+  return `${value < 0 && Number(size) > 0 ? "−" : ""}${size}`;
 }
 
-export const degrees = (value: number) => (Number.isFinite(value) ? `${value.toFixed(1)}°` : "–");
-export function seconds(value: number): string {
+/** A round number, beside an axis. */
+export const tickText = (value: number) => String(Number(value.toPrecision(6))).replace("-", "−");
+
+/** @param more digits beyond the usual ones */
+export function metres(value: number, more = 0): string {
   if (!Number.isFinite(value)) return "–";
-  const size = Math.abs(value).toFixed(2);
-  return `${value < 0 && Number(size) > 0 ? "−" : ""}${size} s`;
+  const size = Math.abs(value);
+  if (size < 0.0005 && more === 0) return "0";
+  if (size < 0.01) return `${fixed(value * 1000, 1 + more)} mm`;
+  if (size < 1) return `${fixed(value * 100, 1 + more)} cm`;
+  return `${fixed(value, 2 + more)} m`;
 }
+
+export const degrees = (value: number, more = 0) => (Number.isFinite(value) ? `${fixed(value, 1 + more)}°` : "–");
+export const seconds = (value: number) => (Number.isFinite(value) ? `${fixed(value, 2)} s` : "–");
 export const kilograms = (value: number) => `${value < 10 ? value.toFixed(2) : value.toFixed(1)} kg`;
-export const gravities = (value: number) => (Number.isFinite(value) ? `${value.toFixed(2)} g` : "–");
-export const margin = (value: number) =>
-  value < LARGEST_MARGIN ? gravities(value) : gravities(value).replace(" ", "+ ");
+export const gravities = (value: number, more = 0) => (Number.isFinite(value) ? `${fixed(value, 2 + more)} g` : "–");
+
+/** A margin without its unit. It is negative where the load does not even stand under gravity. */
+export function marginNumber(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value < 0) return "unstable";
+  return value < LARGEST_MARGIN ? fixed(value, 2) : `${fixed(LARGEST_MARGIN, 2)}+`;
+}
+export const margin = (value: number) => (value >= 0 ? `${marginNumber(value)} g` : marginNumber(value));
+
+/** Two numbers that a sentence compares, with as many digits as it takes to see which one is larger. */
+export function compared(
+  a: number,
+  b: number,
+  text: (value: number, more: number) => string,
+): readonly [string, string] {
+  const most = 6;
+  let more = 0;
+  while (more < most && a !== b && text(a, more) === text(b, more)) ++more;
+  return [text(a, more), text(b, more)];
+}
+
 export const count = (value: number) => (value === NOT_COUNTED ? "–" : value.toLocaleString("en"));
 
 export function joules(value: number): string {
@@ -34,7 +58,7 @@ export function joules(value: number): string {
 
 export function newtons(value: number): string {
   if (!Number.isFinite(value)) return "–";
-  return Math.abs(value) < 1000 ? `${value.toFixed(0)} N` : `${(value / 1000).toFixed(1)} kN`;
+  return Math.abs(value) < 1000 ? `${fixed(value, 0)} N` : `${fixed(value / 1000, 1)} kN`;
 }
 
 export function bytes(value: number): string {
