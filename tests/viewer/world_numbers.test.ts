@@ -1,8 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { beginOfMotion, freeWay, supported } from "../../viewer/src/box/cause";
+import { beginOfMotion, freeWay, frictionBelow, frictionSentence, supported } from "../../viewer/src/box/cause";
 import { departureOf, departureSentences, sideBeyond } from "../../viewer/src/box/departure";
 import { criticalBox, excursionsTo } from "../../viewer/src/data/excursions";
+import { betweenBoxes, frictionText, onFloor } from "../../viewer/src/data/friction";
 import { fixedMaterials, openingsText, readOpenings } from "../../viewer/src/data/openings";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../../viewer/src/data/outcome";
 import type { BoxColumns, Results, Series, World } from "../../viewer/src/data/results";
@@ -11,8 +12,8 @@ import { meaningOf, verdictText } from "../../viewer/src/data/verdict";
 import { bedOf, insideOf } from "../../viewer/src/load/container_faces";
 import { accelerationAt, accelerationSteps } from "../../viewer/src/time/acceleration";
 import { between, slerp, tiltOf, times } from "../../viewer/src/time/poses";
-import { markers } from "../../viewer/src/time/strips";
-import { margin, seconds } from "../../viewer/src/ui/text";
+import { markers, roundStep, roundTicks, strips } from "../../viewer/src/time/strips";
+import { compared, degrees, fixed, margin, metres, newtons, seconds, tickText } from "../../viewer/src/ui/text";
 
 const LIMITS = { move: 0.1, drop: 0.05, tilt: 10 };
 
@@ -243,4 +244,91 @@ test("times have a sign, and none where they are 0; the largest margin that is t
   assert.equal(seconds(-0.001), "0.00 s");
   assert.equal(margin(0.302), "0.30 g");
   assert.equal(margin(1.5), "1.50+ g");
+  assert.equal(margin(0.4953), "0.50 g", "a load that holds 0.5 g has at least 0.495 g in the file");
+  assert.equal(margin(-0.12), "unstable");
+  assert.equal(margin(Number.NaN), "–");
+});
+
+test("no number is a zero with a sign", () => {
+  for (const zero of [-0, -0.0004]) {
+    assert.equal(fixed(zero, 2), "0.00");
+    assert.equal(metres(zero), "0");
+    assert.equal(newtons(zero), "0 N");
+    assert.equal(tickText(-0), "0");
+  }
+  assert.equal(fixed(-0.25, 1), "−0.3");
+  assert.equal(metres(-0.25), "−25.0 cm");
+});
+
+test("two numbers that a sentence compares differ as they are printed", () => {
+  assert.deepEqual(compared(0.12, 0.1, metres), ["12.0 cm", "10.0 cm"]);
+  assert.deepEqual(compared(0.10004, 0.1, metres), ["10.004 cm", "10.000 cm"]);
+  assert.deepEqual(compared(0.0001, 0.0002, metres), ["0.10 mm", "0.20 mm"]);
+  assert.deepEqual(compared(9.98, 10, degrees), ["9.98°", "10.00°"]);
+  assert.deepEqual(compared(0.1, 0.1, metres), ["10.0 cm", "10.0 cm"]);
+});
+
+const PRODUCT = {
+  "Contact/FrictionModel": "product",
+  "Contact/BoxBox": "0.5",
+  "Contact/BoxFloor": "0.5",
+  "Contact/BoxWall": "0.45",
+  "Simulation Settings/BoxFriction": "0.8",
+  "Simulation Settings/ContainerFriction": "0.5",
+};
+
+test("friction is that of the keys that act", () => {
+  assert.equal(frictionText(PRODUCT), "box on box 0.64, on floor and walls 0.4");
+  const own = { ...PRODUCT, "Material 2/Friction": "0.2" };
+  assert.equal(frictionText(own), "box on box 0.64, on floor and walls 0.4, others where a material has its own");
+  assert.equal(frictionText({ ...PRODUCT, "Material 2/Friction": "" }), frictionText(PRODUCT));
+  const pairs = { ...PRODUCT, "Contact/FrictionModel": "pairs", "Contact/BoxFloor": "0.3" };
+  assert.equal(frictionText(pairs), "box on box 0.5, on the floor 0.3, on walls 0.45");
+  assert.ok(Math.abs(onFloor(PRODUCT) - 0.4) < 1e-12);
+  assert.ok(Math.abs(onFloor(own, 2) - 0.1) < 1e-12);
+  assert.ok(Math.abs(betweenBoxes(own, 1, 2) - 0.16) < 1e-12);
+  assert.equal(onFloor(pairs, 2), 0.3);
+  assert.equal(betweenBoxes(pairs, 1, 2), 0.5);
+  assert.ok(Number.isNaN(onFloor({})));
+});
+
+test("a push is compared with the friction of what is below the box, and reads as more where it is more", () => {
+  const boxes = { ...pile, material: Int32Array.of(1, 2, 1) };
+  const settings = { ...PRODUCT, "Material 2/Friction": "0.4" };
+  assert.ok(Math.abs(frictionBelow(settings, boxes, 1) - 0.2) < 1e-12);
+  assert.ok(Number.isNaN(frictionBelow(settings, boxes, 2)), "it stands on two materials");
+  assert.ok(Math.abs(frictionBelow(PRODUCT, boxes, 2) - 0.64) < 1e-12);
+  assert.equal(frictionSentence(0.8, 0.5), "The push of 0.80 g is more than friction holds (0.50 g).");
+  assert.equal(frictionSentence(0.104, 0.1), "The push of 0.104 g is more than friction holds (0.100 g).");
+  assert.match(frictionSentence(0.505, 0.5) ?? "", /just holds, or just does not/);
+  assert.equal(frictionSentence(0.3, 0.5), null);
+  assert.equal(frictionSentence(0.3, Number.NaN), null);
+});
+
+test("axes end at round numbers, with a zero among them, and none has a range of 0", () => {
+  assert.deepEqual(roundTicks(0, 7.848), [0, 4, 8]);
+  assert.deepEqual(roundTicks(0, 1234), [0, 1000, 2000]);
+  assert.deepEqual(roundTicks(-7.848, 7.848), [-10, 0, 10]);
+  assert.deepEqual(roundTicks(-0.3, 7.848), [-10, 0, 10]);
+  assert.deepEqual(roundTicks(0, 0.3), [0, 0.2, 0.4]);
+  assert.deepEqual(roundTicks(0, 0), [0, 0.5, 1]);
+  assert.deepEqual(roundTicks(0, 1, true), [0, 1]);
+  assert.deepEqual(roundTicks(0, 3, true), [0, 2, 4]);
+  assert.equal(roundStep(0.07, [1, 2, 5]), 0.1);
+});
+
+test("each curve has a unit, and an axis that takes in all of its values", () => {
+  const series = {
+    time: Float64Array.of(0, 1),
+    acceleration: new Float32Array(6),
+    energy: Float32Array.of(0, 2345),
+    fallen: Uint32Array.of(0, 0),
+  };
+  const world = { series, segments: [], accelerated: true } as unknown as World;
+  const found = strips(world, 0, 1).map(({ unit, ticks }) => ({ unit, ticks }));
+  assert.deepEqual(found, [
+    { unit: "m/s²", ticks: [0, 0.5, 1] },
+    { unit: "kJ", ticks: [0, 2, 4] },
+    { unit: "boxes", ticks: [0, 1] },
+  ]);
 });

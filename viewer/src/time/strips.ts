@@ -14,10 +14,35 @@ export interface Strip {
   name: string;
   unit: string;
   lines: Line[];
-  low: number;
-  high: number;
-  /** the value that is farthest from 0 */
-  most: number;
+  /** Round numbers beside the curve, in the unit: the axis ends with the first and the last one. */
+  ticks: number[];
+  /** what values are divided by, to be in the unit */
+  per: number;
+}
+
+/** Numbers whose multiples by powers of 10 are round. */
+const ROUND = [1, 2, 3, 4, 5];
+/** Ticks lie as many steps apart at most: more have no room in a strip. */
+const MOST_STEPS = 2;
+
+/** The least round step, at least as large as a number. */
+export function roundStep(least: number, mantissas: readonly number[] = ROUND): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  const found = mantissas.find((mantissa) => mantissa * power >= least * (1 - 1e-9));
+  return found ? found * power : 10 * power;
+}
+
+/** Round numbers, equally far apart, that a range and 0 lie between. An axis from 0 to 1 where all is 0. */
+export function roundTicks(low: number, high: number, whole = false): number[] {
+  const [begin, end] = low < 0 || high > 0 ? [Math.min(0, low), Math.max(0, high)] : [0, 1];
+  let step = roundStep((end - begin) / MOST_STEPS);
+  if (whole) step = Math.max(1, step);
+  const bounds = () => [Math.floor(begin / step + 1e-9), Math.ceil(end / step - 1e-9)];
+  // With 0 among them, it may take a larger step.
+  while (bounds()[1] - bounds()[0] > MOST_STEPS) step = roundStep(1.01 * step);
+  const [first, last] = bounds();
+  // Sums of steps would not be round.
+  return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
 function strip(name: string, unit: string, lines: Line[]): Strip {
@@ -25,11 +50,13 @@ function strip(name: string, unit: string, lines: Line[]): Strip {
   let high = 0;
   for (const { values } of lines)
     for (let i = 0; i < values.length; ++i) {
+      if (!Number.isFinite(values[i])) continue;
       low = Math.min(low, values[i]);
       high = Math.max(high, values[i]);
     }
-  const most = high >= -low ? high : low;
-  return { name, unit, lines, low, high: low === high ? low + 1 : high, most };
+  const per = unit === "J" && high >= 1000 ? 1000 : 1;
+  const whole = unit === "boxes";
+  return { name, unit: per > 1 ? `k${unit}` : unit, lines, ticks: roundTicks(low / per, high / per, whole), per };
 }
 
 export function strips(world: World, begin: number, end: number): Strip[] {

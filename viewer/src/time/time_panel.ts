@@ -1,18 +1,25 @@
 import type { World } from "../data/results";
 import { element, oncePerFrame } from "../ui/dom";
 import type { Store } from "../ui/state";
-import { seconds } from "../ui/text";
+import { fixed, seconds, tickText } from "../ui/text";
 import { colour } from "../ui/theme";
 import { SPEEDS } from "./clock";
 import { times } from "./poses";
-import { markers, type Strip, strips } from "./strips";
+import { markers, roundStep, type Strip, strips } from "./strips";
 import type { TimeControl } from "./time_control";
 
 const FONT = "11px ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
 const TOP = 16;
 const BOTTOM = 18;
-const LEFT = 116;
+const LEFT = 140;
 const RIGHT = 16;
+/** Names of the strips end here, and leave room for the numbers of their axes. */
+const NAMES = LEFT - 44;
+/** Pixels between the numbers of the time axis, at least, and between labels of curves. */
+const TICK = 56;
+const LABEL = 11;
+/** Pixels between two strips, whose numbers would touch otherwise. */
+const GAP = 14;
 
 /** The time line: curves, samples, when boxes are beyond a limit first, and the place where one is; drag it to go through time. */
 export class TimePanel {
@@ -125,15 +132,16 @@ export class TimePanel {
     context.font = FONT;
     context.textBaseline = "middle";
 
+    const simulated = this.world.boxes.id.length > 0;
     const room = Math.min(64, (height - TOP - BOTTOM) / this.strips.length);
-    for (const [index, strip] of this.strips.entries()) this.drawStrip(strip, TOP + index * room, room - 8, x);
+    if (simulated)
+      for (const [index, strip] of this.strips.entries()) this.drawStrip(strip, TOP + index * room, room - GAP, x);
     if (!this.world.series) {
       context.fillStyle = colour("faint");
       context.textAlign = "center";
-      const said =
-        this.world.boxes.id.length > 0
-          ? "No series in this file: boxes go straight from where they stood to where they end, without turning."
-          : "This world was not simulated.";
+      const said = simulated
+        ? "No series in this file: boxes go straight from where they stood to where they end, without turning."
+        : "This world was not simulated.";
       context.fillText(said, (width + LEFT) / 2, height - BOTTOM - 34);
     }
 
@@ -141,6 +149,7 @@ export class TimePanel {
     context.fillStyle = colour("faint");
     if (this.world.series && (width - LEFT - RIGHT) / this.samples.length >= 2)
       for (const sample of this.samples) context.fillRect(x(sample) - 0.5, height - BOTTOM, 1, 4);
+    if (!simulated) return;
     this.drawScale(x, begin, end, height);
     for (const mark of this.marks) {
       const at = x(mark.time);
@@ -157,34 +166,44 @@ export class TimePanel {
     canvas.setAttribute("aria-valuenow", time.toFixed(3));
     canvas.setAttribute("aria-valuemin", begin.toFixed(3));
     canvas.setAttribute("aria-valuemax", end.toFixed(3));
-    canvas.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
+    canvas.setAttribute("aria-valuetext", `${fixed(time, 2)} seconds`);
   }
 
   private drawScale(x: (at: number) => number, begin: number, end: number, height: number): void {
     const { context } = this;
-    const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
-    const step = steps.find((value) => x(value) - x(0) >= 56) ?? 200;
+    const step = roundStep(TICK / (x(1) - x(0)), [1, 2, 5]);
     context.textAlign = "center";
+    context.fillStyle = colour("faint");
     for (let tick = Math.ceil(begin / step - 1e-9); tick * step <= end + 1e-9; ++tick)
-      context.fillText(`${Number((tick * step).toFixed(3))}`.replace("-", "−"), x(tick * step), height - 6);
+      context.fillText(tickText(tick * step), x(tick * step), height - 6);
     context.textAlign = "right";
-    context.fillText("s", LEFT - 14, height - 6);
+    context.fillStyle = colour("soft");
+    context.fillText("time", NAMES - context.measureText(" s").width, height - 6);
+    context.fillStyle = colour("faint");
+    context.fillText("s", NAMES, height - 6);
   }
 
   private drawStrip(strip: Strip, top: number, height: number, x: (at: number) => number): void {
     const { context } = this;
-    const y = (value: number) => top + height - ((value - strip.low) / (strip.high - strip.low)) * height;
+    const { ticks, per } = strip;
+    const [low, high] = [ticks[0], ticks[ticks.length - 1]];
+    const y = (value: number) => top + height - ((value / per - low) / (high - low)) * height;
     context.strokeStyle = colour("line");
     context.lineWidth = 1;
-    context.beginPath();
-    context.moveTo(LEFT, Math.round(y(0)) + 0.5);
-    context.lineTo(this.canvas.width / devicePixelRatio - RIGHT, Math.round(y(0)) + 0.5);
-    context.stroke();
     context.textAlign = "right";
-    context.fillStyle = colour("soft");
-    context.fillText(strip.name, LEFT - 14, top + height / 2 - 6);
     context.fillStyle = colour("faint");
-    context.fillText(`${Number(strip.most.toPrecision(3))} ${strip.unit}`, LEFT - 14, top + height / 2 + 7);
+    for (const tick of ticks) {
+      const at = y(tick * per);
+      context.beginPath();
+      context.moveTo(LEFT, Math.round(at) + 0.5);
+      context.lineTo(this.canvas.width / devicePixelRatio - RIGHT, Math.round(at) + 0.5);
+      context.stroke();
+      context.fillText(tickText(tick), LEFT - 6, at);
+    }
+    context.fillText(strip.unit, NAMES, top + height / 2 + 7);
+    context.fillStyle = colour("soft");
+    context.fillText(strip.name, NAMES, top + height / 2 - 6);
+    this.drawLabels(strip, top + height, x, y);
     for (const line of strip.lines) {
       context.beginPath();
       for (let i = 0; i < line.time.length; ++i) {
@@ -194,10 +213,21 @@ export class TimePanel {
       context.strokeStyle = colour(line.colour);
       context.lineWidth = 1.5;
       context.stroke();
-      if (!line.label) continue;
+    }
+  }
+
+  /** Names of curves at their ends, where those that end at the same value stand above each other. */
+  private drawLabels(strip: Strip, bottom: number, x: (at: number) => number, y: (value: number) => number): void {
+    const { context } = this;
+    const ends = strip.lines
+      .filter(({ label }) => label !== "")
+      .map((line) => ({ line, at: Math.min(bottom, y(line.values[line.values.length - 1])) }))
+      .sort((a, b) => b.at - a.at);
+    context.textAlign = "left";
+    for (const [i, { line, at }] of ends.entries()) {
+      if (i > 0) ends[i].at = Math.min(at, ends[i - 1].at - LABEL);
       context.fillStyle = colour(line.colour);
-      context.textAlign = "left";
-      context.fillText(line.label, x(line.time[line.time.length - 1]) + 4, y(line.values[line.values.length - 1]));
+      context.fillText(line.label, x(line.time[line.time.length - 1]) + 4, ends[i].at);
     }
   }
 }
