@@ -54,7 +54,7 @@ test("worlds that ended early are at least what their cells say", async () => {
 });
 
 test("the page of `holdfast view` has its results in it", async () => {
-  const page = await openPage({ address: `file://${RESULTS}/demo.html#world=4&time=1` });
+  const page = await openPage({ address: `file://${RESULTS}/demo.html#world=5&time=1` });
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
   assert.match(await page.innerText("header"), /demo\.h5\s+BR15_077_ep\.txt · road-front-0g8/);
   await page.close();
@@ -91,5 +91,33 @@ for (const [file, sentence] of Object.entries(sentences))
 test("a part says that its run is not finished", async () => {
   const page = await openPage({ file: "part.h5" });
   assert.match(await page.innerText("header"), /unfinished run.*--resume/);
+  await page.close();
+});
+
+test("the overview says what the order is, what colours mean, and the friction that acts", async () => {
+  const page = await openPage({ file: "rich.h5" });
+  assert.match(await page.innerText(".order"), /^By the worst verdict, then by how many worlds do not hold/);
+  assert.match(
+    await page.innerText("aside"),
+    /friction\s+box on box 0\.5, on the floor 0\.5, on walls 0\.45\s+container/,
+  );
+  const sort = ".tools select[aria-label=Sort]";
+  const colour = ".tools select[aria-label=Colour]";
+  await page.selectOption(sort, "margin");
+  assert.match(await page.innerText(".order"), /^By the smallest margin/);
+  for (const [scale, legend] of [
+    ["displacement", /1 mm or less\s+10 m or more.*\s+not known/],
+    ["margin", /1 g or more\s+0 g, or unstable\s+not known/],
+    ["place", /1 g or more\s+0 g, or unstable\s+not known/],
+    ["share", /0, none fails\s+1, all fail\s+not known/],
+  ] as const) {
+    await page.selectOption(colour, scale);
+    assert.match(await page.innerText(".colours"), legend);
+  }
+  await page.evaluate(() => {
+    location.hash = "scale=displacement&sort=name";
+  });
+  await page.waitForFunction((of) => document.querySelector<HTMLSelectElement>(of)?.value === "displacement", colour);
+  assert.equal(await page.inputValue(sort), "name", "choices follow the address");
   await page.close();
 });

@@ -13,7 +13,7 @@ const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the 
 after(closeBrowser);
 
 /** The fourth world of the file: 81 boxes under braking, of which some fall. */
-async function openLive(file = "demo.h5", world = 4): Promise<Page> {
+async function openLive(file = "demo.h5", world = 5): Promise<Page> {
   const page = await openPage({ file });
   await page.evaluate((hash) => {
     location.hash = hash;
@@ -59,7 +59,7 @@ const judgement = async (page: Page) =>
 test("a replayed world has the bits of the file, its verdict, its counts and its critical box", { skip }, async () => {
   const page = await openPage({ file: "demo.h5" });
   await page.evaluate(() => {
-    location.hash = "world=4";
+    location.hash = "world=5";
   });
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
   const recorded = await judgement(page);
@@ -76,7 +76,7 @@ test("a replayed world has the bits of the file, its verdict, its counts and its
 });
 
 test("an unstable load is not accelerated, and its replay has the bits of the file", { skip }, async () => {
-  const page = await openLive("demo.h5", 12);
+  const page = await openLive("demo.h5", 13);
   await says(page, ".speed", /unstable under gravity alone: it is not accelerated/);
   await page.keyboard.press(" ");
   await page.waitForTimeout(300);
@@ -88,7 +88,7 @@ test("an unstable load is not accelerated, and its replay has the bits of the fi
 });
 
 test("a world that is not touched ends as the file; accuracy starts it anew", { skip }, async () => {
-  const page = await openLive("demo.h5", 0);
+  const page = await openLive("demo.h5", 1);
   await leaveField(page);
   await page.keyboard.press(" ");
   await says(page, ".speed", /Paused at 3\.00 s/);
@@ -145,7 +145,7 @@ test("arrow keys drive: boxes move, and what was driven is screened by the progr
 });
 
 test("the slider of friction acts on the way, and tells that it is no longer the file's", { skip }, async () => {
-  const page = await openLive("demo.h5", 0);
+  const page = await openLive("demo.h5", 1);
   await says(page, ".drive", /μ\s+file/);
   await page.focus("input[aria-label='Coefficient of friction of all pairs']");
   await page.keyboard.press("Home");
@@ -158,7 +158,7 @@ test("the slider of friction acts on the way, and tells that it is no longer the
 });
 
 test("a box is pulled with the pointer", { skip }, async () => {
-  const page = await openLive("demo.h5", 0);
+  const page = await openLive("demo.h5", 1);
   await chooseScreening(page);
   await leaveField(page);
   await page.keyboard.press("0");
@@ -196,7 +196,7 @@ async function findBox(page: Page): Promise<{ x: number; y: number }> {
 test("a box is put elsewhere by its number, by key and by pointer; the engine says what cannot be", {
   skip,
 }, async () => {
-  const page = await openLive("demo.h5", 0);
+  const page = await openLive("demo.h5", 1);
   const field = page.locator("input[aria-label^='x of its corner']");
   await page.focus(".scroller");
   await page.keyboard.press("ArrowDown");
@@ -232,7 +232,7 @@ test("a box is put elsewhere by its number, by key and by pointer; the engine sa
 });
 
 test("reset at the start brings back the layout of the file", { skip }, async () => {
-  const page = await openLive("demo.h5", 0);
+  const page = await openLive("demo.h5", 1);
   await page.focus(".scroller");
   await page.keyboard.press("ArrowDown");
   const field = page.locator("input[aria-label^='x of its corner']");
@@ -254,7 +254,7 @@ test("a page without the engine says so", async () => {
     writeFileSync(file, whole.replace(/(<script type="text\/plain" id="engine">)[^<]*/, "$1"));
     const page = await openPage({ address: `file://${file}`, file: "demo.h5" });
     await page.evaluate(() => {
-      location.hash = "world=4";
+      location.hash = "world=5";
     });
     await page.waitForSelector("#app:not([aria-busy]) > main.world");
     assert.equal(await page.getAttribute(".options button:text-is('Live')", "aria-disabled"), "true");

@@ -55,11 +55,11 @@ async function check(page: Page, name: string): Promise<void> {
   assert.ok(share < MOST_OTHER_CELLS, `${name}: ${(100 * share).toFixed(1)} % of the picture differ`);
 }
 
-// World 4 of demo.h5 is BR15_077_ep under 0.8 g to the front, as in the pictures of the documentation.
+// World 5 of demo.h5 is BR15_077_ep under 0.8 g to the front, as in the pictures of the documentation.
 for (const dark of [false, true])
   test(`a world looks like its picture, ${dark ? "dark" : "light"}`, async () => {
     const page = await openPage({ file: "demo.h5", dark });
-    await show(page, "world=4&time=1.2&ghost=1&box=60");
+    await show(page, "world=5&time=1.2&ghost=1&box=60");
     await page.keyboard.press("1");
     await check(page, `world-${dark ? "dark" : "light"}`);
     await page.close();
@@ -67,14 +67,14 @@ for (const dark of [false, true])
 
 test("boxes taken apart, and coloured by displacement, look like their picture", async () => {
   const page = await openPage({ file: "demo.h5" });
-  await show(page, "world=4&time=1.6&colouring=displacement&exploded=0.35");
+  await show(page, "world=5&time=1.6&colouring=displacement&exploded=0.35");
   await check(page, "apart-light");
   await page.close();
 });
 
 test("a picture of another time is told apart", async () => {
   const page = await openPage({ file: "demo.h5" });
-  await show(page, "world=4&time=0&ghost=1&box=60");
+  await show(page, "world=5&time=0&ghost=1&box=60");
   await page.keyboard.press("1");
   await assert.rejects(check(page, "world-light"), /differ/);
   await page.close();

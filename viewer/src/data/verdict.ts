@@ -10,7 +10,7 @@ export const NOT_MODELLED = "Straps, air bags and stretch film are not modelled.
 export interface Verdict {
   name: string;
   glyph: string;
-  /** Greater is worse; what is not known comes last. */
+  /** Greater is worse; what is not known comes behind all that fails. */
   badness: number;
   /** The layout does not hold: what a planner looks for. */
   fails: boolean;

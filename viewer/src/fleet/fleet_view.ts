@@ -1,15 +1,18 @@
+import { frictionText } from "../data/friction";
 import { openingsText } from "../data/openings";
 import { CAVEAT_BITS } from "../data/outcome";
 import type { Results } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { choice, download, element } from "../ui/dom";
+import { legendItems } from "../ui/legend";
 import type { Store } from "../ui/state";
-import { count, degrees, margin, metres, plural, seconds } from "../ui/text";
+import { count, degrees, fixed, margin, metres, plural, seconds } from "../ui/text";
+import { onTheme } from "../ui/theme";
 import { fleetCsv } from "./csv";
 import { type CellAt, Matrix } from "./matrix";
-import { arranged, DIRECTIONS, type Row, rowsOf, type Scale, type Sort, verdictCounts } from "./rows";
-import { isOfMargins, scalesOf } from "./scales";
+import { arranged, DIRECTIONS, ORDERS, type Row, rowsOf, type Scale, type Sort, verdictCounts } from "./rows";
+import { isOfMargins, scaleLegend, scalesOf } from "./scales";
 
 /** The landing page of a file: which loadings fail under what. */
 export class FleetView {
@@ -19,6 +22,8 @@ export class FleetView {
   private readonly matrix: Matrix;
   private readonly detail = element("section", { class: "detail", "aria-live": "polite" });
   private readonly shown = element("span", { class: "faint" });
+  private readonly order = element("span", { class: "faint" });
+  private readonly colours = element("ul", { class: "colours" });
   private readonly filter: HTMLInputElement;
 
   constructor(
@@ -44,7 +49,8 @@ export class FleetView {
       { value: "name", label: "name" },
     ];
     if (results.margins) sorts.splice(1, 0, { value: "margin", label: "smallest margin" });
-    const scales = scalesOf(results);
+    const sorting = choice<Sort>("Sort", sorts, state.sort, (sort) => store.update({ sort }));
+    const colouring = choice<Scale>("Colour", scalesOf(results), state.scale, (scale) => store.update({ scale }));
     this.node = element(
       "main",
       { class: "fleet" },
@@ -55,20 +61,24 @@ export class FleetView {
           "div",
           { class: "tools" },
           this.filter,
-          choice<Sort>("Sort", sorts, state.sort, (sort) => store.update({ sort })).node,
-          choice<Scale>("Colour", scales, state.scale, (scale) => store.update({ scale })).node,
+          sorting.node,
+          colouring.node,
           this.shown,
           element("span", { class: "gap" }),
           element("button", { onclick: () => this.save(), title: "One line per world, as a table" }, "CSV"),
         ),
+        element("div", { class: "order" }, this.order, this.colours),
         this.matrix.node,
       ),
       element("aside", {}, this.legend(), this.caveats(), this.detail, this.facts()),
     );
-    store.listen((_, changed) => {
+    store.listen((next, changed) => {
+      sorting.set(next.sort);
+      colouring.set(next.scale);
       if (changed.has("sort") || changed.has("scale") || changed.has("filter")) this.arrange();
       if (changed.has("filter") && this.filter.value !== store.state.filter) this.filter.value = store.state.filter;
     });
+    onTheme(() => this.showColours());
     this.arrange();
     this.describe(null);
   }
@@ -92,7 +102,13 @@ export class FleetView {
     const all = this.all.length;
     this.shown.textContent =
       this.rows.length === all ? plural(all, "layout") : `${count(this.rows.length)} of ${plural(all, "layout")}`;
+    this.order.textContent = ORDERS[sort];
+    this.showColours();
     this.matrix.show(this.rows, scale);
+  }
+
+  private showColours(): void {
+    this.colours.replaceChildren(...legendItems(scaleLegend(this.store.state.scale)));
   }
 
   private worldAt(at: CellAt): number {
@@ -168,7 +184,7 @@ export class FleetView {
       ["tilted", boxes(worlds.tilted[world])],
       ["unstable", boxes(worlds.unstable[world])],
       ["fallen at the end", count(worlds.fallenAtEnd[world])],
-      ["critical box", worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none moved"],
+      ["critical box", worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none"],
       ["largest displacement", metres(worlds.peakDisplacement[world])],
       ["displacement at the end", metres(worlds.endDisplacement[world])],
       ["largest drop", metres(worlds.peakDrop[world])],
@@ -204,10 +220,10 @@ export class FleetView {
     const openings = openingsText(results.openings, container[2]);
     const facts: [string, string][] = [
       ["engine", `${results.engine} ${settings["Native/Accuracy"] ?? ""}`],
-      ["friction", `${settings["Contact/BoxBox"]} between boxes, ${settings["Contact/BoxFloor"]} on the floor`],
-      ["container", `${container.map((side) => side.toFixed(2)).join(" × ")} m`],
+      ["friction", frictionText(settings)],
+      ["container", `${container.map((side) => fixed(side, 2)).join(" × ")} m`],
       ...(openings ? [["sides", openings] as [string, string]] : []),
-      ["limits", `drop ${metres(thresholds.drop)}, move ${metres(thresholds.move)}, tilt ${thresholds.tilt}°`],
+      ["limits", `drop ${metres(thresholds.drop)}, move ${metres(thresholds.move)}, tilt ${degrees(thresholds.tilt)}`],
       ["made", `${results.created.replace("T", " ").replace("Z", "")} by ${results.software}`],
     ];
     return element(

@@ -1,5 +1,6 @@
+import { VERDICT_CODES } from "../data/outcome";
 import type { MarginColumns, Margins, Results } from "../data/results";
-import { VERDICTS } from "../data/verdict";
+import { failing, VERDICTS } from "../data/verdict";
 
 export type Sort = "worst" | "margin" | "name";
 export type Scale = "verdict" | "displacement" | "margin" | "place" | "share";
@@ -19,10 +20,23 @@ export interface Row {
   worlds: Int32Array;
   /** of its worst world */
   badness: number;
+  /** worlds that do not hold */
+  failing: number;
+  /** boxes beyond a limit in those, together: the sum of the numbers in its cells */
+  gone: number;
   /** m, the largest of its worlds */
   displacement: number;
   /** g, smallest of the four directions; NaN where it is not known */
   margin: number;
+}
+
+/** How many boxes were beyond the limit that decided a world's verdict. */
+export function goneBoxes({ worlds }: Results, world: number): number {
+  const { fell, unstable, moved } = VERDICT_CODES;
+  const verdict = worlds.verdict[world];
+  if (verdict === fell) return worlds.fallen[world];
+  if (verdict === unstable) return worlds.unstable[world];
+  return verdict === moved ? Math.max(worlds.moved[world], worlds.tilted[world]) : 0;
 }
 
 export function rowsOf(results: Results): Row[] {
@@ -31,6 +45,8 @@ export function rowsOf(results: Results): Row[] {
     layout,
     worlds: new Int32Array(accelerations.length).fill(-1),
     badness: -1,
+    failing: 0,
+    gone: 0,
     displacement: 0,
     margin: margins ? smallest(judgedMargins(margins).margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
   }));
@@ -40,6 +56,8 @@ export function rowsOf(results: Results): Row[] {
     if (!row) continue;
     row.worlds[worlds.acceleration[world]] = world;
     row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
+    row.failing += failing(worlds.verdict[world]) ? 1 : 0;
+    row.gone += goneBoxes(results, world);
     if (displacements[world] > row.displacement) row.displacement = displacements[world];
   }
   return rows;
@@ -52,6 +70,13 @@ function smallest(values: Float64Array): number {
 
 const collator = new Intl.Collator("en", { numeric: true });
 
+/** What each order is, in words. */
+export const ORDERS: Record<Sort, string> = {
+  worst: "By the worst verdict, then by how many worlds do not hold, then by how many boxes are beyond a limit.",
+  margin: "By the smallest margin of the four directions, the one that layouts are judged by.",
+  name: "By the names of the layouts.",
+};
+
 /** Rows whose layout has all words of the filter in its name, in the order asked for. */
 export function arranged(rows: readonly Row[], names: readonly string[], filter: string, sort: Sort): Row[] {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
@@ -62,7 +87,12 @@ export function arranged(rows: readonly Row[], names: readonly string[], filter:
   const byName = (a: Row, b: Row) => collator.compare(names[a.layout], names[b.layout]);
   const unknownLast = (margin: number) => (Number.isNaN(margin) ? Number.POSITIVE_INFINITY : margin);
   const orders: Record<Sort, (a: Row, b: Row) => number> = {
-    worst: (a, b) => b.badness - a.badness || b.displacement - a.displacement || byName(a, b),
+    worst: (a, b) =>
+      b.badness - a.badness ||
+      b.failing - a.failing ||
+      b.gone - a.gone ||
+      b.displacement - a.displacement ||
+      byName(a, b),
     margin: (a, b) => unknownLast(a.margin) - unknownLast(b.margin) || byName(a, b),
     name: byName,
   };

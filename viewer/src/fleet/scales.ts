@@ -1,8 +1,9 @@
-import { VERDICT_CODES } from "../data/outcome";
 import type { Results } from "../data/results";
 import { isAtLeast, VERDICTS } from "../data/verdict";
+import { type LegendEntry, ramp } from "../ui/legend";
+import { fixed, marginNumber } from "../ui/text";
 import { colour, isDark, verdictColour } from "../ui/theme";
-import { DIRECTIONS, judgedDisplacements, judgedMargins, type Row, type Scale } from "./rows";
+import { DIRECTIONS, goneBoxes, judgedDisplacements, judgedMargins, type Row, type Scale } from "./rows";
 
 /** How a cell of the matrix looks: null where there is nothing. */
 export interface Cell {
@@ -11,14 +12,6 @@ export interface Cell {
   text: string;
 }
 
-/** From pale to strong, as a share of 0 to 1. */
-export function ramp(share: number): string {
-  const at = Math.min(1, Math.max(0, share));
-  // One hue, from near the background to far from it.
-  const lightness = isDark() ? 24 + 48 * at : 95 - 52 * at;
-  // With commas: three reads no other form.
-  return `hsl(${214 - 10 * at}, ${28 + 34 * at}%, ${lightness}%)`;
-}
 const rampInk = (share: number) => (share > 0.55 ? (isDark() ? "#10151c" : "#fff") : colour("ink"));
 
 /** Displacements are compared over four decades: 1 mm is nothing, 10 m is everything. */
@@ -29,14 +22,7 @@ export const marginShare = (g: number) => 1 - Math.min(1, Math.max(0, g));
 function verdictCell(results: Results, world: number): Cell {
   const { worlds } = results;
   const verdict = worlds.verdict[world];
-  const number =
-    verdict === VERDICT_CODES.fell
-      ? worlds.fallen[world]
-      : verdict === VERDICT_CODES.unstable
-        ? worlds.unstable[world]
-        : verdict === VERDICT_CODES.moved
-          ? Math.max(worlds.moved[world], worlds.tilted[world])
-          : 0;
+  const number = goneBoxes(results, world);
   const glyph = VERDICTS[verdict].glyph;
   const least = isAtLeast(verdict, worlds.stopReason[world]) ? "≥ " : "";
   return {
@@ -46,9 +32,9 @@ function verdictCell(results: Results, world: number): Cell {
   };
 }
 
-function valueCell(value: number, share: number, digits: number): Cell | null {
+function valueCell(value: number, share: number, text = fixed(value, 2)): Cell | null {
   if (!Number.isFinite(value)) return null;
-  return { fill: ramp(share), ink: rampInk(share), text: value.toFixed(digits) };
+  return { fill: ramp(share), ink: rampInk(share), text };
 }
 
 /** Whether the cells of a scale are of layouts, not of worlds. */
@@ -61,23 +47,35 @@ export function cellOf(results: Results, row: Row, column: number, scale: Scale)
     if (!margins) return null;
     const { margin } = scale === "place" ? margins.inPlace : judgedMargins(margins);
     const value = margin[4 * row.layout + column];
-    return valueCell(value, marginShare(value), 2);
+    return valueCell(value, marginShare(value), marginNumber(value));
   }
   const world = row.worlds[column];
   if (world < 0) return null;
   if (scale === "displacement") {
     const displacement = judgedDisplacements(results)[world];
-    return valueCell(displacement, displacementShare(displacement), 2);
+    return valueCell(displacement, displacementShare(displacement));
   }
   if (scale === "share") {
     const share = results.replicas?.share[world] ?? Number.NaN;
-    return valueCell(share, share, 2);
+    return valueCell(share, share);
   }
   return verdictCell(results, world);
 }
 
 export const columnNames = (results: Results, scale: Scale): readonly string[] =>
   isOfMargins(scale) ? DIRECTIONS : results.accelerations;
+
+/** What the colours of a scale say; those of verdicts stand beside the matrix with their numbers. */
+export function scaleLegend(scale: Scale): LegendEntry[] {
+  if (scale === "verdict") return [];
+  const ends: Record<Exclude<Scale, "verdict">, { from: string; to: string }> = {
+    displacement: { from: "1 mm or less", to: "10 m or more, each tenfold alike" },
+    margin: { from: "1 g or more", to: "0 g, or unstable" },
+    place: { from: "1 g or more", to: "0 g, or unstable" },
+    share: { from: "0, none fails", to: "1, all fail" },
+  };
+  return [ends[scale], { fill: colour("hollow"), label: "not known" }];
+}
 
 /** Scales that the file has numbers for. */
 export function scalesOf(results: Results): { value: Scale; label: string }[] {

@@ -2,16 +2,13 @@ import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
-import { ramp } from "../fleet/scales";
-import { kilograms, margin, metres, seconds } from "../ui/text";
+import { type LegendEntry, ramp } from "../ui/legend";
+import { degrees, kilograms, margin, metres, seconds } from "../ui/text";
 import { colour, isDark } from "../ui/theme";
 import { boxVerdict, speedsAt, tiltsAt } from "./quantities";
 
 /** What the colour of a box says. */
 export type Colouring = "verdict" | "displacement" | "speed" | "tilt" | "material" | "mass" | "margin" | "first";
-
-/** A line of the legend: a colour, or a scale from pale to strong. */
-export type LegendEntry = { fill: string; label: string } | { from: string; to: string };
 
 export interface Painted {
   /** one CSS colour per box */
@@ -59,13 +56,12 @@ const paintVerdict = ({ boxes }: World): Painted => {
 function paintScale(
   values: ArrayLike<number>,
   most: number,
-  text: (value: number) => string,
+  ends: { from: string; to: string },
   moving: boolean,
 ): Painted {
-  const top = most > 0 ? most : 1;
   return {
-    fills: Array.from(values, (value) => (value >= 0 ? ramp(value / top) : calm())),
-    legend: [{ from: text(0), to: text(top) }],
+    fills: Array.from(values, (value) => (value >= 0 ? ramp(value / most) : calm())),
+    legend: [ends],
     moving,
   };
 }
@@ -103,20 +99,21 @@ function paintLoad(
   // Scales end at twice the limit of the verdict: what is beyond it stands out.
   switch (colouring) {
     case "displacement":
-      return paintScale(distance, 2 * move, (value) => (value > 0 ? `${metres(value)} or more` : "0"), true);
+      return paintScale(distance, 2 * move, { from: "0 cm", to: `${metres(2 * move)} or more` }, true);
     case "speed": {
       const speed = new Float32Array(count);
       speedsAt(world, time, speed);
-      return paintScale(speed, 1, (value) => (value > 0 ? "1 m/s or more" : "0"), true);
+      return paintScale(speed, 1, { from: "0 m/s", to: "1 m/s or more" }, true);
     }
     case "tilt": {
       const angle = new Float32Array(count);
       tiltsAt(world, time, angle);
-      return paintScale(angle, 2 * tilt, (value) => (value > 0 ? `${value}° or more` : "0°"), true);
+      return paintScale(angle, 2 * tilt, { from: "0°", to: `${degrees(2 * tilt)} or more` }, true);
     }
     case "mass": {
-      const most = Math.max(...boxes.mass.filter((_, box) => !boxes.fixed[box]));
-      return paintScale(boxes.mass, most, (value) => (value > 0 ? kilograms(value) : "0"), false);
+      // 1 kg where all boxes are fixed, and none is coloured by it.
+      const most = boxes.mass.reduce((sofar, mass, box) => (boxes.fixed[box] ? sofar : Math.max(sofar, mass)), 0) || 1;
+      return paintScale(boxes.mass, most, { from: "0 kg", to: kilograms(most) }, false);
     }
     case "material": {
       const ids = [...new Set(boxes.material.filter((_, box) => !boxes.fixed[box]))].sort((a, b) => a - b);
@@ -133,10 +130,12 @@ function paintLoad(
       const first = Math.min(...known);
       const last = Math.max(...known, first + 1e-9);
       const within = { fill: calm(), label: "never beyond a limit" };
+      // A scale has two ends: where all go at a time there is one colour.
+      const one = seconds(first) === seconds(last) ? [{ fill: ramp(1), label: `first, ${seconds(first)}` }] : null;
+      const scale = one ?? [{ from: `later, ${seconds(last)}`, to: `first, ${seconds(first)}` }];
       return {
         fills: at.map((value) => (Number.isNaN(value) ? calm() : ramp(1 - (0.85 * (value - first)) / (last - first)))),
-        legend:
-          known.length === 0 ? [within] : [{ from: `later, ${seconds(last)}`, to: `first, ${seconds(first)}` }, within],
+        legend: known.length === 0 ? [within] : [...scale, within],
         moving: false,
       };
     }
@@ -147,19 +146,24 @@ function paintLoad(
   }
 }
 
-/** The box that is beyond a limit first above the margin, for each direction. */
+/** The box that is beyond a limit first above the margin, for each direction; a box that is so for several has one colour. */
 function paintCritical(results: Results, world: World): Painted {
   const layout = results.worlds.layout[world.index];
   const margins = results.margins && judgedMargins(results.margins);
   const fills = Array.from<unknown, string>(world.boxes.id, calm);
-  const legend: LegendEntry[] = [];
+  const directions = new Map<number, string[]>();
+  const without: string[] = [];
   for (const [i, direction] of DIRECTIONS.entries()) {
     const critical = margins?.criticalBox[4 * layout + i] ?? 0;
-    const stands = margins?.margin[4 * layout + i] ?? Number.NaN;
-    const fill = MATERIALS[[1, 0, 2, 3][i]];
+    const text = `${direction} ${margin(margins?.margin[4 * layout + i] ?? Number.NaN)}`;
     const box = world.boxes.id.indexOf(critical);
-    if (box >= 0) fills[box] = fill;
-    legend.push({ fill, label: `${direction} ${margin(stands)}${box >= 0 ? `, box ${critical}` : ""}` });
+    if (box < 0) without.push(text);
+    else directions.set(box, [...(directions.get(box) ?? []), text]);
   }
-  return { fills, legend, moving: false };
+  const legend: LegendEntry[] = [...directions].map(([box, texts], i) => {
+    fills[box] = MATERIALS[[1, 0, 2, 3][i]];
+    return { fill: fills[box], label: `box ${world.boxes.id[box]}: ${texts.join(", ")}` };
+  });
+  const none = without.length > 0 ? `no box: ${without.join(", ")}` : "other boxes";
+  return { fills, legend: [...legend, { fill: calm(), label: none }], moving: false };
 }

@@ -1,8 +1,8 @@
 import type { Results, World } from "../data/results";
-import { ramp } from "../fleet/scales";
 import { choice, element } from "../ui/dom";
+import { type LegendEntry, legendItems } from "../ui/legend";
 import type { Store, ViewState } from "../ui/state";
-import { type Colouring, colouringsOf, type LegendEntry } from "./colouring";
+import { type Colouring, colouringsOf } from "./colouring";
 
 type Switch = "ghost" | "traces" | "centre";
 
@@ -63,21 +63,6 @@ export class OptionsBar {
   }
 
   legend(entries: LegendEntry[]): void {
-    this.legendNode.replaceChildren(
-      ...entries.map((entry) =>
-        "fill" in entry
-          ? element("li", {}, element("i", { style: `background: ${entry.fill}` }), entry.label)
-          : element(
-              "li",
-              {},
-              entry.from,
-              element("i", {
-                class: "ramp",
-                style: `background: linear-gradient(90deg, ${[0, 0.25, 0.5, 0.75, 1].map(ramp).join(", ")})`,
-              }),
-              entry.to,
-            ),
-      ),
-    );
+    this.legendNode.replaceChildren(...legendItems(entries));
   }
 }

@@ -46,12 +46,15 @@ export const START: ViewState = {
   clip: 0,
 };
 
-/** The address keeps what differs from the start. Boxes count from 1 there, as wherever they are seen. */
+/** What counts from 1 in the address, as wherever it is seen, and from 0 in the page. */
+const NUMBERED: readonly string[] = ["world", "other", "box"];
+
+/** The address keeps what differs from the start. */
 export function toHash(state: ViewState): string {
   const parameters = new URLSearchParams();
   for (const [key, value] of Object.entries(state)) {
     if (value === START[key as keyof ViewState] || value === null) continue;
-    const number = key === "box" ? Number(value) + 1 : value;
+    const number = NUMBERED.includes(key) ? Number(value) + 1 : value;
     const text = typeof number === "number" ? String(Math.round(number * 1e4) / 1e4) : String(number);
     parameters.set(key, typeof value === "boolean" ? "1" : text);
   }
@@ -68,7 +71,10 @@ export function fromHash(hash: string): ViewState {
     else if (typeof start === "string") state[key] = text;
     else if (text !== "" && Number.isFinite(Number(text))) state[key] = Number(text);
   }
-  if (state.box !== null) state.box = Number(state.box) >= 1 ? Number(state.box) - 1 : null;
+  for (const key of NUMBERED) {
+    const number = state[key];
+    if (number !== null) state[key] = Number.isInteger(number) && Number(number) >= 1 ? Number(number) - 1 : null;
+  }
   return state as unknown as ViewState;
 }
 
