@@ -8,6 +8,7 @@ by where boxes are at the end. Example: load_report.py results.h5 report.html
 import argparse
 import html
 import os
+import re
 import sys
 from collections import Counter
 
@@ -17,7 +18,7 @@ try:
 except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
 from load_openings import Openings, fixed_materials, side_name
-from load_views import draw
+from load_views import FILLS, draw, packed_faces, turned_faces
 
 VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
 STAYED, MOVED, FELL, UNSTABLE, FAILED, NOT_NEEDED = VERDICTS
@@ -32,6 +33,9 @@ SIDES = ("front", "rear", "left", "right")
 PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container's acceleration that pushes to each side
 GRAVITY = 9.81  # m/s2: what norms call 1 g
 MARGIN_WIDTH = 0.005  # g: how exact a margin is
+LARGEST_MARGIN = 1.5  # g: margins are not sought beyond it
+BADNESS = {UNSTABLE: 3, FELL: 2, MOVED: 1}  # greater is worse; what is not known comes behind
+WORST = "the worst verdict first, then the most accelerations, then the most boxes beyond a limit in these"
 MOST_BOXES = 10  # rows of a page's table
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
@@ -39,7 +43,7 @@ table{border-collapse:collapse;margin:.6em 0;font-size:12px}td,th{border-bottom:
 th{font-weight:600}td:first-child,th:first-child,.text{text-align:left}td,th{white-space:nowrap}
 .wrap td:last-child{white-space:normal}.views{display:flex}.views div{margin-right:5mm}
 h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:5mm}figure{margin:0}.note{margin:.3em 0}figcaption,.note{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
-.key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}"""
+.key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}.key span:first-child{margin-left:0}"""
 
 
 class Results:
@@ -66,6 +70,7 @@ class Results:
         # Per box how far it was displaced, m, lowered, m, and tilted, degrees: at most, and at the end.
         end = file["boxes/end_displacement"][:]
         self.box_end = np.column_stack([np.linalg.norm(end, axis=1), np.maximum(0, -end[:, 2]), file["boxes/end_tilt"][:]])
+        self.initial = file["boxes/initial_position"][:].astype(float)
         self.start, self.end = self.places(file, end)
         self.judged_at_end = file.attrs["format_version"] < WITH_PEAKS
         if self.judged_at_end:
@@ -79,17 +84,32 @@ class Results:
         # The floor comes first there, and the roof last.
         self.wall_force = file["walls/lasting_force"][:, 1:5] if "walls" in file else None
         self.wall_limit = file["walls/limit"][:, 1:5] if "walls" in file else None
+        self.end_turn = self.last_orientations(file)
         self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
         self.needed = self.needed_margins(file)
 
     def places(self, file, end_displacement):
         """Centres of mass of all boxes where displacement counts from, and at the end, m."""
-        start = file["boxes/initial_position"][:].astype(float)
+        start = self.initial.copy()
         if self.settings.get("Screening/ReferencePose") == "settled":
             settling = file["boxes/settling_displacement"][:]
             for world in np.flatnonzero(self.world_summary["verdict"] != UNSTABLE):
                 start[self.rows_of(world)] += settling[self.rows_of(world)]
         return start, start + end_displacement
+
+    def last_orientations(self, file):
+        """Quaternions w, x, y, z of all boxes at the end, NaN where the file does not have them; None for a closed container, of
+        which nobody asks."""
+        if self.openings.is_closed:
+            return None
+        turns = np.full((len(self.box_mass), 4), np.nan)
+        if "series/orientation" not in file:
+            return turns
+        for world, (row, samples) in enumerate(zip(file["worlds/row_begin"][:].astype(int), file["worlds/sample_count"][:].astype(int))):
+            boxes = int(self.worlds["box_count"][world])
+            if samples > 0 and boxes > 0:
+                turns[self.rows_of(world)] = file["series/orientation"][row + (samples - 1) * boxes:row + samples * boxes]
+        return turns
 
     def sides_left(self, world):
         """The side at which each box left the container that is outside at the end, by index."""
@@ -149,16 +169,45 @@ def table(heads, rows, text=(), kind=""):
     return f"<table class='{kind}'><tr>{cells('th', heads)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
 
 
+def counted(number, noun):
+    """A number with its noun, which has an s, or es after an x, unless it is one."""
+    return f"{number} {noun}{'' if number == 1 else 'es' if noun.endswith('x') else 's'}"
+
+
+def fixed(value, digits=0):
+    """A number with so many digits behind the point: a zero has no sign, and what is not known is a dash."""
+    if np.isnan(value):
+        return "-"
+    text = f"{value:.{digits}f}"
+    return text.lstrip("-") if float(text) == 0 else text
+
+
+def compared(value, limit):
+    """A number beside a limit, with as many digits as it takes to see whether it is beyond."""
+    texts = [fixed(value, digits) for digits in range(4)]
+    return next((text for text in texts if text == "-" or (float(text) > limit) == (value > limit)), texts[-1])
+
+
+def percent(share):
+    """A share of a limit, or of a whole."""
+    return f"{compared(100 * share, 100)}%"
+
+
 def when(time):
     """When a box went beyond a limit first."""
     if np.isnan(time):
         return "-"
-    return f"{time:.2f} s" if time >= 0 else "settling"
+    return f"{fixed(time, 2)} s" if time >= 0 else "settling"
 
 
-def most_and_last(most, last):
-    """A number at its largest, which may not be known, and in brackets at the end."""
-    return f"{'-' if np.isnan(most) else f'{most:.0f}'} ({last:.0f})"
+def named(box, time):
+    """A box with the time at which it was beyond a limit first, where that is known."""
+    return f"box {box}" + ("" if np.isnan(time) else f", {when(time)}")
+
+
+def most_and_last(most, last, limit):
+    """A number at its largest, and in brackets at the end, beside its limit; either may not be known."""
+    return f"{compared(most, limit)} ({compared(last, limit)})"
 
 
 def first_box(results, world):
@@ -184,9 +233,9 @@ def worlds_table(results, worlds):
             replicas = {key: column[world] for key, column in results.replicas.items()}
             told = f"{REPLICA_VERDICTS[replicas['verdict']]}: {replicas['failed']} of {replicas['count']} fail" if replicas["count"] else ""
         rows.append([name, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
-                     "-" if first is None else f"box {first + 1}, {when(results.box_summary['first_beyond'][results.rows_of(world)][first])}",
+                     "-" if first is None else named(first + 1, results.box_summary["first_beyond"][results.rows_of(world)][first]),
                      f"{summary['fallen_boxes']} ({summary['fallen_at_end']})", summary["moved_boxes"], summary["tilted_boxes"],
-                     most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"]), told,
+                     most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"], 100 * results.limits["move_threshold"]), told,
                      ", ".join(filter(None, [*caveats, html.escape(results.status_text[world])]))])
     heads = ["acceleration", "verdict", "first", "fallen", "moved", "tilted", "farthest, cm", "replicas", "to know"]
     if results.replicas is None:
@@ -227,7 +276,9 @@ def margins_table(results, layout):
         return ""
 
     def size(margin):
-        return "unstable" if margin < 0 else ("≥ " if margin >= 1.5 else "") + f"{margin:.2f} g"
+        if np.isnan(margin) or margin < 0:
+            return "-" if np.isnan(margin) else "unstable"
+        return f"{fixed(margin, 2)} g" if margin < LARGEST_MARGIN else f"{LARGEST_MARGIN:.2f}+ g"
 
     # A file of an earlier version has the margins in place alone, and is judged by them.
     judged = "" if results.judged_at_end else "_within_limits"
@@ -236,7 +287,7 @@ def margins_table(results, layout):
         in_place, margin, box = (results.margins[name][layout, i] for name in ("margin", f"margin{judged}", f"critical_box{judged}"))
         needed = results.needed[i]
         stands = f"<span class=bad>{size(margin)}</span>" if margin + MARGIN_WIDTH < needed else size(margin)
-        rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:g} g" if needed else "-", f"box {box}" if box else "-"])
+        rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", f"box {box}" if box else "-"])
     heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "first"]
     return "<div><h3>How many g it stands</h3>" + table(heads, rows) + "</div>"
 
@@ -253,8 +304,8 @@ def walls_table(results, worlds):
             continue
         world = worlds[np.nanargmax(force[:, i])]
         most, limit = results.wall_force[world, i], results.wall_limit[world, i]
-        share = f"{most / limit:.0%}" if limit > 0 else "-"
-        rows.append([side, f"{most / 1000:.1f} kN", f"{limit / 1000:.1f} kN" if limit > 0 else "-",
+        share = percent(most / limit) if limit > 0 else "-"
+        rows.append([side, f"{fixed(most / 1000, 1)} kN", f"{fixed(limit / 1000, 1)} kN" if limit > 0 else "-",
                      f"<span class=bad>{share}</span>" if most > limit > 0 else share,
                      html.escape(results.acceleration_names[results.worlds["acceleration"][world]])])
     norm = str(results.settings.get("Screening/Walls", ""))
@@ -276,21 +327,52 @@ def boxes_table(results, layout, worlds):
     for box in order[:MOST_BOXES]:
         peak, world = found[box]
         row = results.rows_of(world).start + box
+        mass = results.box_mass[row]
         size = results.high[results.begin[layout] + box] - results.low[results.begin[layout] + box]
         unstable = results.world_summary["verdict"][world] == UNSTABLE
         under = "gravity alone" if unstable else html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
-        excursion = [most_and_last(unit * most, unit * last)
-                     for unit, most, last in zip((100, 100, 1), results.box_peak[row], results.box_end[row])]
+        limits = [results.limits[f"{name}_threshold"] for name in ("move", "drop", "tilt")]
+        excursion = [most_and_last(unit * most, unit * last, unit * limit)
+                     for unit, most, last, limit in zip((100, 100, 1), results.box_peak[row], results.box_end[row], limits)]
         side = results.sides_left(world).get(box)
         leave |= side is not None
-        lines.append([box + 1, " × ".join(f"{100 * part:.0f}" for part in size), f"{results.box_mass[row]:.0f}", *excursion,
+        lines.append([box + 1, " × ".join(f"{round(100 * part, 1):g}" for part in size), fixed(mass, 0 if mass >= 100 else 1), *excursion,
                       when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
-    more = f"<p>and {len(order) - MOST_BOXES} more boxes</p>" if len(order) > MOST_BOXES else ""
+    more = f"<p>and {counted(len(order) - MOST_BOXES, 'more box')}</p>" if len(order) > MOST_BOXES else ""
     heads = ["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "beyond from", "under", "leaves at"]
     if not leave:
         for row in [heads, *lines]:
             row.pop()
     return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=(7, 8)) + more
+
+
+def colour_key(meanings, any_fixed):
+    """What the colours of views mean, by their names in FILLS."""
+    meanings = {**meanings, **({"fixed": "fixed, part of the container"} if any_fixed else {})}
+    spans = [f'<span style="background:{FILLS[name]}"></span>{meaning}' for name, meaning in meanings.items()]
+    return f"<p class=key>{''.join(spans)}</p>"
+
+
+def end_views(results, layout, worlds):
+    """The load as it lies at the end of the world in which most boxes leave the container, with those on the ground; nothing where
+    none leaves, or where the file does not say how boxes have turned."""
+    left = {world: len(results.sides_left(world)) for world in worlds}
+    world = max(left, key=left.get, default=None)
+    if not left.get(world) or np.isnan(results.end_turn[results.rows_of(world)]).any():
+        return ""
+    rows = results.rows_of(world)
+    span = slice(int(results.begin[layout]), int(results.begin[layout]) + rows.stop - rows.start)
+    fixed = results.is_fixed[span]
+    states = np.where(results.is_beyond(world), "later", np.where(fixed, "fixed", "still")).astype(object)
+    if (first := first_box(results, world)) is not None:
+        states[first] = "first"
+    loaded = results.initial[rows]
+    boxes = list(zip(results.low[span] - loaded, results.high[span] - loaded, results.end_turn[rows], results.end[rows]))
+    top, corner = (f"<figure>{draw(turned_faces(boxes, view), states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
+                   for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("corner", 360, "from the corner")))
+    name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
+    key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, fixed.any())
+    return f"<h3>At the end under {name}</h3><div class=views><div>{top}</div>{corner}</div>{key}"
 
 
 def page(results, layout):
@@ -311,20 +393,18 @@ def page(results, layout):
     views = ""
     if boxes:
         top, side, corner = (
-            f"<figure>{draw(boxes, states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
+            f"<figure>{draw(packed_faces(boxes, view), states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
             for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("side", 300, "from the left side"),
                                          ("corner", 360, f"from above the {'door' if results.openings.is_full('rear') else 'rear'}")))
         views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
-    key = ('<p class=key><span style="background:#d9534f;margin-left:0"></span>first to go under some acceleration'
-           '<span style="background:#f3c58b"></span>beyond a limit<span style="background:#e9edf2"></span>stayed under all'
-           + ('<span style="background:#949da8"></span>fixed, part of the container' if fixed.any() else "") + "</p>")
+    key = colour_key({"first": "first to go under some acceleration", "later": "beyond a limit", "still": "stayed under all"}, fixed.any())
     if not results.openings.is_closed:
         key += f"<p class=note>{results.openings.text().capitalize()}. The floor is dashed where no wall stands on it.</p>"
     also = f", and {fixed.sum()} fixed" if fixed.any() else ""
     moved = boxes_table(results, layout, simulated) if simulated and any(state in ("first", "later") for state in states) else ""
-    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{np.sum(~fixed)} boxes, {size:.0%} of the container's volume{also}; "
-            f"fails under {len(failing)} of {len(worlds)} accelerations.</p>{views}{key if boxes else ''}"
-            f"{worlds_table(results, worlds)}{departures(results, simulated)}<div class=beside>{margins_table(results, layout)}"
+    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}, {percent(size)} of the "
+            f"container's volume{also}; fails under {len(failing)} of {counted(len(worlds), 'acceleration')}.</p>{views}"
+            f"{key if boxes else ''}{worlds_table(results, worlds)}{departures(results, simulated)}{end_views(results, layout, simulated)}<div class=beside>{margins_table(results, layout)}"
             f"{walls_table(results, worlds) if simulated else ''}</div>{moved}</section>")
 
 
@@ -333,9 +413,19 @@ def limits_of(results):
     return f"displaced by {100 * move:g} cm, lowered by {100 * drop:g} cm, tilted by {tilt:g}°, {'at the end' if results.judged_at_end else 'at any time'}"
 
 
+def friction_text(settings):
+    """The coefficients of friction that act, in the words of the program."""
+    if settings.get("Contact/FrictionModel") == "pairs":
+        box, floor, walls = (float(settings.get(f"Contact/Box{other}", "nan")) for other in ("Box", "Floor", "Wall"))
+        return f"box on box {box:.3g}, on the floor {floor:.3g}, on walls {walls:.3g}"
+    box, container = (float(settings.get(f"Simulation Settings/{name}Friction", "nan")) for name in ("Box", "Container"))
+    own = any(re.fullmatch(r"Material -?\d+/Friction", key) and str(value) for key, value in settings.items())
+    return f"box on box {box * box:.3g}, on floor and walls {box * container:.3g}" + (", others where a material has its own" if own else "")
+
+
 def front_page(results, order, shown):
     names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
-             "norm": str(results.settings.get("Screening/Norm", "")), "limits": limits_of(results), "sides": results.openings.text(), "software": str(results.attributes["software"]),
+             "norm": str(results.settings.get("Screening/Norm", "")), "friction": friction_text(results.settings), "limits": limits_of(results), "sides": results.openings.text(), "software": str(results.attributes["software"]),
              "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
     if names["engine"] != "native":
         del names["accuracy"]
@@ -343,21 +433,25 @@ def front_page(results, order, shown):
     rows = [[html.escape(results.layout_names[layout]), ", ".join(
         f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {results.verdict_of(world)}"
         for world in results.worlds_of(layout) if results.fails(world))] for layout in order[:shown]]
-    told = f"{len(order)} of {len(results.layout_names)} layouts do not hold."
+    told = f"{len(order)} of {counted(len(results.layout_names), 'layout')} {'does' if len(order) == 1 else 'do'} not hold"
+    told += f", {WORST}." if len(order) > 1 else "."
     if shown < len(order):
-        told += f" The {shown} worst have a page here."
+        told += f" The worst {shown} have a page here." if shown > 1 else " The worst one has a page here."
     return (f"<h1>Loads that do not hold</h1><p>{told}</p>{note(results, {})}{facts}"
             + (table(["layout", "fails under"], rows, text=(1,), kind="wrap") if rows else ""))
 
 
 def worst_first(results):
-    """Layouts that fail under some acceleration: those that fail under most first, then those in which most boxes go."""
+    """Layouts that fail under some acceleration, in the order that WORST says."""
+    counts = {FELL: ("fallen_boxes",), UNSTABLE: ("unstable_boxes",), MOVED: ("moved_boxes", "tilted_boxes")}
     ranks = []
     for layout in range(len(results.layout_names)):
         failing = [world for world in results.worlds_of(layout) if results.fails(world)]
         if failing:
-            gone = np.mean([results.is_beyond(world).mean() if results.worlds["box_count"][world] else 1.0 for world in failing])
-            ranks.append((-len(failing), -float(gone), layout))
+            verdicts = [results.world_summary["verdict"][world] for world in failing]
+            gone = sum(max(int(results.world_summary[name][world]) for name in counts[verdict])
+                       for world, verdict in zip(failing, verdicts) if verdict in counts)
+            ranks.append((-max(BADNESS.get(verdict, 0) for verdict in verdicts), -len(failing), -gone, layout))
     return [layout for *_, layout in sorted(ranks)]
 
 
@@ -390,7 +484,8 @@ def main():
     write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="holdfast report">'
           f"<title>Loads that do not hold</title><style>{STYLE}</style></head><body>{front_page(results, order, shown)}{pages}</body></html>\n",
           options.output)
-    told = f"{shown} of {len(order)} layouts that do not hold; --most {len(order)} writes all" if shown < len(order) else f"{shown} layouts that do not hold"
+    fail = f"{counted(len(order), 'layout')} that {'does' if len(order) == 1 else 'do'} not hold"
+    told = f"{shown} of {fail}; --most {len(order)} writes all" if shown < len(order) else fail
     print(f"{options.output}: {told}")
 
 

@@ -52,8 +52,8 @@ def back_to_front(boxes, view):
     return order
 
 
-def shaded(colour, axis):
-    parts = [round(SHADES[axis] * int(colour[i:i + 2], 16)) for i in (1, 3, 5)]
+def shaded(colour, shade):
+    parts = [round(shade * int(colour[i:i + 2], 16)) for i in (1, 3, 5)]
     return "#" + "".join(f"{part:02x}" for part in parts)
 
 
@@ -63,15 +63,15 @@ def polygon(points, **attributes):
 
 
 def openings_drawn(openings, view, place):
-    """A container with open or low sides: what is drawn before the boxes, and what over them."""
+    """A container with open or low sides: the ground, what else is drawn before the boxes in it, and what over them."""
     length, width, height = openings.container
     bed = np.array([[0.0, 0, -openings.bed_height], [length, width, 0]])
-    behind, over = [], []
+    ground, behind, over = [], [], []
     if openings.bed_height > 0 and view != "top":
         if view == "corner":
             margin = np.array([GROUND_MARGIN, GROUND_MARGIN, 0])
-            behind.append(polygon(place(face_corners(bed[0] - margin, bed[1] + margin, 2, False)), fill=GROUND, stroke="none"))
-        behind += [polygon(place(face_corners(*bed, axis, far)), fill=shaded(BED, axis), stroke=LINE, stroke_width=0.6)
+            ground.append(polygon(place(face_corners(bed[0] - margin, bed[1] + margin, 2, False)), fill=GROUND, stroke="none"))
+        behind += [polygon(place(face_corners(*bed, axis, far)), fill=shaded(BED, SHADES[axis]), stroke=LINE, stroke_width=0.6)
                    for axis, far in FACES[view] if axis != 2]
     room = np.array([np.zeros(3), [length, width, height]])
     behind.append(polygon(place(face_corners(*room, 2, False)), fill="#ffffff", stroke=LINE, stroke_width=0.6, stroke_dasharray="4 3"))
@@ -84,13 +84,55 @@ def openings_drawn(openings, view, place):
             continue
         line = {"stroke": FRAME, "stroke_width": 1} if openings.is_full(name) else {"stroke": LINE, "stroke_width": 1}
         (over if is_near else behind).append(polygon(place(face_corners(room[0], [length, width, top], axis, far)), fill="none", **line))
-    return behind, over
+    return ground, behind, over
+
+
+def is_beyond_hidden_side(faces, container, view):
+    """Whether a box lies beside the container where a view does not look: the floor can hide it."""
+    centre = np.mean([corners.mean(axis=0) for corners, _ in faces], axis=0)
+    return any(centre[axis] < 0 if far else centre[axis] > container[axis] for axis, far in FACES[view] if axis != 2)
+
+
+def packed_faces(boxes, view):
+    """The faces that a view sees, as they are painted, of boxes that stand upright: per box its index, and corners and shade of each.
+
+    :param boxes: pairs of the corners with the smallest and the largest coordinates, m
+    """
+    return [(i, [(face_corners(*boxes[i], axis, far), SHADES[axis]) for axis, far in FACES[view]]) for i in back_to_front(boxes, view)]
+
+
+def turned_faces(boxes, view):
+    """The same of boxes that have turned, by the distances of their centres.
+
+    :param boxes: per box its corners as loaded, from its centre of mass, the quaternion w, x, y, z, and where that centre is, m
+    """
+    to_viewer = sum(np.eye(3)[axis] * (1 if far else -1) for axis, far in FACES[view])
+    found = []
+    for i, (low, high, turn, centre) in enumerate(boxes):
+        rotation = rotation_of(turn)
+        faces = []
+        for axis in range(3):
+            for far in (False, True):
+                normal = rotation[:, axis] * (1 if far else -1)
+                if normal @ to_viewer > 1e-6:
+                    shade = SHADES[int(np.abs(normal).argmax())]
+                    faces.append((face_corners(low, high, axis, far) @ rotation.T + centre, shade))
+        found.append((float(centre @ to_viewer), i, faces))
+    return [(i, faces) for _, i, faces in sorted(found, key=lambda one: one[:2])]
+
+
+def rotation_of(quaternion):
+    """The matrix of a quaternion w, x, y, z."""
+    w, x, y, z = np.asarray(quaternion, dtype=float) / np.linalg.norm(quaternion)
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def draw(boxes, states, openings, view, width):
-    """SVG of boxes in a container.
+    """SVG of boxes in a container, with those that lie beside it.
 
-    :param boxes: pairs of the corners with the smallest and the largest coordinates, m
+    :param boxes: of packed_faces or turned_faces
     :param states: per box a key of FILLS
     :param openings: of the container
     :param width: of the picture, in pixels
@@ -102,7 +144,9 @@ def draw(boxes, states, openings, view, width):
         shown[0, 2] = -openings.bed_height
         if view == "corner":
             shown += [[-GROUND_MARGIN, -GROUND_MARGIN, 0], [GROUND_MARGIN, GROUND_MARGIN, 0]]
-    edges = np.array([[shown[i][0], shown[j][1], shown[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]) @ projection.T
+    points = [[shown[i][0], shown[j][1], shown[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    points += [corner for _, faces in boxes for corners, _ in faces for corner in corners]
+    edges = np.array(points) @ projection.T
     low, high = edges.min(axis=0), edges.max(axis=0)
     scale = (width - 2) / (high - low)[0]
     height = scale * (high - low)[1] + 2
@@ -115,14 +159,14 @@ def draw(boxes, states, openings, view, width):
         return [polygon(place(face_corners(*room, axis, far)), fill="none", stroke=FRAME, stroke_width=1) for axis, far in faces]
 
     hidden = [(axis, not far) for axis, far in FACES[view]]
-    parts, over = (outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
-    for i in back_to_front(boxes, view):
-        for axis, far in FACES[view]:
-            face = place(face_corners(*boxes[i], axis, far))
-            parts.append(polygon(face, fill=shaded(FILLS[states[i]], axis), stroke=LINE, stroke_width=0.6, stroke_linejoin="round"))
+    ground, frame, over = ([], outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
+    parts = [[], []]  # of boxes: behind the floor, and before it
+    for i, faces in boxes:
+        drawn = parts[0 if is_beyond_hidden_side(faces, openings.container, view) else 1]
+        for corners, shade in faces:
+            drawn.append(polygon(place(corners), fill=shaded(FILLS[states[i]], shade), stroke=LINE, stroke_width=0.6, stroke_linejoin="round"))
         if states[i] == "first":
-            front = place(face_corners(*boxes[i], *FACES[view][0 if view != "corner" else 1]))
-            x, y = front.mean(axis=0)
-            parts.append(f'<text x="{x:.1f}" y="{y + 3:.1f}" font-size="9" text-anchor="middle">{i + 1}</text>')
+            x, y = place(faces[0 if view != "corner" else 1][0]).mean(axis=0)
+            drawn.append(f'<text x="{x:.1f}" y="{y + 3:.1f}" font-size="9" text-anchor="middle">{i + 1}</text>')
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}">'
-            + "".join(parts + over) + "</svg>")
+            + "".join([*ground, *parts[0], *frame, *parts[1], *over]) + "</svg>")
