@@ -16,7 +16,7 @@ from layout_bars import DIRECTIONS, draw_bars
 
 GRAVITY = 9.81
 WIDTH = 0.005  # g, to which a margin is exact
-MOST = 1.5  # g: larger margins are not told
+TICKS = (0, 0.5, 1, 1.5)  # g: larger margins than the last are not told
 PUSH = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0]])  # of the load; the container's acceleration is opposite
 
 
@@ -49,8 +49,9 @@ if not order:
     sys.exit(f"{options.results.name} holds no layout whose margins are known")
 shown = order[:options.most]
 figure = draw_bars([names[row].removesuffix(".txt") for row in shown], margins[shown], margins[shown] >= needed - WIDTH,
-                   [value or None for value in needed], MOST, "g",
+                   [value or None for value in needed], TICKS, "g",
                    "The largest constant acceleration that a layout stands within limits; inside, in place", in_place[shown])
 figure.savefig(options.output, dpi=120)
 stand = int((margins[order] >= needed - WIDTH).all(axis=1).sum())
-print(f"{options.output}: {len(shown)} of {len(order)} layouts; {stand} stand what is asked in every direction")
+print(f"{options.output}: {len(shown)} of {len(order)} layout{'' if len(order) == 1 else 's'}; "
+      f"{stand} {'stands' if stand == 1 else 'stand'} what is asked in every direction")

@@ -10,7 +10,7 @@ import sys
 import h5py
 import numpy as np
 
-from layout_bars import draw_bars
+from layout_bars import draw_bars, round_ticks
 
 WALLS = slice(1, 5)  # of floor, front, rear, left, right, roof
 
@@ -38,10 +38,11 @@ order = [row for row in np.argsort(-worst.max(axis=1), kind="stable") if np.isfi
 if not order:
     sys.exit(f"{options.results.name} holds no world that was accelerated")
 shown = order[:options.most]
-cap = 250 if limited else 1.02 * worst[shown].max()
+ticks = (0, 100, 200) if limited else round_ticks(worst[shown].max())
 figure = draw_bars([names[row].removesuffix(".txt") for row in shown], worst[shown],
-                   worst[shown] <= 100 if limited else np.ones((len(shown), 4), bool), [100 if limited else None] * 4, cap,
+                   worst[shown] <= 100 if limited else np.ones((len(shown), 4), bool), [100 if limited else None] * 4, ticks,
                    f"% of {norm}" if limited else "kN", "The largest force on each wall for 0.05 s")
 figure.savefig(options.output, dpi=120)
-beyond = f"; {int((worst[order] > 100).any(axis=1).sum())} press a wall beyond {norm}" if limited else ""
-print(f"{options.output}: {len(shown)} of {len(order)} layouts{beyond}")
+pressing = int((worst[order] > 100).any(axis=1).sum())
+beyond = f"; {pressing} {'presses' if pressing == 1 else 'press'} a wall beyond {norm}" if limited else ""
+print(f"{options.output}: {len(shown)} of {len(order)} layout{'' if len(order) == 1 else 's'}{beyond}")

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import Problem
+from .notebook import counted
 
 if TYPE_CHECKING:
     import pandas
@@ -62,4 +63,4 @@ class Indicators:
         return len(self.fill)
 
     def __repr__(self) -> str:
-        return f"<holdfast.Indicators of {len(self)} layouts>"
+        return f"<holdfast.Indicators of {counted(len(self), 'layout')}>"

@@ -10,14 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import Problem
+from .notebook import MOST_SHOWN, counted, more_layouts
 
 if TYPE_CHECKING:
     import pandas
 
 #: Directions in which the load is pushed, in the order of all arrays.
 DIRECTIONS = ("front", "rear", "left", "right")
-#: Layouts that a notebook shows one by one.
-_MOST_SHOWN = 20
+#: g: margins are not sought beyond it.
+_LARGEST = 1.5
 
 
 class Margins:
@@ -104,17 +105,26 @@ class Margins:
         return len(self.margin)
 
     def __repr__(self) -> str:
-        found = "" if not len(self) else f", the least {np.nanmin(self.margin_within_limits):.2f} g within limits"
-        return f"<holdfast.Margins of {len(self)} layouts{found}>"
+        known = self.margin_within_limits[~np.isnan(self.margin_within_limits)]
+        least = float(known.min()) if known.size else np.nan
+        found = f", the least {_text(least)}{' g within limits' if least >= 0 else ''}" if known.size else ""
+        return f"<holdfast.Margins of {counted(len(self), 'layout')}{found}>"
 
     def _repr_html_(self) -> str:
         heads = "".join(f"<th>{direction}</th>" for direction in DIRECTIONS)
         caption = f"{html.escape(repr(self)[1:-1])}; in place / within limits"
         lines = [f"<table><caption>{caption}</caption><tr><th>layout</th>{heads}</tr>"]
-        for i, rows in enumerate(zip(self.margin[:_MOST_SHOWN], self.margin_within_limits)):
+        for i, rows in enumerate(zip(self.margin[:MOST_SHOWN], self.margin_within_limits)):
             name = self.layout_names[i] if self.layout_names else str(i)
-            cells = "".join(f"<td>{in_place:.2f} / {within:.2f} g</td>" for in_place, within in zip(*rows))
+            cells = "".join(f"<td>{_text(in_place)} / {_text(within)}{' g' if within >= 0 else ''}</td>" for in_place, within in zip(*rows))
             lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
-        if len(self) > _MOST_SHOWN:
-            lines.append(f"<tr><td colspan='{len(DIRECTIONS) + 1}'>and {len(self) - _MOST_SHOWN} layouts more</td></tr>")
-        return "\n".join(lines) + "</table>"
+        return "\n".join(lines + more_layouts(len(self), len(DIRECTIONS) + 1)) + "</table>"
+
+
+def _text(margin: float) -> str:
+    """A margin without its unit; the largest that is tried has a plus."""
+    if np.isnan(margin):
+        return "not known"
+    if margin < 0:
+        return "unstable"
+    return f"{margin:.2f}" if margin < _LARGEST else f"{_LARGEST:.2f}+"

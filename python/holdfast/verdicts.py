@@ -14,13 +14,12 @@ from . import _core
 from .codes import StopReason, Verdict
 from .column import Column
 from .errors import Problem
+from .notebook import MOST_SHOWN, more_layouts
 from .world_columns import BOX_COLUMNS, WorldColumns
 
 if TYPE_CHECKING:
     import pandas
 
-#: Layouts that a notebook shows one by one.
-_MOST_SHOWN = 20
 #: Of a cell, by its verdict; grey where the verdict says nothing of the layout.
 _COLOURS = {
     Verdict.STAYED: "#dff0d8",
@@ -140,16 +139,14 @@ class Verdicts(WorldColumns):
         columns = table["acceleration"][0].tolist() if len(table) else range(len(self.acceleration_names))
         heads = "".join(f"<th>{html.escape(self.acceleration_names[i])}</th>" for i in columns)
         lines = [f"<table><caption>{html.escape(repr(self)[1:-1])}</caption><tr><th>layout</th>{heads}</tr>"]
-        for row in table[:_MOST_SHOWN]:
+        for row in table[:MOST_SHOWN]:
             index = int(row["layout"][0]) if len(row) else 0
             name = self.layout_names[index] if self.layout_names else str(index)
             cells = "".join(
                 f"<td style='background: {_COLOURS.get(world['verdict'], _GREY)}; color: black'>"
                 f"{_name_of(world)}, {world['peak_displacement']:.3g} m</td>" for world in row)
             lines.append(f"<tr><th>{html.escape(name)}</th>{cells}</tr>")
-        if len(table) > _MOST_SHOWN:
-            lines.append(f"<tr><td colspan='{len(columns) + 1}'>and {len(table) - _MOST_SHOWN} layouts more</td></tr>")
-        return "\n".join(lines) + "</table>"
+        return "\n".join(lines + more_layouts(len(table), len(columns) + 1)) + "</table>"
 
 
 Verdicts.box_outcomes.__doc__ = str(Verdicts.box_outcomes.__doc__).replace(

@@ -48,12 +48,24 @@ class PlotTest(unittest.TestCase):
         self.assertTrue(picture.startswith("<?xml"))
         return done.stdout
 
+    def texts(self, text):
+        """How often a text stands in the picture, which has each as a comment beside its glyphs."""
+        return (self.folder / "picture.svg").read_text().count(f"<!-- {text} -->")
+
+    def test_axes_have_round_numbers_and_a_range(self):
+        sys.path.insert(0, str(SOURCE / "examples"))
+        from layout_bars import round_ticks
+        self.assertEqual(round_ticks(37.8), [0, 20, 40])
+        self.assertEqual(round_ticks(1.5), [0, 0.5, 1, 1.5])
+        self.assertEqual(round_ticks(0), [0, 0.5, 1])
+
     def test_margins(self):
         said = self.check_picture("plot_margins.py", "asked.h5")
         with h5py.File(self.folder / "asked.h5") as file:
             margins = file["margins/margin"][:]
         stand = int((margins + 0.005 >= [0.8, 0.5, 0.5, 0.5]).all(axis=1).sum())
-        self.assertEqual(said, f"picture.svg: 3 of 3 layouts; {stand} stand what is asked in every direction\n")
+        self.assertEqual(said, f"picture.svg: 3 of 3 layouts; {stand} stand{'s' if stand == 1 else ''} what is asked in every direction\n")
+        self.assertEqual(self.texts("1.50+"), 4)
         said = self.check_picture("plot_margins.py", "asked.h5", "--needed", 0.1, 0.1, 0.1, 0.1, "--most", 2)
         self.assertEqual(said, "picture.svg: 2 of 3 layouts; 3 stand what is asked in every direction\n")
 
@@ -62,7 +74,8 @@ class PlotTest(unittest.TestCase):
         with h5py.File(self.folder / "asked.h5") as file:
             beyond = (file["walls/lasting_force"][:, 1:5] > file["walls/limit"][:, 1:5]).any(axis=1)
             count = len(np.unique(file["worlds/layout"][:][beyond]))
-        self.assertEqual(said, f"picture.svg: 3 of 3 layouts; {count} press a wall beyond en283\n")
+        self.assertEqual(said, f"picture.svg: 3 of 3 layouts; {count} press{'es' if count == 1 else ''} a wall beyond en283\n")
+        self.assertEqual((self.texts("0"), self.texts("100"), self.texts("200") + self.texts("200+")), (4, 4, 4))
         self.assertEqual(self.check_picture("plot_walls.py", "newtons.h5"), "picture.svg: 3 of 3 layouts\n")
 
     def test_a_file_without_is_refused_in_a_line(self):

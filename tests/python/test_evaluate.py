@@ -141,7 +141,8 @@ class EvaluateTest(unittest.TestCase):
             self.assertNotIn("<brake", page)
             self.assertEqual(page.count("<tr>"), page.count("</tr>"))
         self.assertIn(">moved, 1.49 m", verdicts._repr_html_())
-        self.assertIn("and 10 layouts more", verdicts._repr_html_())
+        self.assertIn("and 10 more layouts", verdicts._repr_html_())
+        self.assertIn("and 1 more layout<", verdicts[:21]._repr_html_())
         self.assertEqual(repr(verdicts), "<holdfast.Verdicts of shape (30, 1): 30 moved>")
 
     def test_settings_are_those_of_a_config_file(self):

@@ -35,6 +35,20 @@ class MarginsTest(unittest.TestCase):
         self.assertTrue(np.isnan([margins.low, margins.median, margins.high]).all())
         self.assertNotIn("low", frame)
         self.assertIn("<th>a</th><td>0.50 / 0.50 g</td>", margins._repr_html_())
+        self.assertIn("<td>1.50+ / 1.50+ g</td>", margins._repr_html_())
+
+    def test_a_notebook_says_what_a_margin_is_not(self):
+        def shown(*within):
+            none = np.zeros((1, 4), dtype=np.uint32)
+            return holdfast.Margins(np.array([within]), none, np.array([within]), none, np.full((3, 1, 4), np.nan),
+                                    np.ones(1, dtype=np.uint32), np.zeros(1), (), ())
+
+        self.assertEqual(repr(shown(1.5, 1.5, 1.5, 1.5)), "<holdfast.Margins of 1 layout, the least 1.50+ g within limits>")
+        self.assertEqual(repr(shown(-0.2, -0.2, -0.2, -0.2)), "<holdfast.Margins of 1 layout, the least unstable>")
+        self.assertEqual(repr(shown(*[np.nan] * 4)), "<holdfast.Margins of 1 layout>")
+        self.assertIn("<td>unstable / unstable</td>", shown(-0.2, -0.2, -0.2, -0.2)._repr_html_())
+        self.assertIn("<td>0.50 / 0.50 g</td>", shown(0.4951, 0.5, 0.5, 0.5)._repr_html_())
+        self.assertIn("<td>not known / not known</td>", shown(*[np.nan] * 4)._repr_html_())
 
     def test_layouts_are_judged_within_limits(self):
         shifted = BOX + [0.03 - 2, 0, 0, 0.03 - 2, 0, 0, 0]  # a gap of 3 cm to the front wall
