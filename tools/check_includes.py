@@ -25,11 +25,11 @@ LIBRARIES = {
     "Bullet3OpenCL": r"Bullet3\w+/",
     "CLI11": r"CLI/",
     "nlohmann": r"nlohmann/",
-    "httplib": r"httplib\.h$",
+    "microhttpd": r"microhttpd\.h$",
     "MPI": r"mpi\.h$",
     "Catch2": r"catch2/",
     "pybind11": r"pybind11/",
-    "POSIX": r"(unistd|fcntl|dlfcn|signal|spawn|sched|pthread|poll|glob|dirent|termios|sysexits)\.h$|sys/\w+\.h$",
+    "POSIX": r"(unistd|fcntl|dlfcn|signal|spawn|sched|pthread|poll|glob|dirent|termios|sysexits|strings)\.h$|(sys|arpa|netinet)/\w+\.h$",
 }
 
 # A folder under src: the folders and the libraries that it may name.
@@ -42,7 +42,7 @@ RULES = {
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),
     "api": ({"analyses", "core", "io", "parallel", "api"}, {"fmt", "POSIX"}),
     "mpi": ({"app", "core", "io", "mpi"}, {"MPI", "fmt"}),
-    "app": ({"analyses", "api", "core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "httplib", "fmt", "POSIX"}),
+    "app": ({"analyses", "api", "core", "io", "bullet", "parallel", "validate", "app"}, {"CLI11", "nlohmann", "microhttpd", "fmt", "POSIX"}),
 }
 
 # Public headers that everything shares: what an outcome consists of.
@@ -52,7 +52,7 @@ PUBLIC_WORDS = {"holdfast/outcome_fields.h", "holdfast/outcomes.hpp"}
 KEPT_TO = {
     "Highway": r"src/core/native/solver/(\w+_kernels\.cpp|instruction_sets\.cpp|(pack|lorentz_cone)-inl\.hpp)",
     "CLI11": r"src/app/command_line\w*\.[ch]pp",
-    "httplib": r"src/app/page_server/page_server\.cpp",
+    "microhttpd": r"src/app/page_server/page_server\.cpp",
     "Bullet3OpenCL": r"src/parallel/opencl/bullet3_pipeline\.cpp",
     "ThreadSanitizer": r"src/parallel/schedulers/tsan_annotations\.hpp",
 }

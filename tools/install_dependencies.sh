@@ -23,7 +23,7 @@ packages=(
   libinih-dev        # inih, reads config.ini
   libcli11-dev       # CLI11, the command line
   nlohmann-json3-dev # JSON output
-  libcpp-httplib-dev # serves results to the browser of this machine
+  libmicrohttpd-dev  # serves results to the browser of this machine
   libssl-dev         # SHA-256 of the inputs
   libdeflate-dev     # compresses chunks of the results file on the workers
   zlib1g-dev         # compresses chunks that are nearly empty

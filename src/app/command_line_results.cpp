@@ -8,6 +8,12 @@ namespace holdfast::internal {
 
 namespace {
 
+void add_memory_option(CLI::App* command, int& memory, const char* help) {
+  command->add_option("--memory", memory, help)->capture_default_str()->check(CLI::Range(64, 1 << 20))->type_name("MB");
+}
+
+constexpr const char* kMemoryHelp = "Memory that reading the file may take, MB";
+
 void add_merge_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("merge", "Put the shards of a run together, that were made with --part");
   command->footer(
@@ -26,6 +32,7 @@ void add_merge_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--threads", options->threads, "Threads; 0: one per core")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+  add_memory_option(command, options->memory, "Memory that each thread may take, MB");
   command->add_flag("--overwrite", options->overwrite, "Replace the results of an earlier run");
   command->add_flag("--quiet", options->quiet, "No progress; errors only");
   command->callback([options, &chosen] { chosen.run = [options] { return run_merge_command(*options); }; });
@@ -51,6 +58,7 @@ void add_summary_command(CLI::App& program, ChosenCommand& chosen) {
       ->type_name("DIR");
   command->add_option("-o,--output", options->output_path, "Write the tables into this new HDF5 file")
       ->type_name("FILE");
+  add_memory_option(command, options->memory, kMemoryHelp);
   command->callback([options, &chosen] { chosen.run = [options] { return run_summary_command(*options); }; });
 }
 
@@ -71,6 +79,7 @@ void add_report_command(CLI::App& program, ChosenCommand& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 100000))
       ->type_name("N");
+  add_memory_option(command, options->memory, kMemoryHelp);
   command->callback([options, &chosen] { chosen.run = [options] { return run_report_command(*options); }; });
 }
 
@@ -93,6 +102,7 @@ void add_view_command(CLI::App& program, ChosenCommand& chosen) {
       ->needs(serve)
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
+  add_memory_option(command, options->memory, kMemoryHelp);
   command->callback([options, &chosen] { chosen.run = [options] { return run_view_command(*options); }; });
 }
 

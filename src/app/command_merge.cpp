@@ -10,8 +10,8 @@
 
 #include "api/merged_run.hpp"
 #include "app/commands.hpp"
-#include "app/crash_guard.hpp"
 #include "app/progress.hpp"
+#include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "app/screening.hpp"
 #include "app/stop_signal.hpp"
@@ -53,12 +53,12 @@ std::optional<Error> check_no_shard(const std::string& output, const std::vector
   return std::nullopt;
 }
 
-/// `done` when HDF5 can open all shards, and does not crash on a damaged one.
-ExitCode check_readable(const std::vector<std::string>& paths) {
+/// `done` when HDF5 can open all shards. What is wrong with one otherwise is said with all that is wrong, by `gather`.
+ExitCode check_readable(const std::vector<std::string>& paths, int memory) {
   for (const std::string& path : paths) {
-    // What is wrong with a shard otherwise is said with all that is wrong, by `gather`.
     const auto open = [&] { return ShardFile::open(path) ? ExitCode::done : ExitCode::some_failed; };
-    if (guard_reading(path, open, "simulate the shard again") == ExitCode::bad_usage) return ExitCode::bad_usage;
+    const GuardedFile shard = {.path = path, .cure = "simulate the shard again", .memory = memory};
+    if (guard_reading(shard, open) == ExitCode::bad_usage) return ExitCode::bad_usage;
   }
   return ExitCode::done;
 }
@@ -100,14 +100,8 @@ class MergeObserver final : public RunObserver {
   std::unique_ptr<Ticker> ticker_;
 };
 
-}  // namespace
-
-ExitCode run_merge_command(const MergeOptions& options) {
-  const Result<std::vector<std::string>> paths = shard_paths(options);
-  if (!paths) return fail(ExitCode::bad_usage, paths.error());
-  if (const auto error = check_no_shard(options.results_path, *paths)) return fail(ExitCode::bad_usage, *error);
-  if (check_readable(*paths) == ExitCode::bad_usage) return ExitCode::bad_usage;
-  const Result<RunOfShards> shards = RunOfShards::gather(*paths);
+ExitCode merge(const MergeOptions& options, const std::vector<std::string>& paths) {
+  const Result<RunOfShards> shards = RunOfShards::gather(paths);
   if (!shards) return fail(ExitCode::bad_usage, shards.errors());
   std::optional<Error> warning;
   const Result<OutputLock> lock = OutputLock::take(options.results_path, warning);
@@ -129,8 +123,22 @@ ExitCode run_merge_command(const MergeOptions& options) {
   }
   if (!options.quiet)
     print_to(stdout, "results: {}, {} of {}\n", options.results_path, counted(shards->world_count(), "world"),
-             counted(paths->size(), "shard"));
+             counted(paths.size(), "shard"));
   return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode run_merge_command(const MergeOptions& options) {
+  const Result<std::vector<std::string>> paths = shard_paths(options);
+  if (!paths) return fail(ExitCode::bad_usage, paths.error());
+  if (const auto error = check_no_shard(options.results_path, *paths)) return fail(ExitCode::bad_usage, *error);
+  if (check_readable(*paths, options.memory) == ExitCode::bad_usage) return ExitCode::bad_usage;
+  const GuardedFile shards = {.path = "a shard of " + options.results_path,
+                              .cure = "simulate the one again that `holdfast summary --csv` cannot read",
+                              .memory = options.memory,
+                              .threads = thread_count(options.threads)};
+  return guard_reading(shards, [&] { return merge(options, *paths); });
 }
 
 }  // namespace holdfast::internal

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <csignal>
+
 #include "app/commands.hpp"
-#include "app/crash_guard.hpp"
+#include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "app/shared_script.hpp"
 #include "io/export/text_output.hpp"
@@ -29,24 +31,25 @@ std::optional<Error> check_report(const std::string& path) {
 }  // namespace
 
 ExitCode run_report_command(const ReportOptions& options) {
-  const ExitCode readable = guard_reading(
-      options.results_path,
-      [&] {
-        const Result<ResultsReader> results = ResultsReader::open(options.results_path);
-        return results ? ExitCode::done : fail(ExitCode::bad_usage, results.error());
-      },
-      "simulate it again");
-  if (readable != ExitCode::done) return readable;
   if (const auto error = check_report(options.output_path)) return fail(ExitCode::bad_usage, *error);
   const std::vector<std::string> arguments = {"--most", fmt::format("{}", options.most), "--", options.results_path,
                                               options.output_path};
-  const std::optional<int> status = run_shared_script("load_report.py", arguments);
-  if (status == 0) return ExitCode::done;
-  // A script that ran has said why.
-  if (status) return ExitCode::some_failed;
-  return fail(ExitCode::some_failed,
-              {.what = "the report could not be drawn",
-               .accepted = "python3 with h5py is needed; `holdfast summary --csv` needs neither"});
+  return guard_reading({.path = options.results_path, .cure = "simulate it again", .memory = options.memory}, [&] {
+    const Result<ResultsReader> results = ResultsReader::open(options.results_path);
+    if (!results) return fail(ExitCode::bad_usage, results.error());
+    const std::optional<int> status = run_shared_script("load_report.py", arguments);
+    if (status == 0) return ExitCode::done;
+    if (status > kBySignal) {
+      // It read the file: the guard says what that means.
+      std::signal(*status - kBySignal, SIG_DFL);
+      std::raise(*status - kBySignal);
+    }
+    // A script that ran has said why.
+    if (status) return ExitCode::some_failed;
+    return fail(ExitCode::some_failed,
+                {.what = "the report could not be drawn",
+                 .accepted = "python3 with h5py is needed; `holdfast summary --csv` needs neither"});
+  });
 }
 
 }  // namespace holdfast::internal

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/crash_guard.hpp"
 #include "app/outcome_table.hpp"
+#include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "core/model/setting_table.hpp"
 #include "io/results/results_reader.hpp"
@@ -56,8 +56,8 @@ ExitCode summarise(const SummaryOptions& options) {
 }  // namespace
 
 ExitCode run_summary_command(const SummaryOptions& options) {
-  return guard_reading(
-      options.results_path, [&] { return summarise(options); }, "simulate again");
+  return guard_reading({.path = options.results_path, .cure = "simulate again", .memory = options.memory},
+                       [&] { return summarise(options); });
 }
 
 }  // namespace holdfast::internal

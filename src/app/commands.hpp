@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
+#include "app/reading_guard.hpp"
 #include "app/run_options.hpp"
 
 /// What each command takes from the command line, and what does it; one source file per command.
@@ -52,6 +53,7 @@ struct MergeOptions {
   std::string results_path;
   std::vector<std::string> shards;  ///< files, and folders of them; empty: those beside the results file
   int threads = 0;                  ///< 0: one per core
+  int memory = kReadingMemory;      ///< MB per thread
   bool overwrite = false;
   bool quiet = false;
 };
@@ -62,13 +64,15 @@ struct SummaryOptions {
   std::optional<double> drop, move, tilt;  ///< thresholds, m, m and degrees; absent: those of the file
   std::optional<std::string> csv_folder;
   std::optional<std::string> output_path;
+  int memory = kReadingMemory;  ///< MB
 };
 ExitCode run_summary_command(const SummaryOptions& options);
 
 struct ReportOptions {
   std::string results_path;
   std::string output_path = "report.html";
-  int most = 50;  ///< layouts that get a page
+  int most = 50;                ///< layouts that get a page
+  int memory = kReadingMemory;  ///< MB
 };
 ExitCode run_report_command(const ReportOptions& options);
 
@@ -78,6 +82,7 @@ struct ViewOptions {
   bool open = true;                      ///< in a browser
   bool serve = false;                    ///< on the loopback address, instead of writing a page
   int port = 0;                          ///< of `serve`; 0: one that is free
+  int memory = kReadingMemory;           ///< MB
 };
 ExitCode run_view_command(const ViewOptions& options);
 

@@ -7,8 +7,8 @@
 #include "analyses/analysis.hpp"
 #include "api/engine_loader.hpp"
 #include "api/recorded_run.hpp"
-#include "app/crash_guard.hpp"
 #include "app/outcome_table.hpp"
+#include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "app/run_inputs.hpp"
 #include "app/shard_job.hpp"
@@ -110,13 +110,10 @@ std::optional<Error> check_job(const ScreeningJob& job) {
 
 /// `done` when the finished parts can be read: HDF5 may crash on damaged ones.
 ExitCode check_parts_readable(const ScreeningJob& job, const RunDescription& description) {
-  return guard_reading(
-      job.results_path,
-      [&] {
-        const bool found = bool(find_finished(job.results_path, fingerprint(description)));
-        return found ? ExitCode::done : ExitCode::some_failed;
-      },
-      "--overwrite starts anew");
+  return guard_reading({.path = job.results_path, .cure = "--overwrite starts anew"}, [&] {
+    const bool found = bool(find_finished(job.results_path, fingerprint(description)));
+    return found ? ExitCode::done : ExitCode::some_failed;
+  });
 }
 
 /// Simulates all layouts of a job.

@@ -18,8 +18,8 @@ std::optional<int> run_shared_script(const std::string& name, const std::vector<
   pid_t child = 0;
   int status = 0;
   if (posix_spawn(&child, words.front(), nullptr, nullptr, words.data(), environ) != 0) return std::nullopt;
-  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return std::nullopt;
-  return WEXITSTATUS(status);
+  if (waitpid(child, &status, 0) != child) return std::nullopt;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kBySignal + WTERMSIG(status);
 }
 
 }  // namespace holdfast::internal

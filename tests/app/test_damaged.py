@@ -11,7 +11,7 @@ import numpy as np
 
 from cli import CONFIG, SANITIZED, SEED, TOWER, CliTest, datasets, layout_text, start, wait_for
 
-DAMAGE = ["is damaged", "lacks a dataset", "has a dataset", "ends before", "has no", "cannot be", "is not", "later format"]
+DAMAGE = ["is damaged", "lacks a dataset", "has a dataset", "ends before", "has no", "cannot be", "is not", "later format", "takes more than"]
 
 
 def other_type(data):

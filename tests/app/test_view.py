@@ -1,14 +1,19 @@
 """`holdfast view`: the page that it writes has the results in it, byte by byte; what it refuses."""
 import base64
+import contextlib
 import http.client
+import os
 import pathlib
 import re
 import shutil
+import signal
+import socket
 import stat
 import subprocess
+import time
 import unittest
 
-from cli import HOLDFAST, PATIENCE, SEED_ACCELERATION, SEED_LAYOUT, CliTest
+from cli import HOLDFAST, PATIENCE, SEED_ACCELERATION, SEED_LAYOUT, CliTest, wait_for
 
 # Stands in for the page of `make viewer`, which the tests of the program do not need.
 PAGE = '<!doctype html>\n<meta name="generator" content="holdfast viewer">\n<body><!--RESULTS--></body>\n'
@@ -83,13 +88,18 @@ class Serve(ViewTest):
         build = pathlib.Path(HOLDFAST).parents[1]
         plugins = sorted(build.glob("**/libholdfast-page-server.so"))
         if not plugins:
-            self.skipTest("built without cpp-httplib")
+            self.skipTest("built without libmicrohttpd")
         shutil.copy(plugins[0], self.program.parent)
-        server = subprocess.Popen([self.program, "view", "--serve", "--no-open", "results.h5"], cwd=self.folder,
-                                  stdout=subprocess.PIPE, encoding="utf-8")
-        self.addCleanup(lambda: (server.kill(), server.wait(), server.stdout.close()))
-        self.address = server.stdout.readline().strip()
-        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", self.address).groups()
+        self.serve("--no-open")
+
+    def serve(self, *arguments, **options):
+        """Starts the server that the other methods ask."""
+        server = subprocess.Popen([self.program, "view", "--serve", *arguments, "results.h5"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, encoding="utf-8", start_new_session=True, **options)
+        self.addCleanup(lambda: (os.killpg(server.pid, signal.SIGKILL), server.wait(), server.stdout.close()))
+        address = server.stdout.readline().strip()
+        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", address).groups()
+        return server
 
     def ask(self, path, method="GET", **headers):
         connection = http.client.HTTPConnection("127.0.0.1", int(self.port), timeout=PATIENCE)
@@ -116,6 +126,60 @@ class Serve(ViewTest):
             status, part, headers = self.ask(f"/{self.token}/results", Range=f"bytes={begin}-{end}")
             self.assertEqual((status, part), (206, whole[begin:end + 1]))
             self.assertEqual(headers["Content-Range"], f"bytes {begin}-{end}/{len(whole)}")
+
+    def test_ranges_at_the_end_and_beyond(self):
+        whole = self.results.read_bytes()
+        size = len(whole)
+        for asked, part in {f"{size - 3}-{size + 10**6}": whole[-3:], f"{size - 5}-": whole[-5:], "-7": whole[-7:],
+                            f"-{size + 10**6}": whole, f"0-{2**64 - 1}": whole}.items():
+            status, answer, headers = self.ask(f"/{self.token}/results", Range=f"bytes={asked}")
+            self.assertEqual((status, len(answer)), (206, len(part)), asked)
+            self.assertEqual(answer, part, asked)
+            self.assertTrue(headers["Content-Range"].endswith(f"/{size}"))
+        for asked in (f"{size}-", f"{size}-{size + 5}", f"{2**63}-", "-0"):
+            status, answer, headers = self.ask(f"/{self.token}/results", Range=f"bytes={asked}")
+            self.assertEqual((status, answer, headers["Content-Range"]), (416, b"", f"bytes */{size}"), asked)
+        # What is no range, or several, is answered with the whole (RFC 9110).
+        for asked in ("bytes=", "bytes=-", "bytes=5", "bytes=9-4", "bytes=a-b", "bytes=0-1,4-5", "lines=0-1", "bytes=0-99999999999999999999"):
+            status, answer, _ = self.ask(f"/{self.token}/results", Range=asked)
+            self.assertEqual((status, answer), (200, whole), asked)
+
+    def raw(self, text):
+        """What the server answers to bytes; nothing where it closes the connection."""
+        with socket.create_connection(("127.0.0.1", int(self.port)), timeout=PATIENCE) as connection:
+            connection.sendall(text)
+            return b"".join(iter(lambda: connection.recv(1 << 16), b""))
+
+    def test_one_host_is_named(self):
+        request = f"GET /{self.token}/results HTTP/1.1\r\n{{}}Connection: close\r\n\r\n"
+        here = f"Host: 127.0.0.1:{self.port}\r\n"
+        self.assertIn(b" 200 ", self.raw(request.format(here).encode())[:20])
+        for hosts in ("", here + here, here + "Host: elsewhere.example\r\n", "Host: elsewhere.example\r\n" + here):
+            self.assertRegex(self.raw(request.format(hosts).encode())[:20], b" 40[03] ", hosts)
+
+    def test_bodies_and_long_headers_are_not_read(self):
+        host = f"Host: 127.0.0.1:{self.port}\r\n"
+        for kind in (f"Content-Length: {10**12}\r\n", "Transfer-Encoding: chunked\r\n"):
+            self.assertIn(b" 413 ", self.raw(f"GET /{self.token}/results HTTP/1.1\r\n{host}{kind}\r\n".encode())[:20])
+        with contextlib.suppress(ConnectionError):
+            self.assertNotIn(b" 200 ", self.raw(f"GET /{self.token}/ HTTP/1.1\r\n{host}X: {'x' * 10**6}\r\n\r\n".encode())[:20])
+        self.assertEqual(self.ask(f"/{self.token}/")[0], 200)
+
+    def test_idle_connections_are_in_nobodys_way(self):
+        for _ in range(200):
+            idle = socket.create_connection(("127.0.0.1", int(self.port)), timeout=PATIENCE)
+            self.addCleanup(idle.close)
+            idle.sendall(b"GET / HTTP/1.1\r\n")
+        begin = time.monotonic()
+        self.assertEqual(self.ask(f"/{self.token}/")[0], 200)
+        self.assertLess(time.monotonic() - begin, 5)
+
+    def test_it_answers_while_a_browser_runs(self):
+        browser = self.write("path/xdg-open", "#!/bin/sh\necho $1 > asked\nexec sleep 600\n")
+        browser.chmod(browser.stat().st_mode | stat.S_IXUSR)
+        server = self.serve(env={"PATH": f"{browser.parent}:/usr/bin:/bin"})
+        wait_for((self.folder / "asked").exists, server)
+        self.assertEqual(self.ask(f"/{self.token}/")[0], 200)
 
     def test_nothing_without_the_token_under_another_name_or_in_writing(self):
         for path in ("/", "/results", "/results.h5", f"/{'0' * 32}/results", f"/{self.token}/../results.h5",

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/crash_guard.hpp"
+#include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "app/view/open_in_browser.hpp"
 #include "app/view/served_page.hpp"
@@ -74,8 +74,9 @@ ExitCode serve_results(const ViewOptions& options, const std::string& page) {
 
 ExitCode run_view_command(const ViewOptions& options) {
   // In a process of its own, as a damaged file may end it.
-  const ExitCode checked = guard_reading(
-      options.results_path, [&] { return check_results(options.results_path); }, "simulate again");
+  const ExitCode checked =
+      guard_reading({.path = options.results_path, .cure = "simulate again", .memory = options.memory},
+                    [&] { return check_results(options.results_path); });
   if (checked != ExitCode::done) return checked;
   const Result<std::string> page = viewer_page();
   if (!page) return fail(ExitCode::some_failed, page.errors());

@@ -138,7 +138,8 @@ std::vector<std::byte> Dataset::read(std::uint64_t begin, std::uint64_t count) c
   }
   H5Sselect_hyperslab(in_file, H5S_SELECT_SET, from.data(), nullptr, extent.data(), nullptr);
   const Id type = type_of(*spec_, number_bytes_);
-  if (H5Dread(id_, type, in_memory, in_file, H5P_DEFAULT, bytes.data()) < 0) fail("cannot be read");
+  file_->check(H5Dread(id_, type, in_memory, in_file, H5P_DEFAULT, bytes.data()),
+               "cannot be read (" + std::string(spec_->path) + ")");
   return bytes;
 }
 

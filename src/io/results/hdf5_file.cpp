@@ -2,6 +2,9 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstring>
 
 #include "io/input/regular_file.hpp"
@@ -28,7 +31,23 @@ std::string last_words() {
   return words;
 }
 
+/// True where the last call has failed because there is no memory.
+bool lacks_memory() {
+  bool lacks = false;
+  const auto look = [](unsigned, const H5E_error2_t* entry, void* to) -> herr_t {
+    if (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC) *static_cast<bool*>(to) = true;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, look, &lacks);
+  return lacks;
+}
+
 [[noreturn]] void fail_with(const std::string& path, const std::string& what) {
+  if (lacks_memory()) {
+    // As `operator new` does: whoever limits the memory has said what happens then.
+    if (const std::new_handler handler = std::get_new_handler(); handler != nullptr) handler();
+    throw std::bad_alloc();
+  }
   throw Failure(Error{.file = path, .what = what, .value = last_words()});
 }
 
@@ -91,7 +110,63 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
   return value;
 }
 
+/// Most bytes of a chunk in memory; `Dataset::create` makes them at most 1 MB.
+constexpr std::uint64_t kMostChunkBytes = std::uint64_t{64} << 20U;
+
+/// Why a dataset cannot be trusted to hold its own data in pieces that fit into memory; null: it can.
+const char* why_not_read(hid_t dataset) {
+  const Id creation(H5Dget_create_plist(dataset), H5Pclose);
+  if (H5Pget_external_count(creation) != 0) return "has data in another file";
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  if (layout == H5D_VIRTUAL) return "has data in another dataset";
+  for (int i = 0; i < H5Pget_nfilters(creation); ++i) {
+    std::size_t values = 0;
+    unsigned flags = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
+    // Others are libraries that HDF5 would load.
+    if (filter < 0 || filter > H5Z_FILTER_RESERVED) return "has data that is packed in an unknown way";
+  }
+  if (layout != H5D_CHUNKED) return nullptr;
+  std::array<hsize_t, H5S_MAX_RANK> extent{};
+  const int rank = H5Pget_chunk(creation, static_cast<int>(extent.size()), extent.data());
+  const Id type(H5Dget_type(dataset), H5Tclose);
+  std::uint64_t bytes = H5Tget_size(type);
+  for (int i = 0; i < rank; ++i) {
+    bytes *= std::max<std::uint64_t>(extent.at(static_cast<std::size_t>(i)), 1);
+    if (bytes > kMostChunkBytes) return "has chunks that are too large";
+  }
+  return nullptr;
+}
+
+/// Fails if anything in the file lies elsewhere, or cannot be read in pieces: links other than to objects of this
+/// file, and datasets as above. Whoever opens a file of somebody else sees what is in that file, and nothing else.
+void check_contents(const File& file) {
+  struct Look {
+    const File& file;
+    std::string what;
+  } look{file, {}};
+  const auto visit = [](hid_t root, const char* name, const H5L_info_t* link, void* to) -> herr_t {
+    auto& found = *static_cast<Look*>(to);
+    if (link->type != H5L_TYPE_HARD) {
+      found.what = std::string("has a link in place of /") + name;
+      return 1;
+    }
+    const Id object(H5Oopen(root, name, H5P_DEFAULT), H5Oclose);
+    if (object < 0) return -1;
+    const char* reason = H5Iget_type(object) == H5I_DATASET ? why_not_read(object) : nullptr;
+    if (reason != nullptr) found.what = std::string(reason) + " (/" + name + ")";
+    return reason != nullptr ? 1 : 0;
+  };
+  file.check(H5Lvisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, visit, &look), "cannot be read");
+  if (!look.what.empty()) throw Failure(Error{.file = file.path(), .what = look.what});
+}
+
+std::atomic<std::uint64_t> returned_calls = 0;
+
 }  // namespace
+
+std::uint64_t calls_returned() { return returned_calls; }
 
 void be_quiet() {
   // After memory has run out, the library's cleanup at the end of the process crashes; all files are closed before.
@@ -133,7 +208,9 @@ File File::open(const std::string& path) {
     if (const auto error = why_no_regular_file(path, status.st_mode)) throw Failure(*error);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail_with(path, "cannot be opened as an HDF5 file");
-  return {path, id};
+  File file(path, id);
+  check_contents(file);
+  return file;
 }
 
 std::vector<std::byte> File::image() {
@@ -154,6 +231,12 @@ void File::close() {
 void File::check_disk(const std::string& what) const {
   if (disk_ && disk_->error_number != 0)
     throw Failure(Error{.file = path_, .what = what, .value = std::strerror(disk_->error_number)});
+}
+
+hid_t File::check(hid_t id, const std::string& what) const {
+  if (id < 0) fail(what);
+  ++returned_calls;
+  return id;
 }
 
 void File::fail(const std::string& what) const {

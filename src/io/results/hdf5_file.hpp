@@ -85,6 +85,9 @@ auto with_cure(const std::string& cure, Work&& work) -> decltype(work()) {
   }
 }
 
+/// Calls of HDF5 that have returned: while it grows, a process that reads makes progress. A signal handler may ask.
+std::uint64_t calls_returned();
+
 /// Prevents HDF5 from printing its error stack, which it does by default, per thread.
 void be_quiet();
 
@@ -119,7 +122,7 @@ class File {
   static File create(const std::string& path);
   /// A new file in memory; `path` is for messages.
   static File create_in_memory(const std::string& path);
-  /// An existing file, for reading.
+  /// An existing file, for reading. Fails if anything in it lies in another file, or in chunks of more than 64 MB.
   static File open(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -135,10 +138,7 @@ class File {
   /// Throws a failure that names the file and the last error of HDF5.
   [[noreturn]] void fail(const std::string& what) const;
   /// Fails if HDF5 returned a negative number; otherwise returns the number.
-  hid_t check(hid_t id, const std::string& what) const {
-    if (id < 0) fail(what);
-    return id;
-  }
+  hid_t check(hid_t id, const std::string& what) const;
 
  private:
   File(std::string path, hid_t id) : path_(std::move(path)), id_(id, H5Fclose) {}

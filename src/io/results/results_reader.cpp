@@ -144,6 +144,8 @@ std::string ResultsInfo::acceleration_name(std::uint64_t acceleration) const {
                                              : fmt::format("acceleration {}", acceleration);
 }
 
+std::uint64_t results_calls_returned() { return h5::calls_returned(); }
+
 const ResultsInfo& ResultsReader::info() const { return state_->info; }
 
 Result<ResultsReader> ResultsReader::open(const std::string& path) {

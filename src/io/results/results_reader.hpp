@@ -65,6 +65,9 @@ class File;
 /// Worlds that are read and held in memory at a time by what goes through all worlds of a file.
 inline constexpr std::uint64_t kSliceWorlds = 1024;
 
+/// Calls of HDF5 that have returned: while it grows, a process that reads makes progress. A signal handler may ask.
+std::uint64_t results_calls_returned();
+
 /// Reads a results file, or a single part of one. Used by one thread at a time.
 class ResultsReader {
  public:
