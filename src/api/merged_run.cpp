@@ -120,7 +120,9 @@ Result<RunOfShards> RunOfShards::gather(const std::vector<std::string>& paths) {
 
   RunOfShards all;
   all.run_ = whole_run(found);
-  if (const std::string expected = found.front().shard().run_fingerprint; fingerprint(all.run_) != expected)
+  // A layout that changed while the run read it is a bad one, and has other contents here: what is of these is left
+  // out.
+  if (const std::string expected = found.front().shard().run_fingerprint; !expected.starts_with(fingerprint(all.run_)))
     return Error{.file = found.front().path(),
                  .what = "does not fit the other shards",
                  .value = fingerprint_difference(fingerprint(all.run_), expected),
@@ -152,6 +154,10 @@ std::optional<Error> merge_shards(const RunOfShards& shards, const std::string& 
   const Result<Progress> finished = find_finished(results_path, fingerprint(shards.run()));
   if (!finished) return finished.error();
   if (finished->complete) return std::nullopt;
+  if (finished->part_count > 0 && finished->layout_hashes != shards.run().layout_hashes)
+    return Error{.file = results_path,
+                 .what = "cannot go on: the shards have layouts with other contents than when the merge began",
+                 .accepted = "--overwrite starts anew"};
   const Result<std::uint64_t> first_block = shards.block_after(finished->world_count);
   if (!first_block) return first_block.error();
   std::optional<Error> failure;

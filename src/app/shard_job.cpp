@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/run_inputs.hpp"
+#include "io/input/layout_files.hpp"
 #include "io/results/shard_file.hpp"
 
 namespace holdfast::internal {
@@ -14,7 +15,7 @@ DividedJob::DividedJob(const ScreeningJob& whole, const std::vector<ReadAccelera
     : whole_(whole),
       without_layouts_(whole),
       shard_{.parts = shards, .block = Shard::block_of(accelerations.size()), .layouts = whole.layout_paths.size()},
-      fingerprint_(fingerprint(describe_run(whole, accelerations, {}))) {
+      fingerprint_(fingerprint_with_contents(describe_run(whole, accelerations, hash_layouts(whole.layout_paths)))) {
   without_layouts_.layout_paths.clear();
   without_layouts_.part.reset();
 }

@@ -29,7 +29,7 @@ class DividedJob {
   const ScreeningJob& whole_;
   ScreeningJob without_layouts_;
   Shard shard_;
-  std::string fingerprint_;  ///< of the whole run
+  std::string fingerprint_;  ///< of the whole run, with contents
 };
 
 }  // namespace holdfast::internal

@@ -159,6 +159,22 @@ class Shards(ShardTest):
             fingerprint = file.attrs["run_fingerprint"]
             file.attrs["run_fingerprint"] = fingerprint.replace("software=", "software=0")
         self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5", "of a run with other software")
+        # Layouts of the same names, of which one has changed between the shards.
+        changed = self.folder / "layouts/0050.txt"
+        before = changed.read_text()
+        changed.write_text(layout_text([(0, 0, 0, 81, 60, 50)]))
+        second.unlink()
+        self.assert_exit(self.run_here(*self.arguments, "-o", "results.h5", "--part", "2/3"), 0)
+        changed.write_text(before)
+        self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5", "of a run with other layout_contents")
+        for name in ("/worlds/box_begin", "/worlds/sample_begin", "/worlds/row_begin", "/worlds/layout", "/boxes/world",
+                     "/inputs/layouts/box_begin"):
+            shutil.copy(kept, second)
+            with h5py.File(second, "r+") as file:
+                file[name][len(file[name]) // 2 + 1] += 1
+            self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5: is damaged: ", name, code=1)
+            shutil.rmtree(self.folder / "results.h5.parts", ignore_errors=True)
+        shutil.copy(kept, second)
         with h5py.File(second, "r+") as file:
             file.attrs.modify("format_version", file.attrs["format_version"] - 1)
         self.assert_refused(self.run_here("merge", "results.h5"), "shard-2-of-3.h5: has version 2 of the format",

@@ -117,7 +117,8 @@ those of its layouts at a multiple of 4096, and they may repeat the end of the p
 of the run are divided into blocks of 256 worlds (256 / accelerations layouts, rounded down, at least one), and shard K
 has the blocks K, K + N, K + 2N, …. A shard is a results file of its layouts, with parts and a lock of its own: it is
 read and resumed like any other. These attributes of `/` say of which run it is a part: `shard` and `shards` (K and N),
-`shard_block` (layouts of a block), `run_layouts` (layouts of the run) and `run_fingerprint`.
+`shard_block` (layouts of a block), `run_layouts` (layouts of the run) and `run_fingerprint`, which tells software,
+settings, engine, accelerations, and names and contents of all layouts of the run.
 
 `holdfast merge results.h5` reads the blocks in the order of the run, corrects the indices, and compresses all chunks
 anew. The file has the same bytes as that of a run in one process, except for times and processor seconds.

@@ -46,6 +46,12 @@ std::string fingerprint(const RunDescription& run) {
          " series=" + (run.record_series ? "1" : "0");
 }
 
+std::string fingerprint_with_contents(const RunDescription& run) {
+  std::string contents;
+  for (const std::string& hash : run.layout_hashes) append(contents, hash);
+  return fingerprint(run) + " layout_contents=" + sha256_of(contents);
+}
+
 std::string fingerprint_difference(const std::string& a, const std::string& b) {
   std::istringstream a_words(a);
   std::istringstream b_words(b);

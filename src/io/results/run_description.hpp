@@ -15,7 +15,7 @@ namespace holdfast::internal {
 /// What a shard knows of the run that it is a part of.
 struct ShardOfRun {
   Shard shard;
-  std::string run_fingerprint;  ///< `fingerprint` of the whole run
+  std::string run_fingerprint;  ///< `fingerprint_with_contents` of the whole run
 };
 
 /// The properties of a run that its worlds share, as the results file stores them.
@@ -43,6 +43,9 @@ struct RunDescription {
 /// accelerations=… series=…`, with the SHA-256 of long items. It does not include command line, host, time, threads,
 /// scheduler, or parts of the configuration file that are not settings.
 std::string fingerprint(const RunDescription& run);
+
+/// The same with the SHA-256 of what is in all layouts, as `layout_contents=…`: what shards of one run share.
+std::string fingerprint_with_contents(const RunDescription& run);
 
 /// Names of the items that differ between two fingerprints, joined by ", "; empty if they are equal.
 std::string fingerprint_difference(const std::string& a, const std::string& b);

@@ -53,6 +53,56 @@ AxisCounts entries_before(const h5::File& file, std::uint64_t layout, std::uint6
   return counts;
 }
 
+/// A part of a column of numbers.
+template <class T>
+std::vector<T> numbers(const h5::File& file, std::string_view path, std::uint64_t begin, std::uint64_t end) {
+  return values_of<T>(h5::Dataset::open(file, dataset_spec(path)).read(begin, end - begin));
+}
+
+/// Fails unless the entries of every world and layout begin where those of the one before end.
+void check_indices(const h5::File& file, const AxisCounts& first, const AxisCounts& last, std::uint64_t accelerations) {
+  const auto check = [&](std::string_view path, std::uint64_t stored, std::uint64_t expected) {
+    if (stored != expected)
+      h5::fail(file.path(), "is damaged: " + std::string(path) + " does not follow from the counts",
+               "simulate the shard again");
+  };
+  const std::uint64_t begin = at(first, Axis::worlds);
+  const std::uint64_t end = at(last, Axis::worlds);
+  const auto layout = numbers<std::uint64_t>(file, "/worlds/layout", begin, end);
+  const auto box_begin = numbers<std::uint64_t>(file, "/worlds/box_begin", begin, end);
+  const auto box_count = numbers<std::uint32_t>(file, "/worlds/box_count", begin, end);
+  const auto sample_begin = numbers<std::uint64_t>(file, "/worlds/sample_begin", begin, end);
+  const auto sample_count = numbers<std::uint32_t>(file, "/worlds/sample_count", begin, end);
+  const auto row_begin = numbers<std::uint64_t>(file, "/worlds/row_begin", begin, end);
+  const auto world = numbers<std::uint64_t>(file, "/boxes/world", at(first, Axis::boxes), at(last, Axis::boxes));
+  AxisCounts next = first;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    check("/worlds/layout", layout[i], (begin + i) / accelerations);
+    check("/worlds/box_begin", box_begin[i], at(next, Axis::boxes));
+    check("/worlds/sample_begin", sample_begin[i], at(next, Axis::samples));
+    check("/worlds/row_begin", row_begin[i], at(next, Axis::rows));
+    for (std::uint32_t box = 0; box < box_count[i]; ++box) {
+      const std::uint64_t place = at(next, Axis::boxes) - at(first, Axis::boxes) + box;
+      check("/boxes/world", place < world.size() ? world[place] : UINT64_MAX, begin + i);
+    }
+    at(next, Axis::boxes) += box_count[i];
+    at(next, Axis::samples) += sample_count[i];
+    at(next, Axis::rows) += std::uint64_t{sample_count[i]} * box_count[i];
+  }
+  const std::uint64_t first_layout = at(first, Axis::layouts);
+  const std::uint64_t last_layout = at(last, Axis::layouts);
+  const auto layout_begin = numbers<std::uint64_t>(file, "/inputs/layouts/box_begin", first_layout, last_layout);
+  const auto layout_count = numbers<std::uint32_t>(file, "/inputs/layouts/box_count", first_layout, last_layout);
+  for (std::size_t i = 0; i < layout_begin.size(); ++i) {
+    check("/inputs/layouts/box_begin", layout_begin[i], at(next, Axis::layout_boxes));
+    at(next, Axis::layout_boxes) += layout_count[i];
+  }
+  check("the length of /boxes", at(last, Axis::boxes), at(next, Axis::boxes));
+  check("the number of samples", at(last, Axis::samples), at(next, Axis::samples));
+  check("the number of rows", at(last, Axis::rows), at(next, Axis::rows));
+  check("the number of boxes of layouts", at(last, Axis::layout_boxes), at(next, Axis::layout_boxes));
+}
+
 }  // namespace
 
 std::string shards_folder(const std::string& results_path) { return results_path + ".shards"; }
@@ -99,6 +149,7 @@ Result<ColumnSet> ShardFile::read(std::uint64_t begin, std::uint64_t end, const 
     const h5::File file = h5::File::open(path_);
     const AxisCounts first = entries_before(file, begin, run_.accelerations.size());
     const AxisCounts last = entries_before(file, end, run_.accelerations.size());
+    check_indices(file, first, last, run_.accelerations.size());
     ColumnSet columns;
     for (const DatasetSpec& spec : schema()) {
       if (spec.axis == Axis::accelerations || spec.axis == Axis::segments) continue;
