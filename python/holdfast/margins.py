@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from .errors import Problem
 from .notebook import MOST_SHOWN, counted, more_layouts
+from .numbers import numbers
 
 if TYPE_CHECKING:
     import pandas
@@ -74,7 +75,7 @@ class Margins:
 
         :param needed: g, one number per direction, such as (0.8, 0.5, 0.5, 0.5) for the road; 0 where nothing is needed
         """
-        needed = np.asarray(needed, dtype=float)
+        needed = numbers(needed, "needed")
         if needed.shape != (len(DIRECTIONS),) or not (needed >= 0).all() or not needed.any():
             raise ValueError("needed is one number per direction, front, rear, left and right, and not negative")
         asked = needed > 0

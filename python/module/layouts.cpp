@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 namespace py = pybind11;
@@ -12,6 +13,7 @@ namespace {
 
 constexpr py::ssize_t kBoxColumns = 7;
 constexpr py::ssize_t kSegmentColumns = 5;
+constexpr std::string_view kRealNumbers = "iuf";
 
 Error wrong(std::string what, std::string value, std::string accepted, std::ptrdiff_t layout = -1) {
   std::string message = what + (value.empty() ? "" : ": " + value) + "; " + accepted;
@@ -24,13 +26,26 @@ Error wrong(std::string what, std::string value, std::string accepted, std::ptrd
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
-std::string type_text(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
+std::string type_text(const py::handle& object) {
+  const std::string name = py::str(py::type::handle_of(object).attr("__name__"));
+  if (!py::isinstance<py::array>(object)) return name;
+  return name + " of " + std::string(py::str(object.attr("dtype")));
+}
 
 /// The array that an object is, or can be made into; none when it cannot.
-Numbers array_from(const py::handle& object) {
-  Numbers array = Numbers::ensure(object);
-  if (!array) PyErr_Clear();
-  return array;
+/// @param kinds of numbers that are taken, as NumPy names them
+template <class Array>
+Array array_from(const py::handle& object, std::string_view kinds) {
+  // A mask says which entries are no numbers. Texts, dates and complex numbers would be made into numbers that nobody
+  // meant.
+  if (!py::isinstance(object, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) {
+    const py::array any = py::array::ensure(object);
+    if (any && (any.size() == 0 || kinds.find(any.dtype().kind()) != std::string_view::npos)) {
+      if (Array array = Array::ensure(any)) return array;
+    }
+  }
+  PyErr_Clear();
+  return py::reinterpret_steal<Array>(py::handle());
 }
 
 /// Whether an array is a table with so many columns, or has nothing in it.
@@ -42,7 +57,7 @@ bool has_columns(const Numbers& array, py::ssize_t columns) {
 /// The array of numbers with so many columns that an object is, or can be made into.
 /// @param name what messages call it
 Numbers numbers_of(const py::handle& object, py::ssize_t columns, const std::string& name, const char* accepted) {
-  Numbers array = array_from(object);
+  Numbers array = array_from<Numbers>(object, kRealNumbers);
   if (!array) throw wrong(name + " is no array of numbers", type_text(object), accepted);
   if (!has_columns(array, columns)) throw wrong(name + " has a wrong shape", shape_text(array), accepted);
   return array;
@@ -72,7 +87,7 @@ void Layouts::add(const py::object& object) {
     const std::string name = i < names_.size() && !names_[i].empty() ? names_[i] : "layout " + std::to_string(i);
     throw wrong(name + " is no array of numbers", type_text(object), kAccepted, static_cast<std::ptrdiff_t>(i));
   }
-  Numbers array = array_from(object);
+  Numbers array = array_from<Numbers>(object, kRealNumbers);
   if (!array) {
     problems_.push_back({.what = "no array of numbers", .value = type_text(object), .accepted = kAccepted});
   } else if (!has_columns(array, kBoxColumns)) {
@@ -89,9 +104,8 @@ Layouts::Layouts(const py::object& boxes, const py::object& offsets, std::vector
     : names_(std::move(names)) {
   arrays_.push_back(numbers_of(boxes, kBoxColumns, "the array of boxes",
                                "with offsets an array of shape (boxes of all layouts, 7) is needed"));
-  const auto ends = py::array_t<std::int64_t, py::array::c_style>::ensure(offsets);
+  const auto ends = array_from<py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>>(offsets, "iu");
   if (!ends || ends.ndim() != 1 || ends.size() == 0) {
-    PyErr_Clear();
     throw wrong("the offsets have a wrong type or shape", ends ? shape_text(ends) : "",
                 "whole numbers of shape (layouts + 1) are needed");
   }

@@ -3,7 +3,7 @@
 #include "app/uncaught.hpp"
 
 int main(int argc, char** argv) {
-  holdfast::internal::hold_standard_streams();
+  holdfast::internal::meet_the_callers_limits();
   holdfast::internal::report_uncaught();
   return holdfast::internal::run_command_line(argc, argv);
 }

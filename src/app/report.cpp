@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstring>
 
 namespace holdfast::internal {
@@ -29,9 +30,10 @@ void write_unless(const std::atomic<bool>& stop, std::FILE* stream, std::string_
   }
 }
 
-void hold_standard_streams() {
+void meet_the_callers_limits() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
-    if (::fcntl(descriptor, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
+    if (::fcntl(descriptor, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDONLY));
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 ExitCode checked_output(ExitCode code) {

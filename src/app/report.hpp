@@ -26,9 +26,10 @@ void print_to(std::FILE* stream, fmt::format_string<Arguments...> text, Argument
 /// The same, but once `stop` is set it does not wait for a reader that reads nothing: the text may end anywhere.
 void write_unless(const std::atomic<bool>& stop, std::FILE* stream, std::string_view text);
 
-/// Opens the standard streams that the caller has closed: otherwise the first files opened get their descriptors, and
-/// messages are written into them.
-void hold_standard_streams();
+/// Makes what the caller has closed or limited an error like any other. Standard streams that are closed get a
+/// descriptor that cannot be written to: otherwise the first files opened get theirs, and messages are written into
+/// them. A limit on the size of files makes writing fail, as a full disk does, and does not end the process.
+void meet_the_callers_limits();
 
 /// The exit code of a program that is about to end with `code`: `some_failed` instead of `done`, with a message, when
 /// standard output could not take all that was printed.

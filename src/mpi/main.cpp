@@ -29,7 +29,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  hold_standard_streams();
+  meet_the_callers_limits();
   report_uncaught();
   // The threads of a rank simulate; the main thread alone calls MPI.
   int provided = 0;

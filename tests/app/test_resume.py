@@ -213,7 +213,7 @@ class Signals(CliTest):
 def full_disk(byte_count):
     """For `preexec_fn`: no file can grow beyond that, as if the disk were full."""
     def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # which ends a process that does not ignore it
         resource.setrlimit(resource.RLIMIT_FSIZE, (byte_count, byte_count))
     return limit
 

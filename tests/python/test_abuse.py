@@ -27,6 +27,14 @@ WRONG_SHAPES = [
     ([[1, 2], [3]], "no array of numbers: list"),
     ([["a box"]], "no array of numbers: list"),
     (np.array([BOX[0], None], dtype=object), "no array of numbers: ndarray"),
+    (np.ma.masked_array(BOX, BOX > 1e9), "no array of numbers: MaskedArray of float64"),
+    (BOX + 0j, "no array of numbers: ndarray of complex128"),
+    (BOX.astype("S"), r"no array of numbers: ndarray of \|S32"),
+    (BOX.astype("U"), r"no array of numbers: ndarray of <U32"),
+    (BOX.astype("M8[s]"), r"no array of numbers: ndarray of datetime64\[s\]"),
+    (BOX.astype("m8[s]"), r"no array of numbers: ndarray of timedelta64\[s\]"),
+    (BOX > 0, "no array of numbers: ndarray of bool"),
+    ([[b"1"] * 7], "no array of numbers: list"),
 ]
 
 
@@ -53,13 +61,24 @@ class InputTest(unittest.TestCase):
         self.check(BOX[:, :6], "array of boxes has a wrong shape", offsets=[0, 1])
         for offsets, layout in (([0, 2], 0), ([0, 1, 0], 1), ([-1, 1], 0), ([0, 2**62], 0)):
             self.check(BOX, "has offsets that are none", (layout, None, None), offsets=offsets)
-        for offsets in ([], [[0, 1]], ["a"], 1):
+        for offsets in ([], [[0, 1]], ["a"], 1, [0, 1.5], np.ma.masked_array([0, 1]), [0j, 1j], [b"0", b"1"]):
             self.check(BOX, "offsets have a wrong type or shape", offsets=offsets)
         self.check([BOX], "there are 2 names and 1 layouts", names=["a", "b"])
         with self.assertRaises(TypeError):
             self.screen.evaluate(3)
         with self.assertRaises(TypeError):
             self.screen.evaluate([BOX], names=[1])
+
+    def test_segments_and_needs_that_are_no_numbers(self):
+        segments = np.array([[0, 1, 5, 0, 0]])
+        for wrong in (segments + 0j, segments.astype("S"), segments.astype("M8[s]"), np.ma.masked_array(segments), [["0", 1, 5, 0, 0]]):
+            with self.assertRaisesRegex(holdfast.Error, "^acceleration brake is no array of numbers: "):
+                holdfast.Acceleration("brake", wrong)
+            with self.assertRaisesRegex(holdfast.Error, "is no array of numbers"):
+                holdfast.Screen([wrong])
+        margins = self.screen.margins([BOX])
+        with self.assertRaisesRegex(holdfast.Error, "needed is no array of numbers"):
+            margins.over([0.8j, 0.5, 0.5, 0.5])
 
     def test_wrong_shapes_may_be_marked(self):
         layouts = [BOX, *(layout for layout, _ in WRONG_SHAPES), BOX]
