@@ -34,8 +34,9 @@ PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container
 GRAVITY = 9.81  # m/s2: what norms call 1 g
 MARGIN_WIDTH = 0.005  # g: how exact a margin is
 LARGEST_MARGIN = 1.5  # g: margins are not sought beyond it
-BADNESS = {UNSTABLE: 3, FELL: 2, MOVED: 1}  # greater is worse; what is not known comes behind
-WORST = "the worst verdict first, then the most accelerations, then the most boxes beyond a limit in these"
+WORST = (UNSTABLE, FELL, MOVED)  # the worst first
+ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
+         "in which boxes move under most, then those with most such boxes.")
 MOST_BOXES = 10  # rows of a page's table
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
@@ -433,8 +434,7 @@ def front_page(results, order, shown):
     rows = [[html.escape(results.layout_names[layout]), ", ".join(
         f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {results.verdict_of(world)}"
         for world in results.worlds_of(layout) if results.fails(world))] for layout in order[:shown]]
-    told = f"{len(order)} of {counted(len(results.layout_names), 'layout')} {'does' if len(order) == 1 else 'do'} not hold"
-    told += f", {WORST}." if len(order) > 1 else "."
+    told = f"{len(order)} of {counted(len(results.layout_names), 'layout')} {'does' if len(order) == 1 else 'do'} not hold.{' ' + ORDER if len(order) > 1 else ''}"
     if shown < len(order):
         told += f" The worst {shown} have a page here." if shown > 1 else " The worst one has a page here."
     return (f"<h1>Loads that do not hold</h1><p>{told}</p>{note(results, {})}{facts}"
@@ -442,7 +442,7 @@ def front_page(results, order, shown):
 
 
 def worst_first(results):
-    """Layouts that fail under some acceleration, in the order that WORST says."""
+    """Layouts that fail under some acceleration, in the order that ORDER says."""
     counts = {FELL: ("fallen_boxes",), UNSTABLE: ("unstable_boxes",), MOVED: ("moved_boxes", "tilted_boxes")}
     ranks = []
     for layout in range(len(results.layout_names)):
@@ -451,7 +451,7 @@ def worst_first(results):
             verdicts = [results.world_summary["verdict"][world] for world in failing]
             gone = sum(max(int(results.world_summary[name][world]) for name in counts[verdict])
                        for world, verdict in zip(failing, verdicts) if verdict in counts)
-            ranks.append((-max(BADNESS.get(verdict, 0) for verdict in verdicts), -len(failing), -gone, layout))
+            ranks.append((*(-verdicts.count(verdict) for verdict in WORST), -gone, layout))
     return [layout for *_, layout in sorted(ranks)]
 
 

@@ -111,7 +111,7 @@ test("arrow keys drive: boxes move, and what was driven is screened by the progr
   await page.keyboard.press("0");
   for (let press = 0; press < 7; ++press) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowUp");
-  await says(page, ".drive", /by hand[\s\S]*along\s+-0\.70 g[\s\S]*across\s+0\.10 g/);
+  await says(page, ".drive", /by hand[\s\S]*along\s+−0\.70 g[\s\S]*across\s+0\.10 g/);
   await page.keyboard.press(" ");
   await reaches(page, 0.5);
   await page.keyboard.press("ArrowUp");

@@ -9,7 +9,7 @@ const row = (layout: number, badness: number, displacement: number, margin: numb
   layout,
   worlds: new Int32Array(1),
   badness,
-  failing: 0,
+  failing: [0, badness, 0],
   gone: 0,
   displacement,
   margin,
@@ -25,7 +25,7 @@ test("rows are sorted by what is worst, smallest, first", () => {
   assert.deepEqual(order("margin"), [2, 0, 3, 1]);
 });
 
-test("the worst verdict comes first, then the most worlds that do not hold, then the most boxes", () => {
+test("the most worlds with the worst verdict come first, then with the next one, then the most boxes", () => {
   const { stayed, moved, fell } = VERDICT_CODES;
   // Per layout and acceleration: verdict, boxes that fell, boxes that moved, and the largest displacement, m.
   const worlds = [
@@ -33,13 +33,14 @@ test("the worst verdict comes first, then the most worlds that do not hold, then
     [fell, 2, 2, 1, moved, 0, 1, 0.2],
     [fell, 2, 2, 1, moved, 0, 9, 0.2],
     [moved, 0, 20, 4, moved, 0, 20, 4],
+    [fell, 1, 1, 1, fell, 1, 1, 1],
   ].flatMap((row, layout) => [
     { layout, acceleration: 0, verdict: row[0], fallen: row[1], moved: row[2], far: row[3] },
     { layout, acceleration: 1, verdict: row[4], fallen: row[5], moved: row[6], far: row[7] },
   ]);
   const column = (key: keyof (typeof worlds)[0]) => Uint32Array.from(worlds, (world) => world[key]);
   const results = {
-    layouts: ["a", "b", "c", "d"],
+    layouts: ["a", "b", "c", "d", "e"],
     accelerations: ["x", "y"],
     judgedAtEnd: false,
     margins: null,
@@ -49,14 +50,14 @@ test("the worst verdict comes first, then the most worlds that do not hold, then
       verdict: column("verdict"),
       fallen: column("fallen"),
       moved: column("moved"),
-      tilted: new Uint32Array(8),
-      unstable: new Uint32Array(8),
-      stopReason: new Uint8Array(8).fill(STOP_REASON_CODES.sleeping),
+      tilted: new Uint32Array(10),
+      unstable: new Uint32Array(10),
+      stopReason: new Uint8Array(10).fill(STOP_REASON_CODES.sleeping),
       peakDisplacement: Float32Array.from(worlds, ({ far }) => far),
     },
   } as unknown as Results;
   const sorted = arranged(rowsOf(results), results.layouts, "", "worst").map((r) => results.layouts[r.layout]);
-  assert.deepEqual(sorted, ["c", "b", "a", "d"]);
+  assert.deepEqual(sorted, ["e", "c", "b", "a", "d"]);
 });
 
 test("a cell of margins says the largest that is tried with a plus, and what is unstable in words", async () => {

@@ -1,6 +1,6 @@
 import { VERDICT_CODES } from "../data/outcome";
 import type { MarginColumns, Margins, Results } from "../data/results";
-import { failing, VERDICTS } from "../data/verdict";
+import { VERDICTS } from "../data/verdict";
 
 export type Sort = "worst" | "margin" | "name";
 export type Scale = "verdict" | "displacement" | "margin" | "place" | "share";
@@ -20,8 +20,8 @@ export interface Row {
   worlds: Int32Array;
   /** of its worst world */
   badness: number;
-  /** worlds that do not hold */
-  failing: number;
+  /** worlds with each verdict of `WORST`, in that order */
+  failing: number[];
   /** boxes beyond a limit in those, together: the sum of the numbers in its cells */
   gone: number;
   /** m, the largest of its worlds */
@@ -29,6 +29,14 @@ export interface Row {
   /** g, smallest of the four directions; NaN where it is not known */
   margin: number;
 }
+
+/** Codes of the verdicts of worlds that do not hold, the worst one first. */
+const WORST = VERDICTS.map((_, code) => code)
+  .filter((code) => VERDICTS[code].fails)
+  .sort((a, b) => VERDICTS[b].badness - VERDICTS[a].badness);
+
+/** Which of two rows has more worlds of the worst verdict, or of the next one where they have as many. */
+const byFailing = (a: Row, b: Row) => b.failing.map((count, i) => count - a.failing[i]).find((more) => more !== 0) ?? 0;
 
 /** How many boxes were beyond the limit that decided a world's verdict. */
 export function goneBoxes({ worlds }: Results, world: number): number {
@@ -45,7 +53,7 @@ export function rowsOf(results: Results): Row[] {
     layout,
     worlds: new Int32Array(accelerations.length).fill(-1),
     badness: -1,
-    failing: 0,
+    failing: WORST.map(() => 0),
     gone: 0,
     displacement: 0,
     margin: margins ? smallest(judgedMargins(margins).margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
@@ -56,7 +64,8 @@ export function rowsOf(results: Results): Row[] {
     if (!row) continue;
     row.worlds[worlds.acceleration[world]] = world;
     row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
-    row.failing += failing(worlds.verdict[world]) ? 1 : 0;
+    const failure = WORST.indexOf(worlds.verdict[world]);
+    if (failure >= 0) row.failing[failure] += 1;
     row.gone += goneBoxes(results, world);
     if (displacements[world] > row.displacement) row.displacement = displacements[world];
   }
@@ -72,7 +81,8 @@ const collator = new Intl.Collator("en", { numeric: true });
 
 /** What each order is, in words. */
 export const ORDERS: Record<Sort, string> = {
-  worst: "By the worst verdict, then by how many worlds do not hold, then by how many boxes are beyond a limit.",
+  worst:
+    "By how many worlds are unstable, then by how many fell, then by how many moved, then by how many boxes did so.",
   margin: "By the smallest margin of the four directions, the one that layouts are judged by.",
   name: "By the names of the layouts.",
 };
@@ -88,11 +98,7 @@ export function arranged(rows: readonly Row[], names: readonly string[], filter:
   const unknownLast = (margin: number) => (Number.isNaN(margin) ? Number.POSITIVE_INFINITY : margin);
   const orders: Record<Sort, (a: Row, b: Row) => number> = {
     worst: (a, b) =>
-      b.badness - a.badness ||
-      b.failing - a.failing ||
-      b.gone - a.gone ||
-      b.displacement - a.displacement ||
-      byName(a, b),
+      byFailing(a, b) || b.gone - a.gone || b.badness - a.badness || b.displacement - a.displacement || byName(a, b),
     margin: (a, b) => unknownLast(a.margin) - unknownLast(b.margin) || byName(a, b),
     name: byName,
   };

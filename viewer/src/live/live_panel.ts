@@ -245,6 +245,6 @@ export class LivePanel {
       ? "Drag a box on its level, or choose it and type its place."
       : driver.mode === "drive"
         ? "Drag a box to pull at it; shift with arrows pushes the chosen one."
-        : "Reset takes the wheel.";
+        : "Reset ends the replay: then the world can be driven.";
   }
 }
