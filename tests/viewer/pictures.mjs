@@ -1,9 +1,9 @@
 // Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
 //
 // With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
-// RESULTS is a file with series. The pictures of worlds in docs/ are of build/viewer/results/demo.h5, with which the tests compare
-// them; those of the fleet are of the layouts of configs/layouts and bench/layouts under the norm of the road, with margins and wall
-// forces. The film, of a world in which boxes fall, needs img2webp, of Debian's package webp.
+// RESULTS is a file with series, whose fleet is shown: in docs/ the layouts of configs/layouts and bench/layouts under the norm of the
+// road, with margins and wall forces. The film is of one of its worlds, and needs img2webp, of Debian's package webp. Other pictures
+// of worlds are of files in build/viewer/results, with which the tests compare them: tests/viewer/results.mjs makes these.
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -22,10 +22,12 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 
-async function open(colorScheme, width = 1440, height = 900) {
+const made = (name) => `${root}/build/viewer/results/${name}`;
+
+async function open(colorScheme, file, width = 1440, height = 900) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme });
   await page.goto(`file://${root}/build/viewer/viewer.html`);
-  await page.setInputFiles('input[aria-label="Results file"]', results);
+  await page.setInputFiles('input[aria-label="Results file"]', file);
   await page.waitForSelector("#app:not([aria-busy]) > main.fleet");
   return page;
 }
@@ -66,9 +68,13 @@ async function worldOf(page, layout, acceleration) {
 }
 
 for (const scheme of ["light", "dark"]) {
-  const page = await open(scheme);
-  await page.hover(".matrix", { position: { x: 360, y: 100 } });
-  if (!liveOnly) await save(page, `fleet-${scheme}`);
+  if (!liveOnly) {
+    const fleet = await open(scheme, results);
+    await fleet.hover(".matrix", { position: { x: 360, y: 100 } });
+    await save(fleet, `fleet-${scheme}`);
+    await fleet.close();
+  }
+  const page = await open(scheme, made("demo.h5"));
   const world = await worldOf(page, "BR15_077_ep", "front");
   await live(page, world, scheme);
   if (liveOnly) {
@@ -89,7 +95,12 @@ for (const scheme of ["light", "dark"]) {
   await page.close();
 }
 if (!liveOnly) {
-  const page = await open("light");
+  const trailer = await open("light", made("open.h5"));
+  await show(trailer, `world=${await worldOf(trailer, "BR8_009_layer", "rear")}&time=2.2`);
+  await trailer.keyboard.press("1");
+  await save(trailer, "open-light");
+  await trailer.close();
+  const page = await open("light", results);
   const world = await worldOf(page, "BR8_009_layer", "front");
   await show(page, `world=${world}&time=0`);
   await film(page);

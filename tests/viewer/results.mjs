@@ -229,6 +229,14 @@ async function trailer(name) {
   file.close();
 }
 
+/** A load on a trailer that is open at the rear and above, on a floor that is smoother than what the norm asks of the load. */
+function onTrailer(name) {
+  const friction = ["BoxBox", "BoxFloor", "BoxWall"].map((pair) => `${pair} = 0.4\n`).join("");
+  const container = "OpenSides = rear roof\nDropSides = left 60 right 60\nBedHeight = 120\n";
+  writeFileSync(at("open.ini"), `[Container]\n${container}[Contact]\nFrictionModel = pairs\n${friction}`);
+  screen(name, at("open.ini"), "--layouts", `${root}/configs/layouts/BR8_009_layer.txt`, "--norm", "road");
+}
+
 mkdirSync(folder, { recursive: true });
 screen("demo.h5", DEMO, "--layouts", ...layouts, "--norm", "road");
 const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27"];
@@ -239,6 +247,7 @@ screen("rich.h5", cardboard, "--layouts", ...layouts.slice(0, 2), "--norm", "roa
 screen("early.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--stop-when", "moved");
 await earlier("earlier.h5", "rich.h5");
 await trailer("trailer.h5");
+onTrailer("open.h5");
 screen("no-series.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--no-series");
 const { status } = spawnSync(program, ["view", at("demo.h5"), "--no-open", "-o", at("demo.html")], {
   stdio: "inherit",
