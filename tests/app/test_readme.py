@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-from cli import HOLDFAST, PATIENCE, SANITIZED, SOURCE, CliTest, layout_text, TOWER
+from cli import HOLDFAST, PATIENCE, SANITIZED, SEED_LAYOUT, SOURCE, CliTest, layout_text, TOWER
 
 NOT_HERE = ("make", "git", "sudo", "apt", "apt-get", "cd")  # what builds or installs
 
@@ -18,6 +18,12 @@ def blocks(document, *languages):
     text = (SOURCE / document).read_text()
     found = re.findall(r"^```(\w+)[^\n]*\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     return [content for language, content in found if language in languages]
+
+
+def indented_blocks(document):
+    """What stands four spaces in, between lines that do not."""
+    found = re.findall(r"(?:(?<=\n)    .*\n)+", (SOURCE / document).read_text())
+    return [re.sub(r"^    ", "", content, flags=re.MULTILINE) for content in found]
 
 
 def commands(document):
@@ -121,6 +127,23 @@ class Readme(CliTest):
                 self.run_command(["bash", "-c", line])
         self.assertTrue(any("holdfast screen" in line for line in lines))
 
+    def test_shown_files_are_good(self):
+        """One file to a block, of which each can be copied as it stands."""
+        kinds = []
+        for number, content in enumerate(indented_blocks("README.md")):
+            if not re.match(r"3 boxes|#", content):
+                continue
+            self.write(f"shown_{number}.txt", content)
+            kinds += re.findall(r": ok: (\w+)", self.run_command(["holdfast", "check", f"shown_{number}.txt"]).stdout)
+        self.assertEqual(kinds, ["layout", "acceleration"])
+
+    def test_packages_of_python_snippets_are_named(self):
+        readme, tools = ((SOURCE / name).read_text() for name in ("README.md", "tools/install_dependencies.sh"))
+        for snippet in blocks("README.md", "python"):
+            for module in set(re.findall(r"^import (\w+)", snippet, re.MULTILINE)) & {"h5py", "pandas", "matplotlib"}:
+                self.assertRegex(readme, rf"apt install[^`]* python3-{module}\b")
+                self.assertIn(f"  python3-{module} ", tools)
+
     def test_examples_of_the_help_pages(self):
         for layout in (self.folder / "configs/layouts").iterdir():
             if layout.name != "seed_example.txt":
@@ -169,6 +192,66 @@ class Readme(CliTest):
             for target in re.findall(r"\]\(([^)#\s]+)", (SOURCE / document).read_text()):
                 if "://" not in target:
                     self.assertTrue((SOURCE / pathlib.Path(document).parent / target).exists(), f"{document}: {target}")
+
+
+class Checkout(CliTest):
+    """Commands of all pages leave nothing in a checkout that git does not ignore."""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("configs", "bench/layouts"):
+            shutil.copytree(SOURCE / name, self.folder / name)
+        for name in ("configs/layouts", "bench/layouts"):  # one layout is enough
+            for layout in (self.folder / name).iterdir():
+                layout.unlink()
+            self.write(f"{name}/seed_example.txt", SEED_LAYOUT.read_text())
+        shutil.copytree(self.folder / "configs/layouts", self.folder / "layouts")  # the reader's own
+        shutil.copy(SOURCE / ".gitignore", self.folder)
+        self.git("init", "--quiet")
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "--quiet", "--message=all")
+
+    def git(self, *words):
+        return subprocess.run(["git", *words], cwd=self.folder, text=True, capture_output=True, timeout=PATIENCE, check=True).stdout
+
+    def pages(self):
+        return [path.relative_to(SOURCE) for path in (SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")))]
+
+    def command_lines(self, page):
+        """Of fenced and of indented blocks."""
+        text = "\n".join([*blocks(page, "sh"), *indented_blocks(page)]).replace("\\\n", " ")
+        return [line.split("#")[0].strip() for line in text.splitlines()]
+
+    @unittest.skipUnless(shutil.which("git"), "without git")
+    def test_commands_leave_nothing(self):
+        count = 0
+        for page in self.pages():
+            for line in self.command_lines(page):
+                # Those that take minutes, a device, other layouts, a browser, or the results of a run like those of README.
+                if not re.match(r"holdfast (screen|margins|merge|report)", line) or re.search(r"opencl|demo/results|seed_example", line):
+                    continue
+                with self.subTest(page=page, command=line):
+                    overwrite = "" if re.search("merge|report|--part", line) else " --overwrite"
+                    done = self.run_here(*shlex.split(line)[1:], *overwrite.split())
+                    if "report.pdf" not in line:  # takes WeasyPrint
+                        self.assertIn(done.returncode, (0, 1), f"{line}\n{done.stderr}")
+                    self.assertEqual(self.git("status", "--porcelain"), "")
+                    count += 1
+        self.assertGreater(count, 5)
+
+    @unittest.skipUnless(shutil.which("git"), "without git")
+    def test_what_commands_write_is_ignored(self):
+        """Also what takes too long to be run here."""
+        count = 0
+        for page in self.pages():
+            for line in self.command_lines(page):
+                for path in re.findall(r"(?:-o|--output|--out|--csv|--json|--keep|>) +([\w./]+)", line):
+                    with self.subTest(page=page, command=line):
+                        ignored = subprocess.run(["git", "check-ignore", "--no-index", path], cwd=self.folder, capture_output=True,
+                                                 check=False)
+                        self.assertEqual(ignored.returncode, 0, path)
+                        count += 1
+        self.assertGreater(count, 10)
 
 
 if __name__ == "__main__":
