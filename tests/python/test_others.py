@@ -8,6 +8,7 @@ import pathlib
 import pkgutil
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -141,19 +142,29 @@ class ToolsTest(unittest.TestCase):
                     self.assertTrue(getattr(public, member).__doc__, f"{name}.{member}")
 
     def test_pip_installs_a_package_that_stands_alone(self):
-        build = PACKAGE.parents[1]
+        """By the commands of docs/python.md, in a copy of the sources with the build of this test."""
+        [block] = [block for block in re.findall(r"^```sh\n(.*?)^```", (SOURCE / "docs/python.md").read_text(), re.MULTILINE | re.DOTALL)
+                   if "pip install" in block]
+        commands = [line for line in block.splitlines() if not line.startswith("tools/install_dependencies.sh")]
+        environment = {**os.environ, "PIP_QUIET": "1", "PIP_NO_CACHE_DIR": "1", "PIP_NO_INDEX": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+        environment.pop("PYTHONPATH", None)
         with tempfile.TemporaryDirectory() as folder:
-            target = pathlib.Path(folder) / "site"
-            self.done(sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--no-cache-dir",
-                      "--disable-pip-version-check", "--root-user-action=ignore", "--target", target, SOURCE,
-                      env={**os.environ, "HOLDFAST_BUILD": str(build)})
+            copy = pathlib.Path(folder)
+            for name in ("pyproject.toml", "setup.py", "README.md", "CMakeLists.txt"):
+                shutil.copy(SOURCE / name, copy)
+            for name in ("python", "tools"):
+                shutil.copytree(SOURCE / name, copy / name)
+            (copy / "build").mkdir()
+            (copy / "build/release").symlink_to(PACKAGE.parents[1])
+            said = self.done("bash", "-e", "-c", "\n".join(commands), cwd=copy, env=environment)
+            self.assertEqual(said.splitlines()[-1], holdfast.__version__)
+            target = str(copy / "build/venv")
             script = ("import holdfast, sys; assert holdfast.__file__.startswith(sys.argv[1]), holdfast.__file__\n"
                       "print(*(engine.name for engine in holdfast.engines() if not engine.missing))\n"
                       "print(*(line.split()[-1] for line in open('/proc/self/maps') if 'libholdfast' in line))")
-            names, loaded = self.done(sys.executable, "-c", script, target, cwd=folder,
-                                      env={**os.environ, "PYTHONPATH": str(target)}).splitlines()
+            names, loaded = self.done(copy / "build/venv/bin/python", "-c", script, target, cwd="/", env=environment).splitlines()
         self.assertIn("native bullet bullet-f64", names)
-        self.assertTrue(all(str(target) in path for path in loaded.split()), loaded)
+        self.assertTrue(all(target in path for path in loaded.split()), loaded)
 
 
 if __name__ == "__main__":
