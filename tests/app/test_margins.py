@@ -116,7 +116,7 @@ class Margins(CliTest):
         within = [list(map(float, re.findall(r"/ +([\d.]+)", row))) for row in table[3:3 + len(BUNDLED)]]
         shares = [min(limit / need for limit, need in zip(row, needed)) for row in within]
         self.assertEqual(shares, sorted(shares))  # of what is needed, the least first
-        self.assertRegex(done.stdout, r"\n  seed_example\.txt +0\.50 /  0\.50 +0\.37 /  0\.37 +1\.50\+ / 1\.50\+ +0\.28 /  0\.28"
+        self.assertRegex(done.stdout, r"\n  seed_example\.txt +0\.50 /  0\.50 +0\.37 /  0\.37 +1\.50\+ / 1\.50\+ +0\.27 /  0\.27"
                                       r"  right, box 3; needs 0\.5 g\n")
         self.assertIn("\n".join(table[:6]), self.run_here("summary", "road.h5").stdout)
         worlds = datasets(self.folder / "road.h5")["/worlds/acceleration"]

@@ -28,31 +28,39 @@ struct Departure {
 /// What became of the load under one acceleration: of each kind the first departure, if there is one.
 using Trial = std::array<std::optional<Departure>, kinds>;
 
-/// Accelerations of one kind in one direction: the least one that is known not to hold, and the largest one below it
-/// that is known to hold. A load that holds a larger one has found its hold on the way, and no load has to get there.
-struct Bracket {
-  double holds = 0.0;
-  double fails = std::numeric_limits<double>::infinity();
-  Departure departure;       ///< at `fails`
-  std::vector<double> held;  ///< all that are known to hold
+/// Accelerations are tried in whole units of a 200th of g, so that 0.5 g and what else norms ask for is among them.
+constexpr int kLargest = static_cast<int>(kLargestMargin * kMarginUnits);
+constexpr double in_g(int units) { return units / kMarginUnits; }
 
-  void take(double size, const std::optional<Departure>& beyond) {
+/// Accelerations of one kind in one direction, in units: the least one that is known not to hold, and the largest one
+/// below it that is known to hold. A load that holds a larger one has found its hold on the way, and no load has to get
+/// there.
+struct Bracket {
+  static constexpr int kNone = kLargest + 1;
+
+  int holds = 0;
+  int fails = kNone;
+  Departure departure;    ///< at `fails`
+  std::vector<int> held;  ///< all that are known to hold
+
+  void take(int size, const std::optional<Departure>& beyond) {
     if (!beyond) held.push_back(size);
     if (beyond && size < fails) {
       fails = size;
       departure = *beyond;
     }
-    holds = 0.0;
-    for (const double known : held)
+    holds = 0;
+    for (const int known : held)
       if (known < fails) holds = std::max(holds, known);
   }
-  bool is_closed() const { return holds >= kLargestMargin || fails - holds <= kMarginWidth; }
+  bool is_closed() const { return fails - holds <= 1; }
 
   /// A share of the margin that has not been tried; nothing when all have.
-  std::optional<double> unchecked() const {
+  std::optional<int> unchecked() const {
     for (const double share : kMarginChecks) {
-      const auto is_it = [&](double known) { return std::abs(known - share * holds) <= kMarginWidth; };
-      if (holds > 0.0 && std::none_of(held.begin(), held.end(), is_it)) return share * holds;
+      const auto wanted = static_cast<int>(std::lround(share * holds));
+      const auto is_it = [&](int known) { return std::abs(known - wanted) <= 1; };
+      if (wanted > 0 && std::none_of(held.begin(), held.end(), is_it)) return wanted;
     }
     return std::nullopt;
   }
@@ -72,7 +80,7 @@ class MarginSearch {
   std::optional<LayoutMargins> run() {
     if (const std::optional<Departure> unstable = settle()) {
       for (auto* margin : {&margins_.margin, &margins_.margin_within_limits})
-        margin->fill(-std::clamp(unstable->acceleration, kMarginWidth, 1.0));
+        margin->fill(-std::clamp(unstable->acceleration, in_g(1), 1.0));
       for (auto* box : {&margins_.critical_box, &margins_.critical_box_within_limits}) box->fill(id_of(unstable->box));
       return margins_;
     }
@@ -108,50 +116,48 @@ class MarginSearch {
     std::array<Bracket, kinds> brackets;
     for (const Kind kind : {in_place, within_limits}) {
       Bracket& bracket = brackets.at(kind);
-      double stride = kMarginWidth;
+      int stride = 1;
       // The other kind's trials may have closed it, or told where to look.
-      double wanted = kind == in_place ? 0.5 * kLargestMargin : std::min(bracket.fails, kLargestMargin);
-      if (wanted == bracket.fails) wanted = next_below(bracket);
+      int wanted = kLargest;
+      if (kind == in_place) wanted = kLargest / 2;
+      if (kind == within_limits && bracket.fails <= kLargest) wanted = next_below(bracket);
       for (;;) {
         if (bracket.is_closed()) {
-          const std::optional<double> unchecked = bracket.unchecked();
+          const std::optional<int> unchecked = bracket.unchecked();
           if (!unchecked) break;
           wanted = *unchecked;
         }
-        const Trial trial = run_trial(push_acceleration(direction, wanted), kind);
+        const Trial trial = run_trial(push_acceleration(direction, in_g(wanted)), kind);
         if (aborted()) return;
         brackets[in_place].take(wanted, trial[in_place]);
         // A load that leaves its place has not been followed any further.
         if (kind == within_limits || !trial[in_place] || trial[within_limits])
           brackets[within_limits].take(wanted, trial[within_limits]);
-        const double middle = 0.5 * (bracket.holds + bracket.fails);
         if (trial.at(kind)) {
-          stride = kMarginWidth;
+          stride = 1;
           wanted = next_below(bracket);
-        } else if (std::isinf(bracket.fails)) {
-          wanted = kLargestMargin;
+        } else if (bracket.fails == Bracket::kNone) {
+          wanted = kLargest;
         } else {
-          wanted =
-              bracket.fails - bracket.holds <= 2.0 * kMarginWidth ? middle : std::min(bracket.holds + stride, middle);
-          stride *= 2.0;
+          wanted = std::min(bracket.holds + stride, (bracket.holds + bracket.fails) / 2);
+          stride *= 2;
         }
       }
     }
-    margins_.margin.at(direction) = brackets[in_place].holds;
-    margins_.margin_within_limits.at(direction) = brackets[within_limits].holds;
-    if (!std::isinf(brackets[in_place].fails))
+    margins_.margin.at(direction) = in_g(brackets[in_place].holds);
+    margins_.margin_within_limits.at(direction) = in_g(brackets[within_limits].holds);
+    if (brackets[in_place].fails != Bracket::kNone)
       margins_.critical_box.at(direction) = id_of(brackets[in_place].departure.box);
-    if (!std::isinf(brackets[within_limits].fails))
+    if (brackets[within_limits].fails != Bracket::kNone)
       margins_.critical_box_within_limits.at(direction) = id_of(brackets[within_limits].departure.box);
   }
 
-  /// Where the margin is by the departure at the upper end of the bracket: as far below it as the bracket is to be
-  /// wide, so that this holds and the next trial ends the search.
-  static double next_below(const Bracket& bracket) {
-    const double wanted = bracket.fails - bracket.departure.acceleration - 0.5 * kMarginWidth;
-    const bool usable =
-        bracket.departure.acceleration > 0.0 && wanted > bracket.holds && wanted <= bracket.fails - 0.5 * kMarginWidth;
-    return usable ? wanted : 0.5 * (bracket.holds + bracket.fails);
+  /// Where the margin is by the departure at the upper end of the bracket: the last unit below, so that this holds and
+  /// the next trial ends the search. The middle where the departure tells nothing.
+  static int next_below(const Bracket& bracket) {
+    const double wanted = std::floor(bracket.fails - bracket.departure.acceleration * kMarginUnits);
+    const bool usable = bracket.departure.acceleration > 0.0 && wanted > bracket.holds && wanted < bracket.fails;
+    return usable ? static_cast<int>(wanted) : (bracket.holds + bracket.fails) / 2;
   }
 
   double step(const Phase& phase) {

@@ -23,10 +23,11 @@ inline constexpr double kMarginDisplacement = 0.005;
 /// limits by more than 0.02 g, by +0.03 and +0.11 g, and in place none and one, by −0.06 g.
 inline constexpr double kLargestMargin = 1.5;
 
-/// A margin is this exact, g: at this much more the layout does not hold. Half of it takes a quarter more time, and
-/// changes 2 of the same 140 margins of each kind by more than 0.02 g, by up to −0.07 g. Twice of it takes about as
-/// much time, and changes none in place and 2 within the limits, by up to 0.07 g.
-inline constexpr double kMarginWidth = 0.005;
+/// Margins are whole numbers of 1/200 g, and one unit above the layout does not hold. So what norms ask for is tried
+/// itself, and a load that just holds 0.5 g has that margin. Units half as large take 1.10 of the time and change one
+/// of the same 140 margins in place by more than 0.02 g, by −0.02 g, and 3 within the limits, by up to +0.045 g. Twice
+/// as large ones take 0.81 of the time and change 2 and 4, by up to 0.03 g.
+inline constexpr double kMarginUnits = 200.0;
 
 /// Shares of a margin that are tried once it is found: a load that shifts may hold it, and not a smaller one. The
 /// search goes on below one that does not hold. Without them 15 of 1,024 worlds at 0.3 to 0.97 of the margins within
@@ -40,14 +41,14 @@ inline constexpr double kMarginDuration = 5.0;
 /// Finds the margins of a layout: in each of `kMarginDirections` the end of the interval from 0 in which every constant
 /// acceleration that is tried keeps all boxes in their places, and that in which it keeps them within the limits. It is
 /// applied at once to the load as it has settled, and lasts until all boxes rest, or for `kMarginDuration`; up to
-/// `kLargestMargin`, to `kMarginWidth`. Displacement, drop and tilt are from the settled pose.
+/// `kLargestMargin`, in units of 1 / `kMarginUnits`. Displacement, drop and tilt are from the settled pose.
 ///
 /// A load that holds a small acceleration and not a large one has an acceleration between at which that changes, and it
 /// is found by a secant method inside a bracket. A box that leaves under the acceleration a by the distance s within
 /// the time t moves with 2 s/t² on the average, and that vanishes at the margin: a box that slides, and one that begins
 /// to tip, moves with a constant share of what a is above it, the sliding box with all of it. So the next trial is at
-/// a − 2 s/t², and mostly the second or third is within the width. What is tried for the one margin counts for the
-/// other.
+/// a − 2 s/t², rounded down to a whole unit, and mostly the second or third ends the search. What is tried for the one
+/// margin counts for the other.
 /// @param engine made from the settings; must rewind, see `EngineTraits`
 /// @param abort  checked after every step
 /// @return nothing when aborted

@@ -53,8 +53,11 @@ struct Judged {
   double least() const { return share(weakest()); }
 };
 
+/// Rounded down: a load stands what the text says.
 std::string size_text(double margin) {
-  return margin < kLargestMargin ? fmt::format("{:.2f}", margin) : fmt::format("{:.2f}+", margin);
+  constexpr double kRounding = 1e-6;  // of a number that has two digits, times 100
+  const double hundredths = std::floor(100.0 * margin + kRounding);
+  return fmt::format("{:.2f}{}", hundredths / 100.0, margin < kLargestMargin ? "" : "+");
 }
 
 /// In place, and within the limits where the file has that.
@@ -68,14 +71,12 @@ std::string verdict_of(const Judged& layout) {
   const std::uint32_t box = layout.critical_box(direction);
   if (layout.margin(direction) < 0.0) return fmt::format("unstable, box {}", box);
   if (box == 0) return "-";
-  const std::string range =
-      std::isnan(layout.spread.low.at(direction))
-          ? ""
-          : fmt::format(", {:.2f} to {:.2f} g", layout.spread.low.at(direction), layout.spread.high.at(direction));
+  const std::string range = std::isnan(layout.spread.low.at(direction))
+                                ? ""
+                                : fmt::format(", {} to {} g", size_text(layout.spread.low.at(direction)),
+                                              size_text(layout.spread.high.at(direction)));
   const double need = layout.needed.at(direction);
-  // A margin is exact to its width.
-  const std::string lack =
-      need > layout.margin(direction) + kMarginWidth ? fmt::format("; needs {} g", number_text(need)) : "";
+  const std::string lack = need > layout.margin(direction) ? fmt::format("; needs {} g", number_text(need)) : "";
   return fmt::format("{}, box {}{}{}", kMarginDirections.at(direction).name, box, range, lack);
 }
 

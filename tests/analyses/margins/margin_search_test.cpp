@@ -19,10 +19,10 @@ LayoutMargins margins_of(const Layout& layout, const Settings& settings) {
   return *margins;
 }
 
-/// A margin is what the layout holds, and it does not hold `kMarginWidth` more.
+/// A margin is what the layout holds, and it does not hold a unit more.
 void check_margin(double margin, double exact) {
   CHECK(margin <= exact + 1e-4);
-  CHECK(margin >= exact - kMarginWidth - 1e-4);
+  CHECK(margin >= exact - 1.0 / kMarginUnits - 1e-4);
 }
 
 }  // namespace
@@ -38,6 +38,18 @@ TEST_CASE("margin_search: a box slides at its friction and tips at its width ove
     for (const std::size_t direction : {0U, 1U}) check_margin(margins.margin.at(direction), std::min(friction, 0.8));
     for (const std::size_t direction : {2U, 3U}) check_margin(margins.margin.at(direction), std::min(friction, 0.3));
     CHECK(margins.critical_box == std::array<std::uint32_t, 4>{1, 1, 1, 1});
+  }
+}
+
+TEST_CASE("margin_search: a load that holds exactly what a norm asks for has that margin", "[margin_search]") {
+  const auto accuracy = GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference);
+  for (const double needed : {0.3, 0.5, 0.8}) {
+    Settings settings = open_floor(needed);
+    settings.native.accuracy = accuracy;
+    const LayoutMargins margins = margins_of(layout_of({box({9, 9, 0}, {1, 1, 0.2})}), settings);
+    CAPTURE(needed);
+    for (const double margin : margins.margin) CHECK(margin == needed);
+    for (const double margin : margins.margin_within_limits) CHECK(margin == needed);
   }
 }
 
