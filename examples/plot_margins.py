@@ -15,7 +15,7 @@ import numpy as np
 from layout_bars import DIRECTIONS, draw_bars
 
 GRAVITY = 9.81
-WIDTH = 0.005  # g, to which a margin is exact
+ROUNDING = 1e-6  # g, of what is asked
 TICKS = (0, 0.5, 1, 1.5)  # g: larger margins than the last are not told
 PUSH = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0]])  # of the load; the container's acceleration is opposite
 
@@ -48,10 +48,10 @@ order = [row for row in np.argsort(np.nanmin(np.where(known[:, None], shares, np
 if not order:
     sys.exit(f"{options.results.name} holds no layout whose margins are known")
 shown = order[:options.most]
-figure = draw_bars([names[row].removesuffix(".txt") for row in shown], margins[shown], margins[shown] >= needed - WIDTH,
+figure = draw_bars([names[row].removesuffix(".txt") for row in shown], margins[shown], margins[shown] >= needed - ROUNDING,
                    [value or None for value in needed], TICKS, "g",
                    "The largest constant acceleration that a layout stands within limits; inside, in place", in_place[shown])
 figure.savefig(options.output, dpi=120)
-stand = int((margins[order] >= needed - WIDTH).all(axis=1).sum())
+stand = int((margins[order] >= needed - ROUNDING).all(axis=1).sum())
 print(f"{options.output}: {len(shown)} of {len(order)} layout{'' if len(order) == 1 else 's'}; "
       f"{stand} {'stands' if stand == 1 else 'stand'} what is asked in every direction")

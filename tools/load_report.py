@@ -32,7 +32,7 @@ REPLICA_VERDICTS = ("", "holds", "fails", "uncertain")
 SIDES = ("front", "rear", "left", "right")
 PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container's acceleration that pushes to each side
 GRAVITY = 9.81  # m/s2: what norms call 1 g
-MARGIN_WIDTH = 0.005  # g: how exact a margin is
+ROUNDING = 1e-6  # of numbers that have two digits
 LARGEST_MARGIN = 1.5  # g: margins are not sought beyond it
 WORST = (UNSTABLE, FELL, MOVED)  # the worst first
 ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
@@ -279,7 +279,9 @@ def margins_table(results, layout):
     def size(margin):
         if np.isnan(margin) or margin < 0:
             return "-" if np.isnan(margin) else "unstable"
-        return f"{fixed(margin, 2)} g" if margin < LARGEST_MARGIN else f"{LARGEST_MARGIN:.2f}+ g"
+        # Rounded down: a load stands what the text says.
+        hundredths = np.floor(100 * margin + ROUNDING)
+        return f"{fixed(hundredths / 100, 2)} g" if margin < LARGEST_MARGIN else f"{LARGEST_MARGIN:.2f}+ g"
 
     # A file of an earlier version has the margins in place alone, and is judged by them.
     judged = "" if results.judged_at_end else "_within_limits"
@@ -287,7 +289,7 @@ def margins_table(results, layout):
     for i, side in enumerate(SIDES):
         in_place, margin, box = (results.margins[name][layout, i] for name in ("margin", f"margin{judged}", f"critical_box{judged}"))
         needed = results.needed[i]
-        stands = f"<span class=bad>{size(margin)}</span>" if margin + MARGIN_WIDTH < needed else size(margin)
+        stands = f"<span class=bad>{size(margin)}</span>" if margin + ROUNDING < needed else size(margin)
         rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", f"box {box}" if box else "-"])
     heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "first"]
     return "<div><h3>How many g it stands</h3>" + table(heads, rows) + "</div>"

@@ -123,9 +123,10 @@ class Margins:
 
 
 def _text(margin: float) -> str:
-    """A margin without its unit; the largest that is tried has a plus."""
+    """A margin without its unit, rounded down: a load stands what is told. The largest that is tried has a plus."""
     if np.isnan(margin):
         return "not known"
     if margin < 0:
         return "unstable"
-    return f"{margin:.2f}" if margin < _LARGEST else f"{_LARGEST:.2f}+"
+    # Times 100, a number of two digits may lie a little below a whole one.
+    return f"{np.floor(100 * margin + 1e-6) / 100:.2f}" if margin < _LARGEST else f"{_LARGEST:.2f}+"

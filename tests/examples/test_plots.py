@@ -63,7 +63,7 @@ class PlotTest(unittest.TestCase):
         said = self.check_picture("plot_margins.py", "asked.h5")
         with h5py.File(self.folder / "asked.h5") as file:
             margins = file["margins/margin"][:]
-        stand = int((margins + 0.005 >= [0.8, 0.5, 0.5, 0.5]).all(axis=1).sum())
+        stand = int((margins + 1e-6 >= [0.8, 0.5, 0.5, 0.5]).all(axis=1).sum())
         self.assertEqual(said, f"picture.svg: 3 of 3 layouts; {stand} stand{'s' if stand == 1 else ''} what is asked in every direction\n")
         self.assertEqual(self.texts("1.50+"), 4)
         said = self.check_picture("plot_margins.py", "asked.h5", "--needed", 0.1, 0.1, 0.1, 0.1, "--most", 2)

@@ -47,7 +47,8 @@ class MarginsTest(unittest.TestCase):
         self.assertEqual(repr(shown(-0.2, -0.2, -0.2, -0.2)), "<holdfast.Margins of 1 layout, the least unstable>")
         self.assertEqual(repr(shown(*[np.nan] * 4)), "<holdfast.Margins of 1 layout>")
         self.assertIn("<td>unstable / unstable</td>", shown(-0.2, -0.2, -0.2, -0.2)._repr_html_())
-        self.assertIn("<td>0.50 / 0.50 g</td>", shown(0.4951, 0.5, 0.5, 0.5)._repr_html_())
+        for margin, text in ((0.495, "0.49"), (0.5, "0.50"), (0.505, "0.50"), (0.57, "0.57")):
+            self.assertIn(f"<td>{text} / {text} g</td>", shown(*[margin] * 4)._repr_html_())
         self.assertIn("<td>not known / not known</td>", shown(*[np.nan] * 4)._repr_html_())
 
     def test_layouts_are_judged_within_limits(self):

@@ -66,7 +66,7 @@ test("a cell of margins says the largest that is tried with a plus, and what is 
   const page = { matchMedia: () => nothing, getComputedStyle: () => nothing, document: { documentElement: nothing } };
   Object.assign(globalThis, page);
   const { cellOf } = await import("../../viewer/src/fleet/scales");
-  const margin = Float64Array.of(1.5, 0.4953, -0.2, Number.NaN);
+  const margin = Float64Array.of(1.5, 0.505, -0.2, Number.NaN);
   const columns = { margin, criticalBox: new Uint32Array(4) };
   const results = { margins: { inPlace: columns, withinLimits: columns } } as unknown as Results;
   const texts = [0, 1, 2, 3].map((column) => cellOf(results, rows[0], column, "margin")?.text ?? null);

@@ -244,7 +244,10 @@ test("times have a sign, and none where they are 0; the largest margin that is t
   assert.equal(seconds(-0.001), "0.00 s");
   assert.equal(margin(0.302), "0.30 g");
   assert.equal(margin(1.5), "1.50+ g");
-  assert.equal(margin(0.4953), "0.50 g", "a load that holds 0.5 g has at least 0.495 g in the file");
+  assert.equal(margin(0.5), "0.50 g");
+  assert.equal(margin(0.57), "0.57 g");
+  assert.equal(margin(0.495), "0.49 g", "a load stands what the text says");
+  assert.equal(margin(0.505), "0.50 g");
   assert.equal(margin(-0.12), "unstable");
   assert.equal(margin(Number.NaN), "–");
 });

@@ -29,11 +29,16 @@ export const seconds = (value: number) => (Number.isFinite(value) ? `${fixed(val
 export const kilograms = (value: number) => `${value < 10 ? value.toFixed(2) : value.toFixed(1)} kg`;
 export const gravities = (value: number, more = 0) => (Number.isFinite(value) ? `${fixed(value, 2 + more)} g` : "–");
 
-/** A margin without its unit. It is negative where the load does not even stand under gravity. */
+/**
+ * A margin without its unit, rounded down: the load stands what the text says. It is negative where the load does not even stand
+ * under gravity.
+ */
 export function marginNumber(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value < 0) return "unstable";
-  return value < LARGEST_MARGIN ? fixed(value, 2) : `${fixed(LARGEST_MARGIN, 2)}+`;
+  // Times 100, a number of two digits may lie a little below a whole one.
+  const hundredths = Math.floor(100 * value + 1e-6);
+  return value < LARGEST_MARGIN ? fixed(hundredths / 100, 2) : `${fixed(LARGEST_MARGIN, 2)}+`;
 }
 export const margin = (value: number) => (value >= 0 ? `${marginNumber(value)} g` : marginNumber(value));
 
