@@ -281,7 +281,7 @@ void add_validate_command(CLI::App& program, ChosenCommand& chosen) {
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("--engine", options->engines, "Engines to measure (default: all)")->type_name("NAME");
   command
-      ->add_option("--suite", options->suites, "slide, tip, rebound, manoeuvre, hard, oscillate, load (default: all)")
+      ->add_option("--suite", options->suites, fmt::format("{} (default: all)", fmt::join(validation_suites(), ", ")))
       ->delimiter(',')
       ->type_name("NAME");
   command->add_option("--case", options->case_name, "One case by name")->type_name("NAME");
@@ -328,7 +328,7 @@ CLI::Option* add_page(CLI::App& program, const std::string& name, const std::str
       description);
 }
 
-std::string words_of(int argc, char** argv) {
+std::string typed_line(int argc, char** argv) {
   std::string line;
   for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + std::string(argv[i]);
   return line;
@@ -405,7 +405,7 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   })->group("");
 
   ChosenCommand chosen;
-  chosen.command_line = words_of(argc, argv);
+  chosen.command_line = typed_line(argc, argv);
   chosen.runner = runner;
   add_screen_command(program, chosen);
   add_run_command(program, chosen);

@@ -6,6 +6,12 @@
 #include <vector>
 
 #include "api/version.hpp"
+#include "app/commands.hpp"
+#include "core/engine/engine_registry.hpp"
+#include "core/model/norms.hpp"
+#include "core/model/setting_table.hpp"
+#include "core/model/wrapped_text.hpp"
+#include "parallel/schedulers/scheduler.hpp"
 
 namespace holdfast::internal {
 
@@ -58,6 +64,67 @@ std::string option_words(const CLI::App& command) {
   return words(names);
 }
 
+/// The words of a key that takes one of some.
+std::vector<std::string> words_of_key(std::string_view section, std::string_view name) {
+  const SettingKey& key = *find_setting(section, name);
+  std::vector<std::string> accepted;
+  for (const std::string_view word : words_of(key.accepted, " ,")) {
+    Settings ignored;
+    if (key.set(ignored, 0, word)) accepted.emplace_back(word);
+  }
+  return accepted;
+}
+
+/// The values of an option that takes one of some, from the tables of the program; none of any other.
+std::vector<std::string> values_of(const CLI::Option& option) {
+  const std::string name = option.get_lnames().empty() ? "" : option.get_lnames().front();
+  std::vector<std::string> values;
+  if (name == "engine") {
+    for (const EngineEntry& entry : engine_registry()) values.emplace_back(entry.name);
+  } else if (name == "norm") {
+    for (const Norm& norm : norms()) values.push_back(std::string(norm.name) + (norm.takes_size ? ":" : ""));
+  } else if (name == "accuracy") {
+    values = words_of_key("Native", "Accuracy");
+  } else if (name == "scheduler") {
+    values = scheduler_names();
+  } else if (name == "walls") {
+    values = words_of_key("Screening", "Walls");
+  } else if (name == "stop-when") {
+    values = words_of_key("Screening", "StopWhen");
+  } else if (name == "suite") {
+    values = validation_suites();
+  } else if (name == "case") {
+    values = validation_cases();
+  }
+  return values;
+}
+
+/// What makes bash's compgen list the values of an option; empty where there is nothing to list, as for a number.
+std::string offer_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  if (type == "FILE" || type == "PATH") return "(-f)";
+  if (type == "DIR") return "(-d)";
+  const std::vector<std::string> values = values_of(option);
+  return values.empty() ? "()" : fmt::format("(-W '{}')", words(values));
+}
+
+/// The branch of a command in the completion: its options, and what bash offers as the value of each.
+std::string completion_of(const CLI::App& command) {
+  std::string branch = fmt::format("      options='{}'\n      case $option in\n", option_words(command));
+  // Where a command takes nothing else, an option is what comes next.
+  std::string positional = "(-W \"$options\")";
+  for (const CLI::Option* option : options_of(command)) {
+    if (option->get_positional()) positional = offer_of(*option);
+    if (option->get_positional() || option->get_items_expected_max() == 0) continue;  // a flag has no value
+    std::vector<std::string> names;
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    branch += fmt::format("        {}) takes={} offer={} ;;\n", fmt::join(names, " | "),
+                          option->get_items_expected_max() > 1 ? "many" : "one", offer_of(*option));
+  }
+  return branch + fmt::format("      esac\n      positional={}\n", positional);
+}
+
 }  // namespace
 
 std::string man_page(const CLI::App& program) {
@@ -83,22 +150,42 @@ std::string bash_completion(const CLI::App& program) {
   std::string cases;
   for (const CLI::App* command : commands_of(program)) {
     names.push_back(command->get_name());
-    cases += fmt::format("    {}) options='{}' ;;\n", command->get_name(), option_words(*command));
+    cases += fmt::format("    {})\n{}      ;;\n", command->get_name(), completion_of(*command));
   }
   return fmt::format(
-      "# Completion of holdfast for bash, written by `holdfast --bash-completion`.\n"
-      "_holdfast() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}} options\n"
-      "  case ${{COMP_WORDS[1]}} in\n{}    *) options='{}' ;;\n  esac\n"
-      "  if [[ $word == -* ]]; then\n"
-      "    mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\")\n"
-      "  elif ((COMP_CWORD == 1)); then\n"
-      "    mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$word\")\n"
-      "  else\n"
-      "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n"
-      "  fi\n"
-      "}}\n"
-      "complete -o filenames -F _holdfast holdfast\n",
+      R"(# Completion of holdfast for bash, written by `holdfast --bash-completion`.
+_holdfast() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} options option= takes= offer=() positional=() before= i
+  # Bash makes a word of its own of an equals sign.
+  [[ $word != = ]] || word=
+  # The option that the word may be a value of: the last one before it.
+  for ((i = COMP_CWORD - 1; i > 1; --i)); do
+    if [[ ${{COMP_WORDS[i]}} == -* ]]; then
+      option=${{COMP_WORDS[i]}}
+      break
+    fi
+  done
+  case ${{COMP_WORDS[1]}} in
+{}    *) options='{}' ;;
+  esac
+  if [[ -z $takes || $takes == one && $i != $((COMP_CWORD - 1)) && ${{COMP_WORDS[i + 1]}} != = ]]; then
+    offer=("${{positional[@]}}")
+  fi
+  if [[ $word == -* ]]; then
+    offer=(-W "$options")
+  elif ((COMP_CWORD == 1)); then
+    offer=(-W '{}')
+  fi
+  COMPREPLY=()
+  ((${{#offer[@]}} > 0)) || return 0
+  # Of several values with commas between them, the last one is to be completed.
+  [[ ${{offer[0]}} != -W || $word != *,* ]] || before=${{word%,*}},
+  mapfile -t COMPREPLY < <(compgen -P "$before" "${{offer[@]}}" -- "${{word#"$before"}}")
+  # The size of a norm follows its colon.
+  [[ ${{COMPREPLY[*]}} != *: ]] || compopt -o nospace 2> /dev/null
+}}
+complete -o filenames -F _holdfast holdfast
+)",
       cases, option_words(program), words(names));
 }
 

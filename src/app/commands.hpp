@@ -118,6 +118,9 @@ struct ValidateOptions {
   std::optional<std::string> record_path;
 };
 ExitCode run_validate_command(const ValidateOptions& options);
+/// The names that the options for suites and cases accept.
+std::vector<std::string> validation_suites();
+std::vector<std::string> validation_cases();
 
 /// @param devices also look for the devices of engines that run on some
 ExitCode run_engines_command(bool devices);

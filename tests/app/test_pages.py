@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import unittest
 
-from cli import CliTest, run
+from cli import CliTest, run, schedulers
 
 
 class Pages(CliTest):
@@ -38,6 +38,48 @@ class Pages(CliTest):
         done = subprocess.run(["bash", "-c", command], cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertEqual(done.stderr, "")
         return set(done.stdout.split())
+
+    def test_bash_completes_values(self):
+        engines = {line.split()[0] for line in run("engines").stdout.splitlines() if not line.startswith(" ")}
+        self.assertEqual(self.complete("screen", "--engine", ""), engines)
+        self.assertEqual(self.complete("screen", "--engine", "nat"), {"native", "native-plain"})
+        self.assertEqual(self.complete("screen", "--engine", "=", "nat"), {"native", "native-plain"})
+        self.assertEqual(self.complete("bench", "--engine", "native", "bullet-s"), {"bullet-stock"})
+        self.assertEqual(self.complete("screen", "--accuracy", ""), {"screening", "standard", "reference"})
+        norms = set(re.findall(r"^([a-z][\w-]*:?)K?$", run("norms").stdout, re.MULTILINE))
+        self.assertIn("road", norms)
+        self.assertEqual(self.complete("margins", "--norm", ""), norms)
+        self.assertEqual(self.complete("run", "--walls", "en"), {"en12642-l", "en12642-xl", "en283"})
+        self.assertEqual(self.complete("screen", "--stop-when", ""), {"end", "moved", "fallen"})
+        self.assertEqual(self.complete("screen", "--scheduler", ""), set(schedulers()))
+        self.assertEqual(self.complete("validate", "--suite", "ti"), {"tip"})
+        self.assertEqual(self.complete("validate", "--suite", "tip,re"), {"tip,rebound"})
+        self.assertIn("real_loads", self.complete("validate", "--case", ""))
+
+    def test_what_bash_offers_is_accepted(self):
+        """Each value of the options that a run checks before anything else."""
+        for option in ("--engine", "--accuracy", "--norm", "--walls", "--stop-when", "--scheduler"):
+            for value in self.complete("screen", option, ""):
+                value += "0.5" if value.endswith(":") else ""
+                done = self.run_here("screen", option, value, "--layouts", "none", "--accelerations", "none")
+                self.assertIn("no such file", done.stderr, (option, value))
+
+    def test_every_option_with_a_name_has_values(self):
+        for command in self.commands:
+            for option in re.findall(r"(--[a-z-]+) NAME", run(command, "--help").stdout):
+                self.assertNotEqual(self.complete(command, option, ""), set(), f"{command} {option}")
+
+    def test_bash_offers_files_where_files_are_meant(self):
+        self.write("results.h5", "")
+        self.write("results/one.txt", "")
+        for words in (("view", ""), ("screen", "-c", ""), ("screen", "--layouts", ""), ("screen", "--layouts", "results.h5", ""),
+                      ("check", "--config", "a.ini", ""), ("merge", "--overwrite", "")):
+            self.assertEqual(self.complete(*words), {"completion.bash", "results", "results.h5"}, words)
+        self.assertEqual(self.complete("summary", "--csv", ""), {"results"})
+        self.assertEqual(self.complete("screen", "--threads", ""), set())
+        # These take options alone.
+        self.assertEqual(self.complete("engines", ""), self.options["engines"])
+        self.assertIn("--norm", self.complete("screen", ""))
 
     def test_bash_completes_commands_options_and_files(self):
         self.assertEqual(self.complete("scr"), {"screen"})

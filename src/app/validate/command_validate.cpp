@@ -92,9 +92,8 @@ Result<ValidationPlan> plan_of(const ValidateOptions& options) {
 
   if (const auto error = leave_out_missing(options, plan)) return *error;
 
-  std::vector<std::string> names = {"real_loads"};
+  const std::vector<std::string> names = validation_cases();
   for (Case& known : all_cases()) {
-    names.push_back(known.name);
     const bool named = !options.case_name || known.name == *options.case_name;
     if (named && is_wanted(options.suites, known.suite) && (known.quick || !options.quick)) plan.cases.push_back(known);
   }
@@ -176,6 +175,14 @@ ExitCode judge_bounds(const ValidateOptions& options, const ValidationResult& re
 }
 
 }  // namespace
+
+std::vector<std::string> validation_suites() { return kSuites; }
+
+std::vector<std::string> validation_cases() {
+  std::vector<std::string> names = {"real_loads"};
+  for (const Case& known : all_cases()) names.push_back(known.name);
+  return names;
+}
 
 ExitCode run_validate_command(const ValidateOptions& options) {
   const StopSignal& stop = watch_stop_signals();
