@@ -2,6 +2,11 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
 #include "analyses/analysis.hpp"
 #include "api/plugin_file.hpp"
 #include "core/engine/engine_plugin.hpp"
@@ -10,6 +15,10 @@ namespace holdfast::internal {
 
 namespace {
 
+/// Builds the plug-ins of all engines, where the sources are; their other builds leave them out.
+constexpr const char* kBuildPlugins =
+    "`cmake --build build/release --target holdfast_plugins` in the sources builds it";
+
 void* open_plugin(std::string_view file) {
   // RTLD_LOCAL: Bullet's float and double libraries have the same symbol names.
   return dlopen(plugin_file(std::string(file)).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -17,7 +26,14 @@ void* open_plugin(std::string_view file) {
 
 Result<MakeEngine*> load_plugin(std::string_view file) {
   void* library = open_plugin(file);
-  if (library == nullptr) return Error{.what = "the engine's plug-in cannot be loaded", .value = dlerror()};
+  if (library == nullptr) {
+    std::string why = dlerror();
+    const std::filesystem::path path = plugin_file(std::string(file));
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown))
+      return Error{.what = "the engine's plug-in is not there", .value = path.string(), .accepted = kBuildPlugins};
+    return Error{.what = "the engine's plug-in cannot be loaded", .value = std::move(why)};
+  }
   auto* entry = reinterpret_cast<MakeEngine*>(dlsym(library, kEnginePluginEntry));
   if (entry == nullptr) return Error{.what = "not an engine plug-in", .value = std::string(file)};
   return entry;

@@ -1,59 +1,156 @@
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "api/engine_loader.hpp"
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
 #include "app/report.hpp"
+#include "app/run_inputs.hpp"
+#include "app/screening.hpp"
+#include "core/model/norms.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/input_paths.hpp"
 #include "io/input/layout_reader.hpp"
+#include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
-/// What is wrong with a file, and in a few words what it is.
+const char* name_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::layout:
+      return "layout";
+    case InputKind::acceleration:
+      return "acceleration";
+    case InputKind::config:
+      return "config";
+    default:
+      return "no known kind";
+  }
+}
+
+/// What is wrong with a file, and in a few words what is in it.
 struct Finding {
   std::vector<Error> errors;
   std::vector<Error> warnings;
   std::string description;
 };
 
-template <class T>
-void take(Finding& finding, const Result<T>& result, const std::function<std::string(const T&)>& describe) {
-  if (result) {
-    finding.description = describe(*result);
-  } else {
-    finding.errors = result.errors();
-  }
+/// The engine of a configuration, as far as it is there.
+struct AskedEngine {
+  std::optional<Error> error;    ///< what it cannot do of the settings
+  std::optional<Error> warning;  ///< why it is not there; the files may be checked all the same
+  std::optional<double> steps_per_second;
+};
+
+AskedEngine ask_engine(const Settings& settings, const std::string& config_path) {
+  const EngineEntry* entry = find_engine(settings.screening.engine);
+  // Looking for devices takes seconds, and says nothing of the files.
+  if (entry != nullptr && runs_on_devices(*entry)) return {};
+  const auto engine = make_engine(settings.screening.engine, settings);
+  if (engine) return {.steps_per_second = (*engine)->traits().steps_per_second};
+  Error error = engine.error();
+  error.file = config_path;
+  if (entry != nullptr && why_not_loadable(*entry)) return {.warning = std::move(error)};
+  return {.error = std::move(error)};
 }
 
-Finding check_file(const InputFile& input, const Settings& settings) {
-  Finding finding;
-  const Result<TextFile> file = read_text_file(input.path);
-  if (!file) return {.errors = file.errors()};
-  switch (input.kind) {
-    case InputKind::layout:
-      take<Layout>(finding, parse_layout(*file, settings, finding.warnings),
-                   [](const Layout& layout) { return fmt::format("layout, {} boxes", layout.boxes.size()); });
-      break;
-    case InputKind::acceleration:
-      take<Acceleration>(finding, parse_acceleration(*file, finding.warnings), [](const Acceleration& acceleration) {
-        return fmt::format("acceleration, {} segments, {:g} s", acceleration.segments.size(), acceleration.end_time());
-      });
-      break;
-    case InputKind::config:
-      take<Config>(finding, parse_config(*file, finding.warnings),
-                   [](const Config& config) { return fmt::format("config, {} keys", config.given.size()); });
-      break;
-    case InputKind::unknown:
-      finding.errors.push_back({.file = input.path,
-                                .what = "neither layout, acceleration nor config",
-                                .accepted = "a layout has 7 columns, an acceleration 5, a config [sections]"});
+/// Checks files one by one as `screen` does when it reads them, and then together.
+class InputCheck {
+ public:
+  InputCheck(const Settings& settings, std::optional<double> steps_per_second)
+      : settings_(settings), steps_per_second_(steps_per_second) {
+    if (settings_.screening.norm.empty()) return;
+    for (Acceleration& made : find_norm(settings_.screening.norm)->accelerations())
+      accelerations_.push_back(std::move(made));
   }
-  return finding;
+
+  Finding check(const InputFile& input) {
+    Finding finding;
+    const Result<TextFile> file = read_text_file(input.path);
+    if (!file) return {.errors = file.errors()};
+    switch (input.kind) {
+      case InputKind::layout:
+        take<Layout>(finding, parse_layout(*file, settings_, finding.warnings), [&](const Layout& layout) {
+          layouts_.push_back({input.path, layout.boxes.size()});
+          finding.description = fmt::format("{} boxes", layout.boxes.size());
+        });
+        break;
+      case InputKind::acceleration:
+        take<Acceleration>(finding, parse_acceleration(*file, finding.warnings), [&](const Acceleration& acceleration) {
+          finding.description =
+              fmt::format("{} segments, {:g} s", acceleration.segments.size(), acceleration.end_time());
+          check_length(finding, input.path, acceleration);
+          accelerations_.push_back(acceleration);
+        });
+        break;
+      case InputKind::config:
+        take<Config>(finding, parse_config(*file, finding.warnings), [&](const Config& config) {
+          finding.description = fmt::format("{} keys", config.given.size());
+          const AskedEngine engine = ask_engine(config.settings, input.path);
+          if (engine.error) finding.errors.push_back(*engine.error);
+          if (engine.warning) finding.warnings.push_back(*engine.warning);
+        });
+        break;
+      case InputKind::unknown:
+        finding.errors.push_back({.file = input.path,
+                                  .what = "neither layout, acceleration nor config",
+                                  .accepted = "a layout has 7 columns, an acceleration 5, a config [sections]"});
+    }
+    return finding;
+  }
+
+  /// Layouts whose time series would be too large under one of the accelerations.
+  std::vector<Error> check_together() const {
+    std::vector<Error> warnings;
+    for (const auto& [path, boxes] : layouts_) {
+      for (const Acceleration& acceleration : accelerations_) {
+        const auto too_large = check_rows(path, boxes, acceleration, settings_);
+        if (too_large) warnings.push_back(*too_large);
+      }
+    }
+    return warnings;
+  }
+
+ private:
+  template <class T>
+  static void take(Finding& finding, const Result<T>& result, const std::function<void(const T&)>& go_on) {
+    if (result)
+      go_on(*result);
+    else
+      finding.errors = result.errors();
+  }
+
+  /// Samples are a warning: without series there are none, and only the run knows whether it has them.
+  void check_length(Finding& finding, const std::string& path, const Acceleration& acceleration) const {
+    if (const auto samples = check_samples(path, acceleration, settings_)) finding.warnings.push_back(*samples);
+    if (!steps_per_second_) return;
+    if (const auto error = check_steps(path, acceleration, settings_, *steps_per_second_))
+      finding.errors.push_back(*error);
+    else if (const auto many = many_steps_warning(path, acceleration, settings_, *steps_per_second_))
+      finding.warnings.push_back(*many);
+  }
+
+  const Settings& settings_;
+  std::optional<double> steps_per_second_;
+  std::vector<std::pair<std::string, std::size_t>> layouts_;  ///< path, boxes
+  std::vector<Acceleration> accelerations_;
+};
+
+std::vector<std::string> paths_of_kind(const std::vector<InputFile>& inputs, InputKind kind) {
+  std::vector<std::string> paths;
+  for (const InputFile& input : inputs)
+    if (input.kind == kind) paths.push_back(input.path);
+  return paths;
 }
 
 }  // namespace
@@ -61,19 +158,31 @@ Finding check_file(const InputFile& input, const Settings& settings) {
 ExitCode run_check_command(const CheckOptions& options) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
+  const AskedEngine engine = ask_engine(config->settings, options.config_path.value_or(""));
+  if (engine.error) return fail(ExitCode::bad_usage, *engine.error);
   std::vector<Error> warnings;
+  if (engine.warning) warnings.push_back(*engine.warning);
   const auto inputs = find_inputs(options.paths, std::cin, warnings);
   if (!inputs) return fail(ExitCode::bad_usage, inputs.errors());
   warn(warnings);
+  warn_of_same_names(paths_of_kind(*inputs, InputKind::layout));
+  warn_of_same_names(paths_of_kind(*inputs, InputKind::acceleration));
 
+  InputCheck check(config->settings, engine.steps_per_second);
   std::size_t bad = 0;
   for (const InputFile& input : *inputs) {
-    const Finding finding = check_file(input, config->settings);
+    const Finding finding = check.check(input);
     warn(finding.warnings);
     fail(ExitCode::bad_usage, finding.errors);
-    bad += finding.errors.empty() ? 0U : 1U;
-    if (finding.errors.empty()) print_to(stdout, "{}: ok: {}\n", input.path, finding.description);
+    const char* kind = name_of(input.kind);
+    if (finding.errors.empty()) {
+      print_to(stdout, "{}: ok: {}, {}\n", input.path, kind, finding.description);
+    } else {
+      print_to(stdout, "{}: bad: {}, {}\n", input.path, kind, counted(finding.errors.size(), "error"));
+      ++bad;
+    }
   }
+  warn(check.check_together());
   if (bad > 0) print_to(stderr, "{} of {} files are bad\n", bad, inputs->size());
   return bad == 0 ? ExitCode::done : ExitCode::bad_usage;
 }

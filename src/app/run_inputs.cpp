@@ -34,16 +34,21 @@ void warn_of_same_names(const std::vector<std::string>& paths) {
   if (warning) warn(std::span(&*warning, 1));
 }
 
+std::optional<Error> many_steps_warning(const std::string& label, const Acceleration& acceleration,
+                                        const Settings& settings, double steps_per_second) {
+  const double steps = most_steps(acceleration, settings, steps_per_second);
+  if (steps <= kManySteps) return std::nullopt;
+  return Error{.file = label, .what = "a world takes very many steps", .value = fmt::format("up to {:.2g}", steps)};
+}
+
 std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double steps_per_second) {
   std::vector<ReadAcceleration> accelerations;
   const auto take = [&](const std::string& label, Result<Acceleration> acceleration) {
     if (acceleration) {
       auto error = check_steps(label, *acceleration, job.settings, steps_per_second);
       if (!error && job.record_series) error = check_samples(label, *acceleration, job.settings);
-      const double steps = most_steps(*acceleration, job.settings, steps_per_second);
-      const Error many{
-          .file = label, .what = "a world takes very many steps", .value = fmt::format("up to {:.2g}", steps)};
-      if (!error && steps > kManySteps) warn(std::span(&many, 1));
+      const auto many = many_steps_warning(label, *acceleration, job.settings, steps_per_second);
+      if (!error && many) warn(std::span(&*many, 1));
       if (error) acceleration = *error;
     }
     if (acceleration) {

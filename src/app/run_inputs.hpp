@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ std::string input_name(const std::string& path);
 
 /// Says so where inputs share a file name, by which alone results tell them apart.
 void warn_of_same_names(const std::vector<std::string>& paths);
+
+/// The warning of an acceleration under which a world takes so many steps that they take minutes, if it does.
+/// @param label what messages call the acceleration
+/// @param steps_per_second of the engine, 1/s
+std::optional<Error> many_steps_warning(const std::string& label, const Acceleration& acceleration,
+                                        const Settings& settings, double steps_per_second);
 
 /// The accelerations of a run: those of its norm, and those of its files. What is wrong with one is reported, and
 /// becomes the message of its worlds. A warning says where a world takes very many steps.

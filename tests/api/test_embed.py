@@ -160,7 +160,7 @@ class InstalledTest(unittest.TestCase):
         for name in ("bullet", "bullet-f64", "bullet-stock"):
             line = next(line for line in listed if line.split()[0] == name)
             self.assertNotIn("missing", line)
-            self.assertNotIn("cannot be loaded", line)
+            self.assertNotIn("plug-in", line)
 
     def test_plugins_have_a_folder_of_their_own(self):
         self.assertEqual({path.name for path in self.library.glob("libholdfast*")} -

@@ -1,10 +1,11 @@
 """Bad input and bad usage: one line that says where and what, the right exit code, and never a crash."""
 import os
+import re
 import signal
 import subprocess
 import unittest
 
-from cli import CONFIG, HOLDFAST, PATIENCE, SEED, SHOVE, SOURCE, TOWER, CliTest, datasets, layout_text, start
+from cli import CONFIG, FLOATING, HOLDFAST, PATIENCE, REST, SEED, SHOVE, SOURCE, TOWER, CliTest, datasets, layout_text, start
 
 HEAD = "1 2\n"
 BOX = "0 0 0 80 60 100 1\n"
@@ -81,14 +82,16 @@ class Check(CliTest):
                 path = self.write(f"{kind}_{name}.txt", content)
                 done = self.run_here("check", path.name)
                 self.assert_exit(done, 2)
-                self.assertEqual(done.stdout, "")
                 said = done.stderr.splitlines()[0]
+                taken = kind
                 if name in ("empty", "only_header", "only_comment", "binary", "many_columns"):
                     # These do not show what they should have been, which `screen` knows.
                     self.assertIn(f"{path.name}: neither layout, acceleration nor config", said)
+                    taken = "no known kind"
                 else:
                     self.assertTrue(said.startswith(f"{path.name}:{place}"), said)
                     self.assertIn(what, said)
+                self.assertRegex(done.stdout, rf"^{path.name}: bad: {taken}, \d+ errors?\n$")
                 self.assertEqual(done.stderr.splitlines()[-1], "1 of 1 files are bad")
 
     def test_all_faults_of_all_files_are_reported(self):
@@ -99,7 +102,7 @@ class Check(CliTest):
         self.assert_exit(done, 2)
         self.assertEqual([line.split(" ")[0] for line in done.stderr.splitlines()],
                          ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
-        self.assertEqual(done.stdout, "good.txt: ok: layout, 1 boxes\n")
+        self.assertEqual(done.stdout, "a.txt: bad: layout, 2 errors\nb.txt: bad: acceleration, 1 error\ngood.txt: ok: layout, 1 boxes\n")
 
     def test_a_layout_that_was_cut_off_is_reported(self):
         text = layout_text(SEED)
@@ -114,6 +117,48 @@ class Check(CliTest):
         self.assert_exit(done, 0)
         self.assertEqual(done.stderr.count("the header announces"), 1)
         self.assertIn(warning, done.stderr)
+
+    def test_it_says_all_that_screen_says_of_the_same_inputs(self):
+        self.write("settings.ini", "[Container]\nOpenSides = rear\n[Physics Engine]\nSimulationStepsPerSecond = 100000\n"
+                                   "[Export Settings]\nResultsIntervallInSeconds = 0.001\n"
+                                   "[Simulation Settings]\nBoxFriction = 0.7\n[Contact]\nFrictionModel = pairs\nBoxBox = 0.4\n")
+        many = [(30 * i, 20 * j, 0, 30 * i + 30, 20 * j + 20, 20) for i in range(14) for j in range(10)]
+        for name, text in {
+                "cut.txt": "1 3\n" + BOX + "100 0 0 180 60 100 1\n", "comment.txt": HEAD + "0 0 0 80 60 100 1 no more\n",
+                "rounded.txt": HEAD + BOX + "79.995 0 0 150 60 100 1\n", "beyond.txt": HEAD + BOX + "600 0 0 680 60 100 1\n",
+                "overlap.txt": HEAD + BOX + "70 0 0 150 60 100 1\n", "high.txt": HEAD + "0 0 200 80 60 300 1\n",
+                "floating.txt": layout_text(FLOATING), "many.txt": layout_text(many), "more/cut.txt": HEAD + BOX,
+                "other.txt": "what somebody wrote\n"}.items():
+            self.write(f"layouts/{name}", text)
+        for name, text in {"steps.txt": "0 100000 0 0 0\n", "samples.txt": "0 300 0 0 0\n", "long.txt": "0 140 0 0 0\n",
+                           "more/long.txt": "0 0.1 0 0 0\n", "word.txt": "0 1 0 fast 0\n", "other.txt": "what somebody wrote\n"}.items():
+            self.write(f"accelerations/{name}", text)
+        layouts, accelerations = ["layouts", "layouts/more"], ["accelerations", "accelerations/more"]
+        screened = self.run_here("screen", "-c", "settings.ini", "--layouts", *layouts, "--accelerations", *accelerations, "--quiet")
+        self.assert_exit(screened, 1)
+        checked = self.run_here("check", "-c", "settings.ini", *layouts, *accelerations)
+        self.assert_exit(checked, 2)
+
+        def messages(done):
+            """Without the folder, which results do not have."""
+            return {re.sub(r"^(warning: )?([a-z]+/(more/)?)?", "", line) for line in done.stderr.splitlines()}
+
+        self.assertLessEqual(messages(screened), messages(checked))
+        for what in ("cut.txt:1: the header announces", "columns after the seventh", "within the tolerance", "wholly beyond the floor",
+                     "overlaps box 1", "at the roof", "its series under long.txt would be too large", "has the same name in the results",
+                     "too many steps", "too many samples", "very many steps", "ay is not a number", "left out, neither", "has no effect"):
+            self.assertTrue(any(what in line for line in messages(screened)), (what, screened.stderr))
+
+    def test_a_configuration_that_its_engine_cannot_follow_is_bad(self):
+        self.write("free.ini", "[Container]\nMotion = free\n")
+        self.write("box.txt", HEAD + BOX)
+        self.write("rest.txt", REST)
+        screened = self.run_here("screen", "-c", "free.ini", "--layouts", "box.txt", "--accelerations", "rest.txt")
+        self.assert_exit(screened, 2)
+        for words in (["free.ini"], ["box.txt", "-c", "free.ini"]):
+            checked = self.run_here("check", *words)
+            self.assert_exit(checked, 2)
+            self.assertIn(screened.stderr.strip(), checked.stderr)
 
     def test_a_line_of_a_million_digits_is_read_by_check_as_by_screen(self):
         digits = "0" * 1_000_000
