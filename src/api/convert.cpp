@@ -41,8 +41,9 @@ bool looks_like_centimetres(const Layout& layout, const Settings& settings) {
          (largest.array() / 100.0 <= size.array() + kLayoutTolerance).all();
 }
 
-/// An error when there are more boxes than a layout may have.
+/// An error when there are no boxes, as in a file, or more than a layout may have.
 std::vector<Error> check_count(std::size_t boxes, const std::string& name) {
+  if (boxes == 0) return {{.file = name, .what = "has no boxes", .accepted = "a layout has at least one"}};
   if (boxes <= kMostBoxes) return {};
   return {{.file = name,
            .what = "too many boxes",
@@ -191,14 +192,16 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
   read.layout.name = name;
   const std::span<const double> numbers = layout.numbers;
   const std::size_t count = numbers.size() / kNumbersPerBox;
-  std::vector<Error> errors = check_count(count, name);
+  std::vector<Error> errors;
   if (const holdfast::Problem* const problem = layout.problem)
     errors = {{.file = name, .what = problem->what, .value = problem->value, .accepted = problem->accepted}};
-  if (errors.empty() && numbers.size() % kNumbersPerBox != 0)
+  else if (numbers.size() % kNumbersPerBox != 0)
     errors = {{.file = name,
                .what = "the layout is no whole number of boxes",
                .value = std::to_string(numbers.size()) + " numbers",
                .accepted = "seven numbers per box: two corners and a material"}};
+  else
+    errors = check_count(count, name);
   if (errors.empty()) {
     read.layout.boxes.reserve(count);
     ErrorList not_ids(name);

@@ -17,18 +17,19 @@ static void check(int good, const char* text, int line) {
 
 enum { layout_count = 3, acceleration_count = 2, world_count = layout_count * acceleration_count };
 
-/* Three layouts: one box in the middle of the floor, none, and a stack of two. */
+/* Three layouts: one box in the middle of the floor, one at the front wall, and a stack of two. */
 static const double kBoxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0,  /**/
+                                0.0, 1.0, 0.0, 0.5, 1.5, 0.5, 1.0,  /**/
                                 1.0, 1.0, 0.0, 1.5, 1.5, 0.5, 1.0,  /**/
                                 1.0, 1.0, 0.5, 1.5, 1.5, 1.0, 1.0}; /**/
-static const size_t kOffsets[] = {0, 1, 1, 3};
+static const size_t kOffsets[] = {0, 1, 2, 4};
 static const double kWeak[] = {0.0, 1.0, 4.8, 0.0, 0.0};
 static const double kGentle[] = {0.0, 1.0, 2.0, 0.0, 0.0};
 static const double kStrong[] = {0.0, 1.0, 7.0, 0.0, 0.0};
 
 static holdfast_layouts layouts(void) {
   const holdfast_layouts all = {
-      .size = sizeof all, .boxes = kBoxes, .box_count = 3, .offsets = kOffsets, .layout_count = layout_count};
+      .size = sizeof all, .boxes = kBoxes, .box_count = 4, .offsets = kOffsets, .layout_count = layout_count};
   return all;
 }
 
@@ -52,7 +53,7 @@ static void evaluates(void) {
   CHECK(outcomes[0].stop_reason == HOLDFAST_SLEEPING);
   CHECK(outcomes[1].verdict == HOLDFAST_MOVED);
   CHECK(outcomes[1].acceleration == 1);
-  CHECK(outcomes[2].boxes == 0);
+  CHECK(outcomes[2].boxes == 1);
   CHECK(outcomes[4].layout == 2);
   CHECK(outcomes[5].boxes == 2);
   /* Friction of 0.5 on the floor: v = 7 - 0.5 * 9.81 after 1 s, and v / 2 * (1 s + v / (0.5 * 9.81)) until it stands.
@@ -213,7 +214,7 @@ static void submits_and_polls(void) {
   CHECK(holdfast_screen_evaluate(screen, &all, expected, world_count) == HOLDFAST_OK);
   CHECK(holdfast_screen_poll(screen, 0.0, 0, &ticket, outcomes, acceleration_count) == HOLDFAST_NONE);
   CHECK(holdfast_screen_submit(screen, kBoxes, 1, NULL) == HOLDFAST_OK);
-  CHECK(holdfast_screen_submit(screen, kBoxes + 7, 2, &ticket) == HOLDFAST_OK);
+  CHECK(holdfast_screen_submit(screen, kBoxes + 14, 2, &ticket) == HOLDFAST_OK);
   CHECK(ticket == 1);
   CHECK(holdfast_screen_submit(screen, kBoxes, 1, &ticket) == HOLDFAST_FULL);
   CHECK(holdfast_screen_add_acceleration(screen, NULL, kWeak, 1) == HOLDFAST_ERROR);
@@ -273,7 +274,7 @@ static void takes_a_world_forward(void) {
   uint64_t hash = 0;
   CHECK(holdfast_screen_evaluate(screen, &all, outcomes, world_count) == HOLDFAST_OK);
   holdfast_screen_free(screen);
-  CHECK(holdfast_world_new(NULL, kBoxes + 7, 2, HOLDFAST_METRE, kStrong, 1, &world) == HOLDFAST_OK);
+  CHECK(holdfast_world_new(NULL, kBoxes + 14, 2, HOLDFAST_METRE, kStrong, 1, &world) == HOLDFAST_OK);
   CHECK(holdfast_world_poses(world, poses, 2) == HOLDFAST_OK);
   CHECK(poses[0] == 1.25 && poses[3] == 1.0 && poses[9] == 0.75);
   CHECK(holdfast_world_poses(world, poses, 1) == HOLDFAST_BAD_ARGUMENT);
@@ -291,7 +292,7 @@ static void takes_a_world_forward(void) {
   CHECK(strstr(holdfast_world_message(world), "WallForces") != NULL);
   holdfast_world_free(world);
   CHECK(holdfast_settings_set(settings, "Screening", "WallForces", "true") == HOLDFAST_OK);
-  CHECK(holdfast_world_new(settings, kBoxes + 7, 2, HOLDFAST_METRE, kWeak, 1, &world) == HOLDFAST_OK);
+  CHECK(holdfast_world_new(settings, kBoxes + 14, 2, HOLDFAST_METRE, kWeak, 1, &world) == HOLDFAST_OK);
   CHECK(holdfast_world_advance(world, 0.5) == HOLDFAST_OK);
   CHECK(holdfast_world_side_forces(world, forces, 7) == HOLDFAST_BAD_ARGUMENT);
   CHECK(holdfast_world_side_forces(world, NULL, 8) == HOLDFAST_BAD_ARGUMENT);
@@ -382,7 +383,7 @@ static void names_what_is_wrong(void) {
 /* Mistakes of the calling program have a status and a message. */
 static void survives_abuse(void) {
   const size_t falling[] = {1, 0};
-  const size_t beyond[] = {0, 4};
+  const size_t beyond[] = {0, 5};
   holdfast_screen_options options = {.size = 3};
   holdfast_screen* screen = NULL;
   holdfast_settings* settings = holdfast_settings_new();

@@ -73,6 +73,9 @@ TEST_CASE("screen: a problem of a layout names layout, box and number", "[api][s
     CHECK(problems[0].what == "the material of box 1 is not an id");
     CHECK(problems[0].box_column == 6);
   }
+  const std::vector<Problem> none = problems_of({});
+  REQUIRE(none.size() == 1);
+  CHECK(none[0].message == "layout 0: has no boxes; a layout has at least one");
   const std::vector<Problem> broken = problems_of({2, 1, 0, 2.5, 1.5, 0.5});
   REQUIRE(broken.size() == 1);
   CHECK(broken[0].what == "the layout is no whole number of boxes");

@@ -56,6 +56,8 @@ class InputTest(unittest.TestCase):
         for layout, message in WRONG_SHAPES:
             self.check([BOX, layout], f"^layout 1: {message}", (1, None, None))
             self.check([BOX, layout], f"^mine: {message}", (1, None, None), names=["", "mine"])
+        self.check([BOX, np.zeros((0, 7))], "^layout 1: has no boxes", (1, None, None))
+        self.check([[]], "^layout 0: has no boxes", (0, None, None))
         for thing in ("a box", b"a box", None, 1.0, {}, {1}, object()):
             self.check([BOX, thing], "^layout 1 is no array of numbers", (1, None, None))
         self.check(BOX[:, :6], "array of boxes has a wrong shape", offsets=[0, 1])

@@ -67,7 +67,9 @@ class MarginsTest(unittest.TestCase):
             margins = screen.margins([BOX, STACK])
         self.assertEqual(margins.low.shape, (2, 4))
         within_limits = margins.margin_within_limits
-        self.assertTrue((margins.low < within_limits).all() and (within_limits < margins.high).all())
+        # The box slides; the stack tips to the side, whatever its friction.
+        self.assertTrue((margins.low <= within_limits).all() and (within_limits <= margins.high).all())
+        self.assertTrue((margins.low[0] < within_limits[0]).all() and (within_limits[0] < margins.high[0]).all())
         np.testing.assert_allclose(margins.median, 0.5, atol=0.03)
         np.testing.assert_array_equal(margins.frame()["high"], margins.high.ravel())
 

@@ -39,11 +39,11 @@ double largest_of_boxes(const Findings& found) {
 }
 
 constexpr WorldNumber kDamageNumbers[] = {
-    {"boxes_beyond", "u4",
-     "Number of boxes beyond the damage boundary; 0 without ``Damage``, and in a world that was not accelerated.",
+    {"boxes_beyond", "f4", "Number of boxes beyond the damage boundary; NaN where it is not known.",
      [](const Findings& found) {
        const WorldDamage* damage = found.get<WorldDamage>();
-       return damage != nullptr && damage->known() ? static_cast<double>(damage->boxes_beyond) : 0.0;
+       const bool known = damage != nullptr && damage->known();
+       return known ? static_cast<double>(damage->boxes_beyond) : std::numeric_limits<double>::quiet_NaN();
      }},
     {"peak_acceleration", "f4", "Largest of all boxes, mean over ``DamageWindow``, m/s²; NaN where it is not known.",
      largest_of_boxes<&WorldDamage::peak_acceleration>},
