@@ -9,9 +9,11 @@ import argparse
 import html
 import os
 import re
+import signal
 import sys
 from collections import Counter
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # each thread takes memory, of which there may be little
 try:
     import h5py
     import numpy as np
@@ -37,6 +39,7 @@ LARGEST_MARGIN = 1.5  # g: margins are not sought beyond it
 WORST = (UNSTABLE, FELL, MOVED)  # the worst first
 ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
          "in which boxes move under most, then those with most such boxes.")
+READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken not to come to an end: SIGPROF ends the process
 MOST_BOXES = 10  # rows of a page's table
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
@@ -478,8 +481,17 @@ def main():
     parser.add_argument("output", help="report to write, .html or .pdf")
     parser.add_argument("--most", type=int, default=50, help="most layouts that get a page, the worst ones (default: %(default)s)")
     options = parser.parse_args()
-    with h5py.File(options.results) as file:
-        results = Results(file)
+    try:
+        signal.setitimer(signal.ITIMER_PROF, READING_SECONDS)
+        with h5py.File(options.results) as file:
+            results = Results(file)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        make_report(results, options)
+    except Exception as error:  # whatever is in a file that somebody else made
+        sys.exit(f"{options.results}: cannot be drawn: {' '.join(str(error).split()) or type(error).__name__}")
+
+
+def make_report(results, options):
     order = worst_first(results)
     shown = min(len(order), options.most)
     pages = "".join(page(results, layout) for layout in order[:shown])

@@ -160,6 +160,14 @@ class Hostile(CliTest):
             self.assertEqual(said.count("512 MB"), 3, said)
             self.assertIn("thresholds", self.read(path, (*self.SUMMARY, "--memory", "4096")))
 
+    def test_a_report_of_half_a_file_is_one_line(self):
+        for name in ("/boxes/mass", "/summary/worlds/verdict", "/inputs/layouts/corner_min", "/worlds/stop_reason"):
+            shutil.copy(self.folder / "whole.h5", self.folder / "half.h5")
+            with h5py.File(self.folder / "half.h5", "r+") as file:
+                del file[name]
+            with self.subTest(without=name):
+                self.assertIn("half.h5", self.read("half.h5", self.REPORT))
+
     def test_files_of_zeros(self):
         data = (self.folder / "whole.h5").read_bytes()
         for mark in (b"TREE", b"SNOD", b"HEAP", b"GCOL"):
