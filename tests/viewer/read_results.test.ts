@@ -230,6 +230,25 @@ test("a damaged or foreign file is refused in a sentence", async () => {
   await assert.rejects(open("foreign.h5"), /foreign\.h5 is an HDF5 file, but no results of holdfast\./);
 });
 
+test("links, and columns that claim to be huge, are refused in a sentence", async () => {
+  const make = `
+import h5py, shutil, sys
+for kind in ("link", "circle", "huge"):
+    path = f"{sys.argv[1]}/{kind}.h5"
+    shutil.copy(f"{sys.argv[1]}/demo.h5", path)
+    with h5py.File(path, "r+") as file:
+        name = "/boxes/mass" if kind == "huge" else "/inputs/layouts/name"
+        kept = file[name].dtype
+        del file[name]
+        if kind == "huge": file.create_dataset(name, (10**10,), kept, chunks=(1000,))
+        else: file[name] = h5py.SoftLink(name) if kind == "circle" else h5py.ExternalLink("demo.h5", name)
+`;
+  execFileSync("/usr/bin/python3", ["-c", make, RESULTS]);
+  for (const name of ["link.h5", "circle.h5"])
+    await assert.rejects(open(name), /name is a link, which files of holdfast do not have/);
+  await assert.rejects(async () => (await open("huge.h5")).file.numbers("boxes/mass"), /too large to be shown/);
+});
+
 test("opening a file reads little of its series", async () => {
   const { source } = await open("rich.h5");
   assert.ok(source.bytesRead <= source.size);

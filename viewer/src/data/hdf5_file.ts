@@ -20,9 +20,15 @@ interface Stream {
   position: number;
 }
 
+/** Bytes that a column may take: a file may claim any number. */
+const MOST_BYTES = 2 ** 29;
+
+/** Where the library would ask whoever looks at the page for the data of a column that lies outside of its file. */
+const ASKS = "/dev/stdin";
+
 /** Shows the bytes of a source as a file to the HDF5 library, which then reads what it needs. */
 function mount(files: FileSystem, path: string, source: ByteSource): void {
-  if (files.analyzePath(path).exists) files.unlink(path);
+  for (const old of [path, ASKS]) if (files.analyzePath(old).exists) files.unlink(old);
   const node = files.createFile("/", path.slice(1), {}, true, false);
   Object.defineProperty(node, "usedBytes", { get: () => source.size });
   node.stream_ops = {
@@ -92,6 +98,9 @@ export class Hdf5File {
     const last = end ?? length;
     if (last > length) throw new UnreadableFile(`${path} ends before entry ${last}: the file is damaged.`);
     if (last === begin) return new Float64Array();
+    const { size, total_size: entries } = dataset.metadata;
+    if ((size * entries * (last - begin)) / length > MOST_BYTES)
+      throw new UnreadableFile(`${path} is too large to be shown: the file is damaged, or not from holdfast.`);
     const data = begin === 0 && last === length ? dataset.value : dataset.slice([[begin, last]]);
     if (data === null) throw new UnreadableFile(`${path} cannot be read: the file is damaged.`);
     return data;
@@ -103,6 +112,9 @@ export class Hdf5File {
     const steps = path.split("/").filter((step) => step !== "");
     for (const [index, step] of steps.entries()) {
       if (!group.keys().includes(step)) return null;
+      const place = `/${steps.slice(0, index + 1).join("/")}`;
+      if (this.file.get_link(place) !== null || this.file.get_external_link(place).filename !== undefined)
+        throw new UnreadableFile(`${place} is a link, which files of holdfast do not have.`);
       const entity = group.get(step);
       if (index + 1 === steps.length) return entity as hdf5.Group | hdf5.Dataset | null;
       if (!(entity instanceof hdf5.Group)) return null;
