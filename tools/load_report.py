@@ -11,6 +11,7 @@ import os
 import re
 import signal
 import sys
+import tempfile
 from collections import Counter
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # each thread takes memory, of which there may be little
@@ -40,6 +41,7 @@ WORST = (UNSTABLE, FELL, MOVED)  # the worst first
 ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
          "in which boxes move under most, then those with most such boxes.")
 READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken not to come to an end: SIGPROF ends the process
+TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes")  # datasets that are no numbers
 MOST_BOXES = 10  # rows of a page's table
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
@@ -50,10 +52,20 @@ h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;mar
 .key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}.key span:first-child{margin-left:0}"""
 
 
+def check_types(file):
+    """Everything but names is numbers, and goes into the page as it is."""
+    def check(path, item):
+        text = path.rsplit("/", 1)[-1] in TEXTS
+        if isinstance(item, h5py.Dataset) and item.dtype.kind not in ("S" if text else "iuf"):
+            raise ValueError(f"/{path} is no column of {'texts' if text else 'numbers'}")
+    file.visititems(check)
+
+
 class Results:
     """What the report needs of a results file."""
 
     def __init__(self, file):
+        check_types(file)
         self.attributes = dict(file.attrs)
         self.settings = dict(file["inputs/settings"].attrs)
         self.container = [float(self.settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
@@ -462,17 +474,33 @@ def worst_first(results):
 
 def write(text, path):
     """Written beside and renamed, so that an interrupted report leaves the old one."""
-    beside = f"{path}.new"
     if path.endswith(".pdf"):
         try:
             import weasyprint
         except ImportError:
             sys.exit("a PDF needs WeasyPrint, Debian's package weasyprint; a browser can also print the report as HTML")
-        weasyprint.HTML(string=text).write_pdf(beside)
+        content = weasyprint.HTML(string=text).write_pdf()
     else:
-        with open(beside, "w", encoding="utf-8") as file:
-            file.write(text)
-    os.replace(beside, path)
+        content = text.encode()
+    target = os.path.realpath(path)  # a link stays, and what it leads to is replaced
+    try:
+        with tempfile.NamedTemporaryFile(dir=os.path.dirname(target), prefix=".report-", delete=False) as beside:
+            try:
+                beside.write(content)
+                beside.flush()
+                os.fchmod(beside.fileno(), 0o666 & ~current_umask())
+                os.replace(beside.name, target)
+            except OSError:
+                os.unlink(beside.name)
+                raise
+    except OSError as error:
+        sys.exit(f"{path}: cannot be written: {error.strerror}")
+
+
+def current_umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
 
 
 def main():

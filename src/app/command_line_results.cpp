@@ -20,8 +20,8 @@ void add_merge_command(CLI::App& program, ChosenCommand& chosen) {
       "The results file has the same bytes as that of a run on one machine, times aside. Shards stay where they "
       "are.\n\n"
       "Example:\n"
-      "  holdfast screen --layouts configs/layouts --norm road -o results.h5 --part 1/2\n"
-      "  holdfast screen --layouts configs/layouts --norm road -o results.h5 --part 2/2\n"
+      "  holdfast screen --layouts layouts --norm road -o results.h5 --part 1/2\n"
+      "  holdfast screen --layouts layouts --norm road -o results.h5 --part 2/2\n"
       "  holdfast merge results.h5");
   auto options = std::make_shared<MergeOptions>();
   command->add_option("results", options->results_path, "Results file to write")->required()->type_name("FILE");

@@ -44,12 +44,17 @@ Result<std::vector<std::string>> shard_paths(const MergeOptions& options) {
   return paths;
 }
 
-/// Refuses an output that is one of the shards, by whatever path or link: --overwrite would remove it.
+/// Refuses an output that is one of the shards, by whatever path or link, and shards that are named like what a merge
+/// makes and removes.
 std::optional<Error> check_no_shard(const std::string& output, const std::vector<std::string>& shards) {
   std::error_code absent;
-  for (const std::string& shard : shards)
-    if (std::filesystem::equivalent(output, shard, absent))
+  for (const std::string& shard : shards) {
+    const std::filesystem::path folder = std::filesystem::absolute(shard, absent).parent_path();
+    if (std::filesystem::equivalent(output, shard, absent) ||
+        std::filesystem::equivalent(output + ".tmp", shard, absent) ||
+        std::filesystem::equivalent(output + ".parts", folder, absent))
       return Error{.file = output, .what = "is one of the shards", .value = shard, .accepted = "give another name"};
+  }
   return std::nullopt;
 }
 
@@ -130,6 +135,8 @@ ExitCode merge(const MergeOptions& options, const std::vector<std::string>& path
 }  // namespace
 
 ExitCode run_merge_command(const MergeOptions& options) {
+  if (options.results_path.empty())
+    return fail(ExitCode::bad_usage, {.what = "an empty path", .accepted = "the name of a results file"});
   const Result<std::vector<std::string>> paths = shard_paths(options);
   if (!paths) return fail(ExitCode::bad_usage, paths.error());
   if (const auto error = check_no_shard(options.results_path, *paths)) return fail(ExitCode::bad_usage, *error);

@@ -2,18 +2,33 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/outcome_table.hpp"
 #include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "core/model/setting_table.hpp"
+#include "io/results/analysis_tables.hpp"
 #include "io/results/results_reader.hpp"
 #include "io/results/summary.hpp"
 
 namespace holdfast::internal {
 
 namespace {
+
+/// Warns of files in the folder that a run with other analyses has left there: they stand beside those of this run.
+std::vector<Error> tables_of_another_run(const std::string& folder, const ResultsInfo& info) {
+  std::vector<Error> warnings;
+  std::error_code unknown;
+  for (const AnalysisTables* analysis : all_tables()) {
+    const std::string path = fmt::format("{}/{}.csv", folder, analysis->name);
+    if (analysis->csv != nullptr && !info.has(*analysis) && std::filesystem::exists(path, unknown))
+      warnings.push_back({.file = path, .what = "is of another run, and stays as it is"});
+  }
+  return warnings;
+}
 
 ExitCode summarise(const SummaryOptions& options) {
   Result<ResultsReader> results = ResultsReader::open(options.results_path);
@@ -45,6 +60,7 @@ ExitCode summarise(const SummaryOptions& options) {
   if (options.csv_folder) {
     if (const auto error = write_summary_csv(options.results_path, thresholds, *options.csv_folder))
       return fail(ExitCode::some_failed, *error);
+    warn(tables_of_another_run(*options.csv_folder, results->info()));
   }
   if (options.output_path) {
     if (const auto error = write_summary(options.results_path, thresholds, *options.output_path))
@@ -56,6 +72,9 @@ ExitCode summarise(const SummaryOptions& options) {
 }  // namespace
 
 ExitCode run_summary_command(const SummaryOptions& options) {
+  for (const auto& path : {options.csv_folder, options.output_path})
+    if (path && path->empty())
+      return fail(ExitCode::bad_usage, {.what = "an empty path", .accepted = "the name of what is to be written"});
   return guard_reading({.path = options.results_path, .cure = "simulate again", .memory = options.memory},
                        [&] { return summarise(options); });
 }

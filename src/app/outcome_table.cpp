@@ -174,9 +174,10 @@ class Tally {
     for (std::size_t i = 0; i < std::size(kCaveatNames); ++i)
       if (caveats_.at(i) > 0) text += worlds_line(caveats_.at(i), kCaveatNames[i].name, kCaveatNames[i].sentence);
     if (is_judged_again_ && decided_ > 0)
-      text +=
-          worlds_line(decided_, "ended early",
-                      "by a limit of the run; a verdict is at least what that says, so simulate again for looser ones");
+      text += worlds_line(
+          decided_, "ended early",
+          "by a limit of the run, as unstable loads do; a verdict is at least what that says, so simulate again for "
+          "looser ones");
     return (text.empty() ? "" : "\ncaveats\n" + text) +
            "\nThe load is judged as it stands: straps, air bags and stretch film are not modelled.\n";
   }

@@ -37,15 +37,16 @@ extern "C" void pass_on(int signal, siginfo_t* sent, void* /*context*/) {
   if (sent->si_code == SI_USER) kill(child, signal);
 }
 
+std::uint64_t calls_before = 0;
+
 /// Called after each `kPatience` of processor time: the process ends if no call has returned in between.
 extern "C" void look_for_progress(int signal) {
-  static std::uint64_t before = UINT64_MAX;
   const std::uint64_t now = results_calls_returned();
-  if (now == before) {
+  if (now == calls_before) {
     std::signal(signal, SIG_DFL);
     raise(signal);
   }
-  before = now;
+  calls_before = now;
 }
 
 /// Bytes of memory that this process may write to.
@@ -64,6 +65,7 @@ void limit(const GuardedFile& file) {
   std::set_new_handler([] { _exit(kRanOut); });
   // How the library ends when a small allocation of its own fails.
   std::set_terminate([] { _exit(kRanOut); });
+  calls_before = results_calls_returned();
   std::signal(SIGPROF, look_for_progress);
   const timeval interval = {kPatience * file.threads, 0};
   const itimerval timer = {interval, interval};

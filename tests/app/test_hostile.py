@@ -149,12 +149,9 @@ class Hostile(CliTest):
         def zeros(count, chunk):
             return packed(TABLE, count, chunk, "f8", bytes(8))
 
-        names = packed(NAMES, 600, 20, h5py.string_dtype("utf-8", 10**6), b"a" * 10**6)
+        names = packed(NAMES, 600, 1, h5py.string_dtype("utf-8", 10**6), b"a" * 10**6)
         with self.subTest(kind="a table that is longer than what is needed of it"):
-            self.read(self.instead(TABLE, zeros(10**8, 10**6)), self.SUMMARY, self.TABLES)
-        with self.subTest(kind="a large chunk"):
-            path = self.instead(TABLE, zeros(10**8, 10**8))
-            self.assertIn(path, self.read(path, self.SUMMARY, self.REPORT))
+            self.read(self.instead(TABLE, zeros(10**8, 10**5)), self.SUMMARY, self.TABLES)
         with self.subTest(kind="long names"):
             path = self.instead(NAMES, names)
             said = self.read(path, self.SUMMARY, self.REPORT, self.VIEW)
@@ -168,6 +165,67 @@ class Hostile(CliTest):
                 del file[name]
             with self.subTest(without=name):
                 self.assertIn("half.h5", self.read("half.h5", self.REPORT))
+
+    def test_a_large_chunk_is_refused(self):
+        """HDF5 would unpack it for every slice of the table."""
+        def make(file, old):
+            file.create_dataset(TABLE, (2 * 10**6,), "f8", chunks=(10**6,), compression="gzip")
+
+        self.assertIn("has chunks that are too large", self.read(self.instead(TABLE, make), self.SUMMARY))
+
+    def test_texts_are_shown_as_texts(self):
+        """No script in a page, no control of a terminal, and no line of its own."""
+        script = b"<script>alert(1)</script>"
+        for name in ("/summary/worlds/tilted_boxes", "/summary/worlds/fallen_at_end", "/boxes/mass"):
+            path = self.instead(name, lambda file, old, name=name: file.create_dataset(name, data=np.full(len(old), script)))
+            with self.subTest(dataset=name):
+                self.assertIn(path, self.read(path, self.REPORT))
+        shutil.copy(self.folder / "whole.h5", self.folder / "odd.h5")
+        with h5py.File(self.folder / "odd.h5", "r+") as file:
+            file.attrs["format"] = "\x1b]0;owned\x07\x1b[2J\nall is well \u009b31m \u202e"
+        said = self.read("odd.h5", self.SUMMARY, self.REPORT, self.VIEW)
+        self.assertFalse(set(said) & set("\x1b\x07\u009b\u202e"), ascii(said))
+
+    def test_limits_that_are_none(self):
+        for value in (np.nan, np.inf, -1.0):
+            shutil.copy(self.folder / "whole.h5", self.folder / "limits.h5")
+            with h5py.File(self.folder / "limits.h5", "r+") as file:
+                file["summary"].attrs["move_threshold"] = value
+            with self.subTest(value=value):
+                self.assertIn("move_threshold is no limit", self.read("limits.h5", self.SUMMARY))
+
+    def test_tables_that_do_not_fit_together(self):
+        path = self.instead("/inputs/accelerations/segment_count", lambda file, old: file.create_dataset(
+            "/inputs/accelerations/segment_count", data=np.full_like(old, 1000)), self.shard)
+        self.assertIn("hostile.h5: is damaged: its tables do not fit together", self.read(path, self.MERGE))
+
+    def test_outputs_that_are_inputs_or_pipes(self):
+        whole = (self.folder / "whole.h5").read_bytes()
+        for name in ("link", "pipe"):
+            (self.folder / name).mkdir()
+        os.symlink("../whole.h5", self.folder / "link/worlds.csv")
+        os.mkfifo(self.folder / "pipe/boxes.csv")
+        for folder, words in (("link", "is the results file itself"), ("pipe", "is not a regular file")):
+            done = self.run_here("summary", "whole.h5", "--csv", folder)
+            self.assert_exit(done, 1)
+            self.assertIn(words, done.stderr)
+        for words in (("merge", "", self.shard), ("summary", "whole.h5", "--csv", ""), ("summary", "whole.h5", "-o", "")):
+            self.assert_refused(self.run_here(*words), "an empty path")
+        self.assertEqual((self.folder / "whole.h5").read_bytes(), whole)
+        # What a merge would remove before it reads it.
+        (self.folder / "m.h5.parts").mkdir()
+        for name in ("m.h5.tmp", "m.h5.parts/part-000001.h5"):
+            shutil.copy(self.shard, self.folder / name)
+            self.assert_refused(self.run_here("merge", "m.h5", name, "--overwrite"), "is one of the shards")
+            self.assertTrue((self.folder / name).exists())
+
+    def test_a_report_replaces_nothing_but_itself(self):
+        self.write("r.html.new", "precious")
+        self.assert_exit(self.run_here("report", "whole.h5", "-o", "r.html"), 0)
+        self.assertEqual((self.folder / "r.html.new").read_text(), "precious")
+        os.symlink("r.html", self.folder / "link.html")
+        self.assert_exit(self.run_here("report", "whole.h5", "-o", "link.html"), 0)
+        self.assertTrue((self.folder / "link.html").is_symlink())
 
     def test_files_of_zeros(self):
         data = (self.folder / "whole.h5").read_bytes()

@@ -75,6 +75,11 @@ class Summary(CliTest):
         table = done.stdout.split("\nresults:")[0]
         self.assertEqual(self.summary().stdout.split("\n", 1)[1].strip(), table.strip())
 
+    def test_tables_of_another_run_are_told_apart(self):
+        self.write("tables/margins.csv", "layout\n")
+        done = self.summary("--csv", "tables")
+        self.assertEqual(done.stderr, "warning: tables/margins.csv: is of another run, and stays as it is\n")
+
     def test_csv_is_what_the_file_holds(self):
         self.summary("--csv", "tables")
         worlds, boxes = (pd.read_csv(self.folder / f"tables/{name}.csv") for name in ("worlds", "boxes"))

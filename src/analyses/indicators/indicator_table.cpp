@@ -15,7 +15,10 @@ namespace holdfast::internal {
 namespace {
 
 /// A share in per cent.
-std::string share_text(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
+std::string share_text(double share) {
+  const double percent = std::round(100.0 * share);
+  return fmt::format("{:.0f} %", percent == 0.0 ? 0.0 : percent);  // no zero with a sign
+}
 
 }  // namespace
 
@@ -28,7 +31,8 @@ Result<std::string> indicator_table(ResultsReader& results) {
   std::size_t width = std::string_view("layout").size();
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, printable(info.layouts[i]).size());
   std::string text =
-      "\nindicators, of geometry alone: centre of gravity from the middle of the floor, shares of boxes\n";
+      "\nindicators, of geometry alone: fill and centre of gravity in per cent of the container, along and across from "
+      "its middle;\n  bad base and bad sides in per cent of the boxes\n";
   text += fmt::format("  {:<{}}    fill   along  across  height  bad base  bad sides\n", "layout", width);
   for (std::size_t i = 0; i < shown; ++i) {
     const LayoutIndicators& layout = (*indicators)[i];

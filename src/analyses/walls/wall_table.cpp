@@ -74,7 +74,7 @@ std::string value_text(double value, bool limited) {
 
 std::string text_of(const WallLines& lines, const ResultsInfo& info) {
   const auto shown = shown_layouts(lines.layouts, info, [](const LayoutWalls& line) { return line.worst(); });
-  std::string text = lines.limited ? "\nwalls: the largest force for 0.05 s, of the norm's test force\n"
+  std::string text = lines.limited ? "\nwalls: the largest force for 0.05 s, in per cent of the norm's test force\n"
                                    : "\nwalls: the largest force for 0.05 s, in kN\n";
   text += fmt::format("  {:<{}}", "layout", shown.width);
   for (const std::size_t wall : kFourWalls) text += fmt::format("  {:>6}", kContainerSides.at(wall).name);

@@ -91,9 +91,9 @@ std::vector<SettingKey> make_table() {
 
   section = "Simulation Settings";
   add(OneOf<StoppingConditions>{}, "StoppingCondition", "", "timeout", MEMBER(stopping_condition),
-      "Whether a world ends at a time, or already when all boxes have come to rest.");
+      "Whether a world ends at a time, or already when all boxes have been slow for 0.5 s: `SleepingThreshold`.");
   add(Positive{}, "TimeoutInSeconds", "s", "", MEMBER(timeout),
-      "Simulated time; when absent, until the end of the acceleration file.");
+      "Simulated time of a world; when absent, until its load rests after the acceleration, see `RunOutSeconds`.");
   add(NotNegative{}, "SleepingThreshold", "m/s and rad/s", "0.01", MEMBER(sleeping_threshold),
       "Speed below which a box is at rest for the stopping condition `sleeping`.");
   add(Truth{}, "BatchSimulation", "", "false", MEMBER(batch_simulation),

@@ -7,6 +7,10 @@
 namespace holdfast::internal {
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw h5::Failure(Error{.file = path, .what = "is not a regular file", .accepted = "another name"});
   errno = 0;
   stream_.open(path, std::ios::binary | std::ios::trunc);
   if (!stream_) fail();

@@ -10,6 +10,7 @@ namespace holdfast::internal {
 /// A text file that is written sequentially; every failure is thrown as `h5::Failure`. For src/io only.
 class OutputFile {
  public:
+  /// A new file, or one in the place of a regular file; nothing else is opened, since a pipe would wait for a reader.
   explicit OutputFile(const std::string& path);
   void write(std::string_view text);
   /// Closes the file. Also reports earlier failures: a full disk may be noticed only here.

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "io/export/csv_field.hpp"
 #include "io/export/output_file.hpp"
@@ -84,6 +87,17 @@ std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const 
   return text;
 }
 
+/// The input may be in the folder under the name of a table, by a link.
+void refuse_input(const std::string& results_path, const std::string& folder) {
+  std::vector<std::string> names = {"worlds", "boxes"};
+  for (const AnalysisTables* analysis : all_tables()) names.emplace_back(analysis->name);
+  std::error_code absent;
+  for (const std::string& name : names)
+    if (const std::string path = fmt::format("{}/{}.csv", folder, name);
+        std::filesystem::equivalent(results_path, path, absent))
+      h5::fail(path, "is the results file itself", "another folder");
+}
+
 }  // namespace
 
 std::optional<Error> write_summary_csv(const std::string& results_path, const Thresholds& thresholds,
@@ -92,6 +106,7 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
     Result<ResultsReader> results = ResultsReader::open(results_path);
     if (!results) throw h5::Failure(results.error());
     make_output_folder(folder);
+    refuse_input(results_path, folder);
     OutputFile worlds(folder + "/worlds.csv");
     OutputFile boxes(folder + "/boxes.csv");
     std::string world_headings = world_header();

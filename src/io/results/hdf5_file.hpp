@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,6 +48,8 @@ inline Error error_in_hand(const std::string& path) {
     return failure.error();
   } catch (const std::bad_alloc&) {
     return out_of_memory(path);
+  } catch (const std::out_of_range&) {
+    return Error{.file = path, .what = "is damaged: its tables do not fit together"};
   } catch (const std::exception& exception) {
     return Error{.file = path, .what = exception.what()};
   }
@@ -122,7 +125,7 @@ class File {
   static File create(const std::string& path);
   /// A new file in memory; `path` is for messages.
   static File create_in_memory(const std::string& path);
-  /// An existing file, for reading. Fails if anything in it lies in another file, or in chunks of more than 64 MB.
+  /// An existing file, for reading. Fails if anything in it lies in another file, or in chunks of more than 1 MB.
   static File open(const std::string& path);
 
   const std::string& path() const { return path_; }

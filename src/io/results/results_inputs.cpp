@@ -1,5 +1,8 @@
 #include "io/results/results_inputs.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -133,7 +136,12 @@ void write_thresholds(const h5::File& file, const Thresholds& thresholds) {
 }
 
 Thresholds read_thresholds(const h5::File& file) {
-  const auto number = [&](const char* name) { return h5::read_number_attribute(file, "/summary", name); };
+  const auto number = [&](const char* name) {
+    const double limit = h5::read_number_attribute(file, "/summary", name);
+    if (!std::isfinite(limit) || limit < 0.0)
+      h5::fail(file.path(), fmt::format("is damaged: /summary/{} is no limit", name));
+    return limit;
+  };
   return {number("drop_threshold"), number("move_threshold"), number("tilt_threshold")};
 }
 

@@ -73,7 +73,7 @@ has every effective setting as `Section/Key`.
 A file may come from somebody else. `summary`, `merge`, `report` and `view` read it in a process of its own, which may take
 512 MB (`--memory`; `merge` as much for each thread) and 10 s of processor time for a single call of HDF5. Whatever is in
 it, they do what is asked or say in one line why not. They refuse a file with links, with data in other files or datasets,
-with filters that are not part of HDF5, and with chunks above 64 MB: files of holdfast have none of these.
+with filters that are not part of HDF5, and with chunks above 1 MB: files of holdfast have none of these.
 
 ## Which attributes it has
 
