@@ -20,8 +20,9 @@ interface Stream {
   position: number;
 }
 
-/** Bytes that a column may take: a file may claim any number. */
+/** Bytes that a column, and a chunk of it, may take: a file may claim any number. */
 const MOST_BYTES = 2 ** 29;
+const MOST_CHUNK_BYTES = 2 ** 20;
 
 /** Where the library would ask whoever looks at the page for the data of a column that lies outside of its file. */
 const ASKS = "/dev/stdin";
@@ -98,8 +99,9 @@ export class Hdf5File {
     const last = end ?? length;
     if (last > length) throw new UnreadableFile(`${path} ends before entry ${last}: the file is damaged.`);
     if (last === begin) return new Float64Array();
-    const { size, total_size: entries } = dataset.metadata;
-    if ((size * entries * (last - begin)) / length > MOST_BYTES)
+    const { size, total_size: entries, chunks } = dataset.metadata;
+    const chunkBytes = (chunks ?? []).reduce((bytes, extent) => bytes * extent, size);
+    if ((size * entries * (last - begin)) / length > MOST_BYTES || (chunks && chunkBytes > MOST_CHUNK_BYTES))
       throw new UnreadableFile(`${path} is too large to be shown: the file is damaged, or not from holdfast.`);
     const data = begin === 0 && last === length ? dataset.value : dataset.slice([[begin, last]]);
     if (data === null) throw new UnreadableFile(`${path} cannot be read: the file is damaged.`);

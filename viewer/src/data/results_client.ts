@@ -5,28 +5,58 @@ import { workerScript } from "./worker_script";
 /** Worlds that are kept in memory after they were looked at. */
 const KEPT = 8;
 
+/** Milliseconds for an answer. Files of gigabytes take a few seconds; with wrong bytes in a file HDF5 may never end. */
+const PATIENCE = 20_000;
+
+interface Waiting {
+  resolve: (value: never) => void;
+  reject: (error: Error) => void;
+  timer: number;
+}
+
 /** The page's end of the worker that reads the file. */
 export class ResultsClient {
-  private readonly waiting = new Map<number, { resolve: (value: never) => void; reject: (error: Error) => void }>();
+  private readonly waiting = new Map<number, Waiting>();
   private readonly worlds = new Map<number, Promise<World>>();
   private next = 0;
+  private worker: Worker;
 
-  private constructor(private readonly worker: Worker) {
+  private constructor(private readonly script: string) {
+    this.worker = this.startWorker();
+  }
+
+  static async start(): Promise<ResultsClient> {
+    return new ResultsClient(await workerScript("reader"));
+  }
+
+  private startWorker(): Worker {
+    const worker = new Worker(this.script);
     worker.onmessage = (event: MessageEvent<Reply>) => {
       const reply = event.data;
-      const { resolve, reject } = this.waiting.get(reply.id)!;
+      const { resolve, reject, timer } = this.waiting.get(reply.id)!;
+      clearTimeout(timer);
       this.waiting.delete(reply.id);
       if ("error" in reply) reject(new Error(reply.error));
       else resolve(reply.value as never);
     };
-    worker.onerror = (event) => {
-      for (const { reject } of this.waiting.values()) reject(new Error(`The file cannot be read: ${event.message}`));
-      this.waiting.clear();
-    };
+    worker.onerror = (event) => this.rejectAll(`The file cannot be read: ${event.message}`);
+    return worker;
   }
 
-  static async start(): Promise<ResultsClient> {
-    return new ResultsClient(new Worker(await workerScript("reader")));
+  private rejectAll(sentence: string): void {
+    for (const { reject, timer } of this.waiting.values()) {
+      clearTimeout(timer);
+      reject(new Error(sentence));
+    }
+    this.waiting.clear();
+    this.worlds.clear();
+  }
+
+  /** Another file can be opened afterwards. */
+  private giveUp(): void {
+    this.worker.terminate();
+    this.worker = this.startWorker();
+    this.rejectAll("The file is damaged: reading it does not come to an end.");
   }
 
   async open(place: Place): Promise<Results> {
@@ -47,7 +77,8 @@ export class ResultsClient {
   ) {
     const id = this.next++;
     return new Promise<T>((resolve, reject) => {
-      this.waiting.set(id, { resolve: resolve as (value: never) => void, reject });
+      const timer = window.setTimeout(() => this.giveUp(), PATIENCE);
+      this.waiting.set(id, { resolve: resolve as (value: never) => void, reject, timer });
       this.worker.postMessage({ id, ...request });
     });
   }
