@@ -1,6 +1,6 @@
 """Faults from outside: kills at random moments, a second run, a full or read-only disk.
 
-HOLDFAST_KILLS sets how many random kills there are; 10 without it.
+HOLDFAST_KILLS sets how many random kills there are; 5 without it.
 """
 import os
 import random
@@ -14,7 +14,7 @@ import h5py
 
 from cli import CONFIG, HOLDFAST, PATIENCE, SEED, CliTest, SmallDisk, layout_text, start, wait_for
 
-KILLS = int(os.environ.get("HOLDFAST_KILLS", "10"))
+KILLS = int(os.environ.get("HOLDFAST_KILLS", "5"))
 LONG_ENOUGH = 1.0  # s of an undisturbed run: several parts, and moments between them
 
 
