@@ -78,6 +78,8 @@ class Results:
         self.is_fixed = np.isin(inputs["material"][:], fixed)  # per box of the layouts: part of the container
         self.acceleration_names = file["inputs/accelerations/name"].asstr()[:]
         self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count", "stop_reason")}
+        self.by_layout = np.argsort(self.worlds["layout"], kind="stable")  # worlds
+        self.sorted_layout = self.worlds["layout"][self.by_layout]
         self.status_text = file["worlds/status_text"].asstr()[:]
         self.world_summary = {name: file[f"summary/worlds/{name}"][:] for name in file["summary/worlds"]}
         self.box_summary = {name: file[f"summary/boxes/{name}"][:] for name in file["summary/boxes"]}
@@ -154,7 +156,8 @@ class Results:
         self.box_summary["first_beyond"] = np.full(len(self.box_mass), np.nan)
 
     def worlds_of(self, layout):
-        return np.flatnonzero(self.worlds["layout"] == layout)
+        begin, end = np.searchsorted(self.sorted_layout, (layout, layout + 1))
+        return self.by_layout[begin:end]
 
     def rows_of(self, world):
         begin = int(self.worlds["box_begin"][world])
@@ -515,6 +518,8 @@ def main():
             results = Results(file)
         signal.setitimer(signal.ITIMER_PROF, 0)
         make_report(results, options)
+    except MemoryError:
+        sys.exit(f"{options.results}: takes more memory than a report may take; if the file is to be trusted, --memory allows more")
     except Exception as error:  # whatever is in a file that somebody else made
         sys.exit(f"{options.results}: cannot be drawn: {' '.join(str(error).split()) or type(error).__name__}")
 

@@ -9,7 +9,6 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .numbers import numbers
 
 
 class Acceleration:
@@ -28,7 +27,7 @@ class Acceleration:
 
     def __init__(self, name: str, segments: npt.ArrayLike, purpose: str = "") -> None:
         self.name = str(name)
-        self.segments: npt.NDArray[np.float64] = numbers(segments, f"acceleration {name}")
+        self.segments: npt.NDArray[np.float64] = np.array(_core.numbers(segments, f"acceleration {name}"))
         self.segments.flags.writeable = False
         self.purpose = str(purpose)
 

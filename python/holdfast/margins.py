@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from .errors import Problem
 from .notebook import MOST_SHOWN, counted, more_layouts
-from .numbers import numbers
 
 if TYPE_CHECKING:
     import pandas
@@ -75,7 +75,7 @@ class Margins:
 
         :param needed: g, one number per direction, such as (0.8, 0.5, 0.5, 0.5) for the road; 0 where nothing is needed
         """
-        needed = numbers(needed, "needed")
+        needed = _core.numbers(needed, "needed")
         if needed.shape != (len(DIRECTIONS),) or not (needed >= 0).all() or not needed.any():
             raise ValueError("needed is one number per direction, front, rear, left and right, and not negative")
         asked = needed > 0

@@ -54,11 +54,17 @@ bool has_columns(const Numbers& array, py::ssize_t columns) {
   return array.ndim() < 2 && array.size() == 0;
 }
 
+/// The same, and an error for none.
+Numbers required_array(const py::handle& object, const std::string& name, const char* accepted) {
+  Numbers array = array_from<Numbers>(object, kRealNumbers);
+  if (!array) throw wrong(name + " is no array of numbers", type_text(object), accepted);
+  return array;
+}
+
 /// The array of numbers with so many columns that an object is, or can be made into.
 /// @param name what messages call it
 Numbers numbers_of(const py::handle& object, py::ssize_t columns, const std::string& name, const char* accepted) {
-  Numbers array = array_from<Numbers>(object, kRealNumbers);
-  if (!array) throw wrong(name + " is no array of numbers", type_text(object), accepted);
+  Numbers array = required_array(object, name, accepted);
   if (!has_columns(array, columns)) throw wrong(name + " has a wrong shape", shape_text(array), accepted);
   return array;
 }
@@ -134,6 +140,10 @@ void Layouts::name_all() {
         "there are " + std::to_string(names_.size()) + " names and " + std::to_string(views_.size()) + " layouts", "",
         "one name per layout is needed, or none");
   for (std::size_t i = 0; i < views_.size(); ++i) views_[i].name = names_[i];
+}
+
+Numbers numbers_from(const py::object& values, const std::string& name) {
+  return required_array(values, name, "whole or decimal numbers without a mask are needed");
 }
 
 Acceleration acceleration_of(std::string name, const py::object& segments, std::string purpose) {

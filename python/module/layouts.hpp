@@ -37,6 +37,11 @@ class Layouts {
   std::vector<LayoutView> views_;
 };
 
+/// The array of float64 that an object is, or can be made into. Throws `Error` for masked arrays and for what is no
+/// array of whole or decimal numbers.
+/// @param name what messages call it
+Numbers numbers_from(const pybind11::object& values, const std::string& name);
+
 /// An acceleration whose segments are an array of shape (segments, 5). Throws `Error` for any other shape.
 Acceleration acceleration_of(std::string name, const pybind11::object& segments, std::string purpose);
 

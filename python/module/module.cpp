@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, module) {
       all.append(py::make_tuple(number.name, number.sentence));
     return all;
   });
+  module.def("numbers", &holdfast::python::numbers_from, py::arg("values"), py::arg("name"));
   module.def(
       "read_acceleration",
       [](const std::string& path) { return holdfast::python::parts_of(holdfast::read_acceleration(path)); },

@@ -110,10 +110,6 @@ T read_scalar_attribute(const File& file, const std::string& object, const std::
   return value;
 }
 
-/// Most bytes of a chunk in memory. HDF5 keeps one of at most 1 MB between two reads, and unpacks a larger one for
-/// each.
-constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 20U;
-
 /// Why a dataset cannot be trusted to hold its own data in pieces that fit into memory; null: it can.
 const char* why_not_read(hid_t dataset) {
   const Id creation(H5Dget_create_plist(dataset), H5Pclose);

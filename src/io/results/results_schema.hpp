@@ -83,6 +83,10 @@ constexpr std::uint64_t chunk_begin(Axis axis, std::uint64_t entry) { return ent
 /// Largest chunk of any other dataset, bytes.
 inline constexpr std::size_t kTableChunkBytes = std::size_t{256} << 10U;
 
+/// Largest chunk that is read, bytes. HDF5 keeps one of at most 1 MB between two reads, and unpacks a larger one for
+/// each.
+inline constexpr std::size_t kMostChunkBytes = std::size_t{1} << 20U;
+
 /// Other datasets with at most this many bytes are stored without chunks: a chunk and its index take more.
 inline constexpr std::size_t kWholeTableBytes = 1024;
 

@@ -61,5 +61,7 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
     CHECK(is_long(schema()[i]) == expected);
     CHECK(std::binary_search(places.begin(), places.end(), i) == expected);
     CHECK_FALSE((expected && schema()[i].type == ElementType::text));
+    if (expected)
+      CHECK(chunk_entries(schema()[i].axis) * size_of(schema()[i].type) * schema()[i].width <= kMostChunkBytes);
   }
 }
