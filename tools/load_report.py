@@ -438,9 +438,11 @@ def friction_text(settings):
     """The coefficients of friction that act, in the words of the program."""
     if settings.get("Contact/FrictionModel") == "pairs":
         box, floor, walls = (float(settings.get(f"Contact/Box{other}", "nan")) for other in ("Box", "Floor", "Wall"))
-        return f"box on box {box:.3g}, on the floor {floor:.3g}, on walls {walls:.3g}"
+        rows = sum(key.startswith("Friction/") for key in settings)
+        own = {0: "", 1: "; one pair of materials has its own"}.get(rows, f"; {rows} pairs of materials have their own")
+        return f"box on box {box:.3g}, on the floor {floor:.3g}, on walls {walls:.3g}{own}"
     box, container = (float(settings.get(f"Simulation Settings/{name}Friction", "nan")) for name in ("Box", "Container"))
-    own = any(re.fullmatch(r"Material -?\d+/Friction", key) and str(value) for key, value in settings.items())
+    own = any(re.fullmatch(r"Material .+/Friction", key) and str(value) for key, value in settings.items())
     return f"box on box {box * box:.3g}, on floor and walls {box * container:.3g}" + (", others where a material has its own" if own else "")
 
 

@@ -287,6 +287,11 @@ test("friction is that of the keys that act", () => {
   assert.equal(frictionText({ ...PRODUCT, "Material 2/Friction": "" }), frictionText(PRODUCT));
   const pairs = { ...PRODUCT, "Contact/FrictionModel": "pairs", "Contact/BoxFloor": "0.3" };
   assert.equal(frictionText(pairs), "box on box 0.5, on the floor 0.3, on walls 0.45");
+  const row = { ...pairs, "Friction/carton, pallet": "0.4" };
+  assert.equal(frictionText(row), `${frictionText(pairs)}; one pair of materials has its own`);
+  const rows = { ...row, "Friction/carton, floor": "0.6" };
+  assert.equal(frictionText(rows), `${frictionText(pairs)}; 2 pairs of materials have their own`);
+  assert.equal(frictionText({ ...PRODUCT, "Material pallet/Friction": "0.2" }), frictionText(own));
   assert.ok(Math.abs(onFloor(PRODUCT) - 0.4) < 1e-12);
   assert.ok(Math.abs(onFloor(own, 2) - 0.1) < 1e-12);
   assert.ok(Math.abs(betweenBoxes(own, 1, 2) - 0.16) < 1e-12);

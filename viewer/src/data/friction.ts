@@ -25,9 +25,16 @@ export const onFloor = (settings: Settings, material?: number) =>
 export function frictionText(settings: Settings): string {
   const text = (value: number) => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "–");
   const of = (key: string) => text(number(settings, `Contact/${key}`));
-  if (ofPairs(settings)) return `box on box ${of("BoxBox")}, on the floor ${of("BoxFloor")}, on walls ${of("BoxWall")}`;
+  if (ofPairs(settings)) {
+    const rows = Object.keys(settings).filter((key) => key.startsWith("Friction/")).length;
+    const ownRows = rows === 1 ? "; one pair of materials has its own" : `; ${rows} pairs of materials have their own`;
+    return (
+      `box on box ${of("BoxBox")}, on the floor ${of("BoxFloor")}, on walls ${of("BoxWall")}` +
+      (rows > 0 ? ownRows : "")
+    );
+  }
   const box = number(settings, "Simulation Settings/BoxFriction");
-  const own = Object.keys(settings).some((key) => /^Material -?\d+\/Friction$/.test(key) && settings[key] !== "");
+  const own = Object.keys(settings).some((key) => /^Material .+\/Friction$/.test(key) && settings[key] !== "");
   return (
     `box on box ${text(box * box)}, on floor and walls ${text(box * container(settings))}` +
     (own ? ", others where a material has its own" : "")
