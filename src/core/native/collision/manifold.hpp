@@ -61,6 +61,12 @@ struct alignas(64) Manifold {
   double friction_now() const { return slides ? kinetic_friction : friction; }
 };
 
+/// Forgets the forces of a manifold whose friction has changed: those that balanced may lie outside of the new cones,
+/// and would pass as a proof of rest.
+inline void forget_forces(Manifold& manifold) {
+  for (CachedImpulse& cached : manifold.cached) cached = {.pressed = cached.pressed};
+}
+
 /// Which of the scene's sides a manifold with one is at.
 inline std::size_t side_of(const Manifold& manifold) { return static_cast<std::size_t>(-1 - manifold.a); }
 
