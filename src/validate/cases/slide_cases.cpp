@@ -1,3 +1,5 @@
+#include "validate/cases/slide_cases.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <utility>
 
 #include "validate/answers/sliding_block.hpp"
-#include "validate/laboratory/case.hpp"
 #include "validate/laboratory/threshold.hpp"
 
 namespace holdfast::internal {
@@ -385,8 +386,8 @@ std::vector<Case> slide_cases() {
            return slide_threshold(laboratory, scene, 0.5, Vec3::UnitX(), heave * scene.settings.gravity);
          }});
   }
-  const std::vector<Case> tests = sliding_tests();
-  cases.insert(cases.end(), tests.begin(), tests.end());
+  for (const std::vector<Case>& part : {mixed_load_cases(), sliding_tests()})
+    cases.insert(cases.end(), part.begin(), part.end());
   return cases;
 }
 

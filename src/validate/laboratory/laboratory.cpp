@@ -95,7 +95,9 @@ std::vector<Outcome> Laboratory::run(std::span<const Scene> scenes, std::span<co
 
   const double begin = processor_seconds();
   const Result<std::unique_ptr<Engine>> engine = factory_(setting_.engine, settings);
-  if (!engine)
+  const bool has_mats = std::any_of(batch.boxes.surface.begin(), batch.boxes.surface.end(),
+                                    [](const Surface& surface) { return surface.mat.has_value(); });
+  if (!engine || (has_mats && !(*engine)->traits().has_mats))
     return std::vector<Outcome>(scenes.size(), {.status = Status::non_finite, .stop_reason = StopReason::failed});
   simulate(**engine, batch, settings, recorders, over);
   cost_.cpu_seconds += processor_seconds() - begin;

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/model/acceleration.hpp"
@@ -23,6 +24,8 @@ struct SceneBox {
   double mass = 0.0;                            ///< kg; 0: from the density in the scene's settings; kFixed: fixed
   std::optional<double> friction;     ///< of the surface, one factor of a product; absent: from the scene's settings
   std::optional<double> restitution;  ///< of the surface; absent: from the scene's settings
+  std::string material;               ///< in the table of pairs of materials of the scene's settings
+  std::optional<double> mat;          ///< coefficient of an anti-slip mat beneath it
 };
 
 /// An upright box on the floor of its scene's container, or at a height, from its size and its corner with the smallest
