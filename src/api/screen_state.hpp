@@ -13,6 +13,7 @@
 #include "api/convert.hpp"
 #include "api/memory_run.hpp"
 #include "core/engine/engine.hpp"
+#include "core/engine/engine_support.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/run_observer.hpp"
 #include "core/model/settings.hpp"
@@ -42,8 +43,10 @@ struct Screen::State {
     read.reserve(layouts.size());
     for (std::size_t i = 0; i < layouts.size(); ++i) {
       std::vector<internal::Error> errors;
-      read.push_back(
-          internal::read_layout(layouts[i], name_of(layouts[i].name, first + i), options.unit, settings, errors));
+      const std::string name = name_of(layouts[i].name, first + i);
+      read.push_back(internal::read_layout(layouts[i], name, options.unit, settings, errors));
+      if (auto unsupported = internal::refuse_unsupported(read.back(), *engine, name))
+        errors.push_back(std::move(*unsupported));
       note(errors, i);
     }
     if (options.bad_layouts == BadLayouts::raise && !problems.empty()) throw Error(problems);

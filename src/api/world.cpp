@@ -224,6 +224,7 @@ void World::set_friction(double box_box, double box_floor, double box_wall) {
         refuse("not a coefficient of friction", internal::number_text(coefficient), "numbers from 0 to 1000000");
     internal::ContactSettings& contact = state.batch.worlds.front().contact;
     contact.friction_model = internal::FrictionModel::pairs;
+    contact.materials = {};
     contact.box_box = box_box;
     contact.box_floor = box_floor;
     contact.box_wall = box_wall;

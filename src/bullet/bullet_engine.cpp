@@ -31,6 +31,7 @@ BulletEngine::BulletEngine(std::string_view name, const Settings& settings)
     : settings_(settings), preset_(bullet_preset(name, settings)) {
   traits_.name = name;
   traits_.steps_per_second = preset_.steps_per_second;
+  traits_.has_mats = true;
   traits_.measures_walls = settings.container.motion == ContainerMotion::prescribed;
   install_contact_laws();
 }
@@ -40,14 +41,23 @@ std::unique_ptr<Simulation> BulletEngine::build(const WorldBatch& batch) const {
 }
 
 std::vector<Error> unsupported_by_bullet(const Settings& settings) {
-  std::vector<Error> errors;
   const ContactSettings& contact = settings.contact;
-  if (settings.container.motion == ContainerMotion::free && contact.friction_model == FrictionModel::pairs &&
-      contact.box_floor != contact.box_wall) {
-    errors.push_back({.what = "a free container is one body in Bullet, with one friction coefficient",
-                      .accepted = "BoxFloor and BoxWall must be equal, or Motion = prescribed"});
+  if (settings.container.motion != ContainerMotion::free || contact.friction_model != FrictionModel::pairs) return {};
+  const char* const what = "a free container is one body in Bullet, with one friction coefficient";
+  if (contact.box_floor != contact.box_wall)
+    return {{.what = what, .accepted = "BoxFloor and BoxWall must be equal, or Motion = prescribed"}};
+  // Materials that are equal on both have the coefficients of any box there, or the same ones of their own.
+  for (const FrictionTable::Row& row : contact.materials.rows()) {
+    for (const std::string& name : {row.partners.first, row.partners.second}) {
+      const int material = contact.materials.index_of(name);
+      const double on_floor = contact.materials.on_floor(material).value_or(contact.box_floor);
+      if (on_floor != contact.materials.on_wall(material).value_or(contact.box_wall))
+        return {{.what = what,
+                 .value = "[Friction] " + row.partners.text(),
+                 .accepted = name + ", floor and " + name + ", wall must be equal, or Motion = prescribed"}};
+    }
   }
-  return errors;
+  return {};
 }
 
 }  // namespace holdfast::internal

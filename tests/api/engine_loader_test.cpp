@@ -55,6 +55,25 @@ TEST_CASE("engine_loader: an engine refuses what it cannot model", "[api][engine
   settings.contact.box_wall = 0.5;
   CHECK(make_engine("bullet", settings));
 
+  // Rows of materials, by what they mean for floor and walls.
+  const auto row = [](Settings with, const char* partners, double coefficient) {
+    with.contact.materials.set(*parse_partners(partners), coefficient);
+    return with;
+  };
+  const Settings on_floor = row(settings, "carton, floor", 0.4);
+  const Result<std::unique_ptr<Engine>> differing = make_engine("bullet", on_floor);
+  REQUIRE_FALSE(differing);
+  CHECK(differing.error().message() ==
+        "a free container is one body in Bullet, with one friction coefficient: [Friction] carton, floor; "
+        "carton, floor and carton, wall must be equal, or Motion = prescribed");
+  CHECK(make_engine("bullet", row(on_floor, "carton, wall", 0.4)));
+  CHECK(make_engine("bullet", row(settings, "carton, any", 0.4)));
+  CHECK(make_engine("bullet", row(settings, "carton, pallet", 0.4)));
+  CHECK_FALSE(make_engine("bullet", row(row(settings, "carton, any", 0.4), "carton, wall", 0.5)));
+  Settings prescribed = on_floor;
+  prescribed.container.motion = ContainerMotion::prescribed;
+  CHECK(make_engine("bullet", prescribed));
+
   const Result<std::unique_ptr<Engine>> native = make_engine("native", settings);
   REQUIRE_FALSE(native);
   CHECK(native.error().message() ==

@@ -134,8 +134,13 @@ TEST_CASE("world changes: friction set at the start is that of the settings", "[
   World live(heap(), brake, unsettled);
   live.set_friction(0.3, 0.2, 0.1);
   World other(heap(), brake, unsettled);
-  for (World* world : {&by_settings, &live, &other}) world->advance(1.0);
+  const std::vector<holdfast::Setting> rows = {
+      {"Friction", "1, floor", "0.9"}, {"Friction", "1, any", "0.8"}, pairs.back()};
+  World with_rows(heap(), brake, rows);
+  with_rows.set_friction(0.3, 0.2, 0.1);
+  for (World* world : {&by_settings, &live, &other, &with_rows}) world->advance(1.0);
   CHECK(live.state_hash() == by_settings.state_hash());
+  CHECK(with_rows.state_hash() == by_settings.state_hash());
   CHECK(live.state_hash() != other.state_hash());
 }
 

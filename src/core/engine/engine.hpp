@@ -53,6 +53,8 @@ struct EngineTraits {
   double steps_per_second = 0.0;
   /// True when surfaces that slide may have less friction than those that stick: `ContactSettings::kinetic_friction`.
   bool has_kinetic_friction = false;
+  /// True when boxes may stand on anti-slip mats: `Box::mat`.
+  bool has_mats = false;
 };
 
 /// A request to advance one world within its current phase, and the answer.

@@ -1,5 +1,7 @@
 #include "core/engine/engine_support.hpp"
 
+#include <algorithm>
+
 namespace holdfast::internal {
 
 namespace {
@@ -26,6 +28,21 @@ std::optional<Error> why_unsupported(const Engine& engine, const Settings& setti
   if (settings.screening.measures_walls())
     if (auto error = why_no_wall_forces(engine)) return error;
   return std::nullopt;
+}
+
+std::optional<Error> refuse_unsupported(ReadLayout& layout, const Engine& engine, const std::string& label) {
+  std::vector<Box>& boxes = layout.layout.boxes;
+  const auto on_mat = std::find_if(boxes.begin(), boxes.end(), [](const Box& box) { return box.mat.has_value(); });
+  if (engine.traits().has_mats || on_mat == boxes.end()) return std::nullopt;
+  Error error{.file = label,
+              .line = on_mat->line,
+              .what = "a box stands on an anti-slip mat, which this engine cannot model",
+              .value = engine.traits().name,
+              .accepted = "boxes without mats, or another engine, such as native",
+              .box = on_mat - boxes.begin() + 1};
+  boxes.clear();
+  layout.error = error.message();
+  return error;
 }
 
 }  // namespace holdfast::internal

@@ -60,6 +60,7 @@ NativeEngine::NativeEngine(const Settings& settings)
   traits_.longest_step = 1.0 / options_.steps_per_second;
   traits_.steps_per_second = options_.steps_per_second;
   traits_.has_kinetic_friction = true;
+  traits_.has_mats = true;
 }
 
 std::unique_ptr<Simulation> NativeEngine::build(const WorldBatch& batch) const {

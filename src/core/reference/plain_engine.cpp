@@ -27,6 +27,7 @@ class PlainSimulation final : public SteppedSimulation {
 PlainEngine::PlainEngine(const Settings& settings) : settings_(settings) {
   traits_.name = "native-plain";
   traits_.steps_per_second = plain::steps_per_second(settings);
+  traits_.has_mats = true;
 }
 
 std::unique_ptr<Simulation> PlainEngine::build(const WorldBatch& batch) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/engine/engine_support.hpp"
 #include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
@@ -80,7 +81,11 @@ bool UnitRunner::analyse(const WorkUnit& unit, const std::vector<std::shared_ptr
 
 std::shared_ptr<const ReadLayout> UnitRunner::take(std::size_t layout, std::size_t takers) const {
   const StageTimer timer(costs_, Stage::read);
-  return layouts_.take(layout, takers);
+  const std::shared_ptr<const ReadLayout> read = layouts_.take(layout, takers);
+  if (engine_.traits().has_mats || !read->error.empty()) return read;
+  ReadLayout own = *read;
+  if (!refuse_unsupported(own, engine_, layouts_.label(layout))) return read;
+  return std::make_shared<const ReadLayout>(std::move(own));
 }
 
 WorldRecord UnitRunner::refused(const ReadLayout& layout, std::size_t layout_index, std::size_t acceleration) const {

@@ -45,6 +45,7 @@ class UnitRunner {
   std::optional<UnitRecord> run(const WorkUnit& unit, std::size_t sharing, std::span<const std::size_t> order = {});
 
  private:
+  /// The layout; one that the engine cannot model, as one that cannot be used.
   std::shared_ptr<const ReadLayout> take(std::size_t layout, std::size_t takers) const;
 
   /// A world with the reason why it is not simulated, if there is one.

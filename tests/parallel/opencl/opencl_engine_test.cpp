@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/engine/engine_support.hpp"
 #include "scenes.hpp"
 
 using namespace holdfast::internal;
@@ -138,6 +139,26 @@ TEST_CASE("opencl_engine: a free container is refused", "[parallel][opencl_engin
   REQUIRE_FALSE(engine);
   CHECK(engine.error().message() ==
         "bullet-opencl has no free container; Motion = prescribed in [Container], or another engine");
+}
+
+TEST_CASE("opencl_engine: pairs of materials and mats are refused", "[parallel][opencl_engine]") {
+  Settings settings = at_once();
+  const auto plain = opencl_engine(settings);
+  if (!plain) return;
+  settings.contact.friction_model = FrictionModel::pairs;
+  settings.contact.materials.set(*parse_partners("pallet, carton"), 0.4);
+  const Result<std::unique_ptr<Engine>> engine = make_engine("bullet-opencl", settings);
+  REQUIRE_FALSE(engine);
+  CHECK(engine.error().message() ==
+        "bullet-opencl has no coefficients for pairs of materials: [Friction] carton, pallet; rows of any, floor and "
+        "wall alone, or another engine");
+  ReadLayout layout{.layout = layout_of({box({1, 1, 0}, {1, 1, 1})})};
+  CHECK_FALSE(refuse_unsupported(layout, *plain, "one"));
+  layout.layout.boxes[0].mat = 0.6;
+  REQUIRE(refuse_unsupported(layout, *plain, "one"));
+  CHECK(layout.error ==
+        "one: a box stands on an anti-slip mat, which this engine cannot model: bullet-opencl; boxes without mats, or "
+        "another engine, such as native");
 }
 
 TEST_CASE("opencl_engine: a device that is not there is named", "[parallel][opencl_engine]") {

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "api/memory_run.hpp"
+#include "core/engine/engine_support.hpp"
 #include "io/input/layout_files.hpp"
 #include "io/results/results_fixture.hpp"
 #include "scenes.hpp"
@@ -21,8 +23,7 @@ TEST_CASE(
   const std::vector<ReadAcceleration> accelerations = {
       {constant(1.0, 0.5), ""}, {{}, "b.txt: is empty"}, {constant(2.0, 0.5), ""}, {constant(3.0, 0.5), ""}};
   const Settings settings = at_once();
-  const std::vector<std::string> hashes = hash_layouts(paths);
-  LayoutFiles layouts(paths, hashes, settings);
+  LayoutFiles layouts(paths, settings);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const auto worlds_of = [&](const Script& script) {
@@ -64,8 +65,7 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   Settings settings = at_once();
   settings.results_interval = 1e-5;
   const std::vector<ReadAcceleration> accelerations = {{constant(1.0, 0.001), ""}, {constant(1.0, 1.0), ""}};
-  const std::vector<std::string> hashes = hash_layouts(paths);
-  LayoutFiles layouts(paths, hashes, settings);
+  LayoutFiles layouts(paths, settings);
   const std::atomic<bool> abort = false;
   StageCosts costs;
   const ScriptedEngine engine({});
@@ -84,4 +84,40 @@ TEST_CASE("unit_runner: a series that would be too large is not begun, and the o
   CHECK(unit->worlds[3].row.message.find("samples of 201 boxes: 2010") != std::string::npos);
   UnitRunner without(engine, settings, false, layouts, accelerations, abort, costs);
   CHECK(without.run({1, 2, 1, 2}, 1)->worlds[0].row.status == Status::ok);
+}
+
+TEST_CASE("unit_runner: a layout with a mat cannot be used by an engine without, and the others can",
+          "[parallel][unit_runner]") {
+  std::vector<ReadLayout> read(2);
+  for (ReadLayout& one : read) {
+    one.layout = layout_of({box({1, 1, 0}, {1, 1, 1}), box({3, 1, 0}, {1, 1, 1})});
+    one.layout.sha256 = "abc";
+  }
+  read[0].layout.name = "on mats";
+  read[0].layout.boxes[1].mat = 0.6;
+  read[0].layout.boxes[1].line = 7;
+  const Settings settings = at_once();
+  MemoryLayouts layouts(read);
+  const std::vector<ReadAcceleration> accelerations = {{constant(1.0, 0.1), ""}};
+  const std::atomic<bool> abort = false;
+  StageCosts costs;
+  const ScriptedEngine engine({});
+  UnitRunner runner(engine, settings, true, layouts, accelerations, abort, costs);
+  const std::optional<UnitRecord> unit = runner.run({0, 2, 0, 1}, 1);
+  REQUIRE(unit);
+  const WorldRow& refused = unit->worlds[0].row;
+  CHECK(refused.status == Status::bad_layout);
+  CHECK(refused.stop_reason == StopReason::not_run);
+  CHECK(refused.message == "on mats:7: a box stands on an anti-slip mat, which this engine cannot model: " +
+                               engine.traits().name + "; boxes without mats, or another engine, such as native");
+  CHECK(unit->layouts[0].layout->boxes.empty());
+  CHECK(unit->layouts[0].layout->sha256 == "abc");
+  CHECK(unit->worlds[1].row.status == Status::ok);
+  CHECK(unit->layouts[1].layout->boxes.size() == 2);
+  for (const char* name : {"native", "native-plain", "bullet", "bullet-f64", "bullet-stock"}) {
+    ReadLayout same = read[0];
+    CHECK_FALSE(refuse_unsupported(same, *engine_of(name, settings), "on mats"));
+    CHECK(same.error.empty());
+    CHECK(same.layout.boxes.size() == 2);
+  }
 }
