@@ -36,7 +36,7 @@ fuzz:  ## Feed the readers made-up files, FUZZ_SECONDS each (60), with Clang's s
 	@$(INSTALL) --dev
 	@cmake --preset fuzz > /dev/null
 	cmake --build --preset fuzz -j $(JOBS)
-	@for reader in layout acceleration config request; do \
+	@for reader in layout table json acceleration config request; do \
 	  mkdir -p build/fuzz/found/$$reader; \
 	  echo "fuzz: $$reader"; \
 	  build/fuzz/bin/$${reader}_fuzz -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -rss_limit_mb=2048 \

@@ -17,15 +17,9 @@ std::vector<Setting> read_settings(const std::string& text) {
     const internal::TextFile file{.path = "config", .name = "config", .text = text};
     const internal::Config config = value_or_throw(internal::parse_config(file, ignored));
     std::vector<Setting> settings;
-    const auto add = [&](const std::string& section, const internal::SettingKey& key, int material) {
-      if (!config.given.contains({section, std::string(key.name)})) return;
-      settings.push_back({section, std::string(key.name), key.get(config.settings, material)});
-    };
-    for (const internal::SettingKey& key : internal::setting_table())
-      if (key.section != internal::kMaterialSection) add(std::string(key.section), key, 0);
-    for (const auto& [id, material] : config.settings.materials)
-      for (const internal::SettingKey& key : internal::setting_table())
-        if (key.section == internal::kMaterialSection) add("Material " + std::to_string(id), key, id);
+    for (const internal::PlacedSetting& placed : internal::placed_settings(config.settings))
+      if (config.given.contains({placed.section, placed.name}))
+        settings.push_back({placed.section, placed.name, placed.key->get(config.settings, placed.of)});
     return settings;
   });
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "api/engine_loader.hpp"
+#include "app/bearing_table.hpp"
 #include "app/commands.hpp"
 #include "app/load_config.hpp"
 #include "app/report.hpp"
@@ -18,7 +19,7 @@
 #include "core/model/norms.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/input_paths.hpp"
-#include "io/input/layout_reader.hpp"
+#include "io/loads/load_file.hpp"
 #include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
@@ -43,6 +44,7 @@ struct Finding {
   std::vector<Error> errors;
   std::vector<Error> warnings;
   std::string description;
+  std::string bearing;  ///< lines about the weight that boxes bear
 };
 
 /// The engine of a configuration, as far as it is there.
@@ -67,8 +69,8 @@ AskedEngine ask_engine(const Settings& settings, const std::string& config_path)
 /// Checks files one by one as `screen` does when it reads them, and then together.
 class InputCheck {
  public:
-  InputCheck(const Settings& settings, std::optional<double> steps_per_second)
-      : settings_(settings), steps_per_second_(steps_per_second) {
+  InputCheck(const Settings& settings, std::optional<double> steps_per_second, bool bearing)
+      : settings_(settings), steps_per_second_(steps_per_second), bearing_(bearing) {
     if (settings_.screening.norm.empty()) return;
     for (Acceleration& made : find_norm(settings_.screening.norm)->accelerations())
       accelerations_.push_back(std::move(made));
@@ -80,10 +82,8 @@ class InputCheck {
     if (!file) return {.errors = file.errors()};
     switch (input.kind) {
       case InputKind::layout:
-        take<Layout>(finding, parse_layout(*file, settings_, finding.warnings), [&](const Layout& layout) {
-          layouts_.push_back({input.path, layout.boxes.size()});
-          finding.description = fmt::format("{} boxes", layout.boxes.size());
-        });
+        take<LoadsOfFile>(finding, read_loads(*file, settings_),
+                          [&](const LoadsOfFile& loads) { take_loads(finding, input.path, loads); });
         break;
       case InputKind::acceleration:
         take<Acceleration>(finding, parse_acceleration(*file, finding.warnings), [&](const Acceleration& acceleration) {
@@ -102,9 +102,10 @@ class InputCheck {
         });
         break;
       case InputKind::unknown:
-        finding.errors.push_back({.file = input.path,
-                                  .what = "neither layout, acceleration nor config",
-                                  .accepted = "a layout has 7 columns, an acceleration 5, a config [sections]"});
+        finding.errors.push_back(
+            {.file = input.path,
+             .what = "neither layout, acceleration nor config",
+             .accepted = "a layout has 7 columns or a header that names them, an acceleration 5, a config [sections]"});
     }
     return finding;
   }
@@ -130,6 +131,33 @@ class InputCheck {
       finding.errors = result.errors();
   }
 
+  void take_loads(Finding& finding, const std::string& path, const LoadsOfFile& loads) {
+    std::size_t boxes = 0;
+    double mass = 0.0;
+    finding.warnings = loads.notes;
+    for (const ReadLoad& load : loads.loads) {
+      const std::vector<Box>& all = load.layout.boxes;
+      boxes += all.size();
+      for (const Box& box : all) mass += box.mass.value_or(0.0);
+      if (load.errors.empty()) layouts_.push_back({path, all.size()});
+      finding.errors.insert(finding.errors.end(), load.errors.begin(), load.errors.end());
+      finding.warnings.insert(finding.warnings.end(), load.warnings.begin(), load.warnings.end());
+      if (load.errors.empty()) take_bearing(finding, path, load.layout);
+    }
+    finding.description =
+        fmt::format("{}{} boxes{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
+                    mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : "");
+  }
+
+  void take_bearing(Finding& finding, const std::string& path, const Layout& layout) const {
+    const std::size_t load = layout.name.rfind('#');
+    const std::string where =
+        load == std::string::npos || path.ends_with(layout.name) ? path : path + layout.name.substr(load);
+    const BearingFindings found = find_bearing_of(where, layout, settings_, bearing_);
+    finding.bearing += found.text;
+    finding.warnings.insert(finding.warnings.end(), found.warnings.begin(), found.warnings.end());
+  }
+
   /// Samples are a warning: without series there are none, and only the run knows whether it has them.
   void check_length(Finding& finding, const std::string& path, const Acceleration& acceleration) const {
     if (const auto samples = check_samples(path, acceleration, settings_)) finding.warnings.push_back(*samples);
@@ -142,6 +170,7 @@ class InputCheck {
 
   const Settings& settings_;
   std::optional<double> steps_per_second_;
+  bool bearing_;                                              ///< all boxes are listed
   std::vector<std::pair<std::string, std::size_t>> layouts_;  ///< path, boxes
   std::vector<Acceleration> accelerations_;
 };
@@ -158,7 +187,9 @@ std::vector<std::string> paths_of_kind(const std::vector<InputFile>& inputs, Inp
 ExitCode run_check_command(const CheckOptions& options) {
   const Result<Config> config = load_config(options.config_path);
   if (!config) return fail(ExitCode::bad_usage, config.errors());
-  const AskedEngine engine = ask_engine(config->settings, options.config_path.value_or(""));
+  Settings settings = config->settings;
+  if (const auto wrong = options.loads.apply_to(settings, *config)) return fail(ExitCode::bad_usage, *wrong);
+  const AskedEngine engine = ask_engine(settings, options.config_path.value_or(""));
   if (engine.error) return fail(ExitCode::bad_usage, *engine.error);
   std::vector<Error> warnings;
   if (engine.warning) warnings.push_back(*engine.warning);
@@ -168,7 +199,7 @@ ExitCode run_check_command(const CheckOptions& options) {
   warn_of_same_names(paths_of_kind(*inputs, InputKind::layout));
   warn_of_same_names(paths_of_kind(*inputs, InputKind::acceleration));
 
-  InputCheck check(config->settings, engine.steps_per_second);
+  InputCheck check(settings, engine.steps_per_second, options.bearing);
   std::size_t bad = 0;
   for (const InputFile& input : *inputs) {
     const Finding finding = check.check(input);
@@ -176,7 +207,7 @@ ExitCode run_check_command(const CheckOptions& options) {
     fail(ExitCode::bad_usage, finding.errors);
     const char* kind = name_of(input.kind);
     if (finding.errors.empty()) {
-      print_to(stdout, "{}: ok: {}, {}\n", input.path, kind, finding.description);
+      print_to(stdout, "{}: ok: {}, {}\n{}", input.path, kind, finding.description, finding.bearing);
     } else {
       print_to(stdout, "{}: bad: {}, {}\n", input.path, kind, counted(finding.errors.size(), "error"));
       ++bad;

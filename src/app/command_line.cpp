@@ -22,6 +22,7 @@
 #include "app/commands.hpp"
 #include "app/report.hpp"
 #include "core/base/closest_word.hpp"
+#include "core/model/container_catalogue.hpp"
 #include "core/model/norms_page.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/settings_page.hpp"
@@ -37,7 +38,7 @@ CLI::Validator as_in_config(const char* section, const char* name) {
   const SettingKey& key = *find_setting(section, name);
   return {[&key](const std::string& text) {
             Settings ignored;
-            return key.set(ignored, 0, text) ? "" : fmt::format("{}; accepted is {}", text, key.accepted);
+            return key.set(ignored, "", text) ? "" : fmt::format("{}; accepted is {}", text, key.accepted);
           },
           ""};
 }
@@ -67,8 +68,36 @@ void add_norm_option(CLI::App& command, auto& options) {
       ->type_name("NAME");
 }
 
+/// Adds how files of loads are read.
+void add_load_options(CLI::App& command, LoadOptions& options) {
+  command
+      .add_option("--container", options.container,
+                  "Container of all loads, also of those that say another; `holdfast containers` lists them; stands in "
+                  "for [Container] Type")
+      ->type_name("NAME");
+  command
+      .add_option("--unit", options.unit,
+                  "Unit of lengths where a file does not say it: m, cm, mm, in, ...; stands in for [Loads] Unit")
+      ->type_name("UNIT");
+  command
+      .add_option("--axes", options.axes,
+                  "Axes of files that are length, width and height, with - where one counts from the far side: \"-z x "
+                  "y\"; stands in for [Loads] Axes")
+      ->type_name("AXES");
+  command
+      .add_option("--format", options.format,
+                  "Known format of tables; `holdfast formats` lists them; stands in for [Loads] Format")
+      ->type_name("NAME");
+  command
+      .add_option("--columns", options.columns,
+                  "What columns of tables mean, where their words do not tell: \"PosX = y, Artikel = name\"; stands in "
+                  "for [Loads] Columns")
+      ->type_name("LIST");
+}
+
 /// Adds the options of every command that writes a results file.
 void add_recording_options(CLI::App& command, RunOptions& options) {
+  add_load_options(command, options.loads);
   add_norm_option(command, options);
   add_engine_options(command, options);
   command.add_option("--scheduler", options.scheduler, "How work is spread over threads: tbb, openmp or serial")
@@ -231,6 +260,8 @@ void add_check_command(CLI::App& program, ChosenCommand& chosen) {
       ->type_name("PATH");
   command->add_option("-c,--config", options->config_path, "Configuration that gives container and axes")
       ->type_name("FILE");
+  add_load_options(*command, options->loads);
+  command->add_flag("--bearing", options->bearing, "List the least and largest weight that rests on each box");
   command->callback([options, &chosen] { chosen.run = [options] { return run_check_command(*options); }; });
 }
 
@@ -316,6 +347,35 @@ void add_norms_command(CLI::App& program, ChosenCommand& chosen) {
   command->callback([&chosen] { chosen.run = run_norms_command; });
 }
 
+void add_containers_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("containers", "List the types of containers that --container takes");
+  command->footer("Example:\n  holdfast containers");
+  command->callback([&chosen] { chosen.run = run_containers_command; });
+}
+
+void add_formats_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("formats", "List the formats of tables that --format takes");
+  command->footer("Example:\n  holdfast formats");
+  command->callback([&chosen] { chosen.run = run_formats_command; });
+}
+
+void add_convert_command(CLI::App& program, ChosenCommand& chosen) {
+  CLI::App* command = program.add_subcommand("convert", "Write loads of any kind of file as JSON or CSV");
+  command->footer(
+      "The name of the output says what is written: .json or .jsonl is JSON with one load per line, .csv is a table, "
+      "and\n"
+      ".txt is StableCargo's text, which has one load and no weights.\n\n"
+      "Example:\n"
+      "  holdfast convert configs/layouts -o loads.json");
+  auto options = std::make_shared<ConvertOptions>();
+  command->add_option("paths", options->layouts, "Loads")->required()->type_name("PATH");
+  command->add_option("-o,--output", options->output_path, "Output")->required()->type_name("FILE");
+  command->add_option("-c,--config", options->config_path, "Configuration")->type_name("FILE");
+  command->add_flag("--overwrite", options->overwrite, "Replace the output if it is there");
+  add_load_options(*command, options->loads);
+  command->callback([options, &chosen] { chosen.run = [options] { return run_convert_command(*options); }; });
+}
+
 /// An option that prints a page and ends the program.
 CLI::Option* add_page(CLI::App& program, const std::string& name, const std::string& description,
                       std::function<std::string()> page) {
@@ -398,6 +458,7 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   add_page(program, "--accuracies", "Print what each accuracy stands for, as JSON, and exit", accuracies_json)
       ->group("");
   add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");
+  add_page(program, "--containers-page", "Print docs/containers.md and exit", containers_page)->group("");
   add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
   add_page(program, "--man-page", "Print the manual page and exit", [&] { return man_page(program); })->group("");
   add_page(program, "--bash-completion", "Print the completion for bash and exit", [&] {
@@ -417,6 +478,9 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   add_validate_command(program, chosen);
   add_engines_command(program, chosen);
   add_norms_command(program, chosen);
+  add_containers_command(program, chosen);
+  add_formats_command(program, chosen);
+  add_convert_command(program, chosen);
   if (const auto error = unknown_command(program, argc, argv))
     return static_cast<int>(fail(ExitCode::bad_usage, *error));
   try {

@@ -70,7 +70,7 @@ std::vector<std::string> words_of_key(std::string_view section, std::string_view
   std::vector<std::string> accepted;
   for (const std::string_view word : words_of(key.accepted, " ,")) {
     Settings ignored;
-    if (key.set(ignored, 0, word)) accepted.emplace_back(word);
+    if (key.set(ignored, "", word)) accepted.emplace_back(word);
   }
   return accepted;
 }

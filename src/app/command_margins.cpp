@@ -24,7 +24,7 @@ ExitCode run_margins_command(const MarginOptions& options, const std::string& co
   job.layout_paths = *layouts;
   job.results_path = options.results_path;
   job.command_line = command_line;
-  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
+  if (const auto wrong = options.run.apply_to(job, *config)) return fail(ExitCode::bad_usage, *wrong);
   job.settings.screening.margins = true;
   job.record_series = false;
   return runner(job);

@@ -42,7 +42,7 @@ ExitCode run_run_command(const ConfigRunOptions& options, const std::string& com
   // StableCargo's files keep their numbers: worlds begin and end with the acceleration.
   if (!config->given.contains({"Screening", "SettleSeconds"})) job.settings.screening.settle_seconds = 0.0;
   if (!config->given.contains({"Screening", "RunOutSeconds"})) job.settings.screening.run_out_seconds = 0.0;
-  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
+  if (const auto wrong = options.run.apply_to(job, *config)) return fail(ExitCode::bad_usage, *wrong);
   std::vector<Error> warnings;
   const Result<BatchFolder> inputs = inputs_of(job.settings, config->path, warnings);
   if (!inputs) return fail(ExitCode::bad_usage, inputs.errors());

@@ -32,7 +32,7 @@ ExitCode run_screen_command(const ScreenOptions& options, const std::string& com
   }
   ScreeningJob job;
   job.settings = config->settings;
-  if (const auto wrong = options.run.apply_to(job)) return fail(ExitCode::bad_usage, *wrong);
+  if (const auto wrong = options.run.apply_to(job, *config)) return fail(ExitCode::bad_usage, *wrong);
   std::vector<Error> warnings;
   const auto layouts = layout_paths(options.layouts, std::cin, warnings);
   if (!layouts) return fail(ExitCode::bad_usage, layouts.errors());

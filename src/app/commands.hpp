@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
+#include "app/load_options.hpp"
 #include "app/reading_guard.hpp"
 #include "app/run_options.hpp"
 
@@ -89,6 +90,8 @@ ExitCode run_view_command(const ViewOptions& options);
 struct CheckOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> paths;
+  LoadOptions loads;
+  bool bearing = false;  ///< list what rests on each box
 };
 ExitCode run_check_command(const CheckOptions& options);
 
@@ -126,5 +129,16 @@ std::vector<std::string> validation_cases();
 ExitCode run_engines_command(bool devices);
 
 ExitCode run_norms_command();
+ExitCode run_containers_command();
+ExitCode run_formats_command();
+
+struct ConvertOptions {
+  std::optional<std::string> config_path;
+  std::vector<std::string> layouts;
+  std::string output_path;
+  LoadOptions loads;
+  bool overwrite = false;
+};
+ExitCode run_convert_command(const ConvertOptions& options);
 
 }  // namespace holdfast::internal

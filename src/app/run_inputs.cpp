@@ -76,12 +76,9 @@ std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double
   return accelerations;
 }
 
-RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAcceleration>& accelerations,
-                            std::vector<std::string> layout_hashes) {
-  std::vector<std::string> names;
-  for (const std::string& path : job.layout_paths) names.push_back(input_name(path));
-  RunDescription run =
-      describe_run(job.settings, std::move(names), std::move(layout_hashes), accelerations, job.record_series);
+RunDescription describe_run(const ScreeningJob& job, const LayoutFiles& layouts,
+                            const std::vector<ReadAcceleration>& accelerations) {
+  RunDescription run = describe_run(job.settings, layouts.names(), layouts.hashes(), accelerations, job.record_series);
   run.command_line = job.command_line;
   run.config_text = job.config_text;
   run.shard = job.shard;

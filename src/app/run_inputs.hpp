@@ -28,7 +28,7 @@ std::optional<Error> many_steps_warning(const std::string& label, const Accelera
 std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double steps_per_second);
 
 /// What the results file says about the run.
-RunDescription describe_run(const ScreeningJob& job, const std::vector<ReadAcceleration>& accelerations,
-                            std::vector<std::string> layout_hashes);
+RunDescription describe_run(const ScreeningJob& job, const LayoutFiles& layouts,
+                            const std::vector<ReadAcceleration>& accelerations);
 
 }  // namespace holdfast::internal

@@ -29,24 +29,25 @@ std::optional<ShardChoice> parse_part(const std::string& text) {
 
 }  // namespace
 
-std::optional<Error> RunOptions::apply_to(ScreeningJob& job) const {
+std::optional<Error> RunOptions::apply_to(ScreeningJob& job, const Config& config) const {
   ScreeningSettings& screening = job.settings.screening;
   if (auto wrong = apply_norm(norm, job.settings)) return wrong;
+  if (auto wrong = loads.apply_to(job.settings, config)) return wrong;
   screening.engine = engine.value_or(screening.engine);
   screening.threads = threads.value_or(screening.threads);
   if (scheduler) {
     const SettingKey& key = *find_setting("Screening", "Scheduler");
-    if (!key.set(job.settings, 0, *scheduler))
+    if (!key.set(job.settings, "", *scheduler))
       return Error{.what = "unknown scheduler",
                    .value = *scheduler,
                    .accepted = fmt::format("accepted are {}", fmt::join(scheduler_names(), ", "))};
   }
   // The command line has checked it.
-  if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, 0, *stop_when));
-  if (walls) static_cast<void>(find_setting("Screening", "Walls")->set(job.settings, 0, *walls));
-  if (replicas) static_cast<void>(find_setting("Screening", "Replicas")->set(job.settings, 0, *replicas));
+  if (stop_when) static_cast<void>(find_setting("Screening", "StopWhen")->set(job.settings, "", *stop_when));
+  if (walls) static_cast<void>(find_setting("Screening", "Walls")->set(job.settings, "", *walls));
+  if (replicas) static_cast<void>(find_setting("Screening", "Replicas")->set(job.settings, "", *replicas));
   for (const std::string_view key : analyses)
-    static_cast<void>(find_setting("Screening", key)->set(job.settings, 0, "true"));
+    static_cast<void>(find_setting("Screening", key)->set(job.settings, "", "true"));
   if (first_failure) screening.first_failure = true;
   if (text_folder) job.text_folder = text_folder;
   if (part) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/load_options.hpp"
 #include "app/screening.hpp"
 #include "core/base/result.hpp"
 
@@ -12,6 +13,7 @@ namespace holdfast::internal {
 
 /// Options that `screen` and `run` share; what is given stands in for the key of the same name.
 struct RunOptions {
+  LoadOptions loads;
   std::optional<std::string> norm;
   std::optional<std::string> engine;
   std::optional<std::string> accuracy;
@@ -32,7 +34,8 @@ struct RunOptions {
   bool quiet = false;
 
   /// Puts what was given into the job, or says what is wrong with it.
-  std::optional<Error> apply_to(ScreeningJob& job) const;
+  /// @param config that the job's settings are from
+  std::optional<Error> apply_to(ScreeningJob& job, const Config& config) const;
 
  private:
   std::optional<Error> apply_accuracy(Settings& settings) const;

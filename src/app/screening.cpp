@@ -117,14 +117,10 @@ ExitCode check_parts_readable(const ScreeningJob& job, const RunDescription& des
 }
 
 /// Simulates all layouts of a job.
-ExitCode run_whole(const ScreeningJob& job, const Engine& engine, const std::vector<ReadAcceleration>& accelerations) {
-  StageCosts costs;
+ExitCode run_whole(const ScreeningJob& job, LayoutFiles& layouts, const Engine& engine,
+                   const std::vector<ReadAcceleration>& accelerations, StageCosts& costs) {
   Recording recording{.path = job.results_path,
-                      .description = describe_run(job, accelerations,
-                                                  [&] {
-                                                    const StageTimer timer(costs, Stage::read);
-                                                    return hash_layouts(job.layout_paths);
-                                                  }()),
+                      .description = describe_run(job, layouts, accelerations),
                       .existing = job.existing,
                       .report_finished = job.json};
   const RunDescription& description = recording.description;
@@ -139,7 +135,6 @@ ExitCode run_whole(const ScreeningJob& job, const Engine& engine, const std::vec
   }
 
   const StopSignal& stop = watch_stop_signals();
-  LayoutFiles layouts(job.layout_paths, description.layout_hashes, job.settings);
   Workers workers(job.settings.screening.scheduler, job.settings.screening.threads);
   TerminalObserver observer(job, description, stop);
   const RecordedEnd end = record_run(
@@ -173,8 +168,15 @@ ExitCode run_screening(const ScreeningJob& asked) {
   if (!engine) return fail(ExitCode::bad_usage, engine.error());
 
   const std::vector<ReadAcceleration> accelerations = read_accelerations(asked, (*engine)->traits().steps_per_second);
-  if (!asked.part) return run_whole(asked, **engine, accelerations);
-  const DividedJob divided(asked, accelerations, asked.part->parts);
+  StageCosts costs;
+  std::shared_ptr<LayoutFiles> layouts = asked.layouts;
+  if (!layouts) {
+    const StageTimer timer(costs, Stage::read);
+    layouts = std::make_shared<LayoutFiles>(asked.layout_paths, asked.settings);
+    warn(layouts->notes());
+  }
+  if (!asked.part) return run_whole(asked, *layouts, **engine, accelerations, costs);
+  const DividedJob divided(asked, *layouts, accelerations, asked.part->parts);
   if (asked.part->part > divided.shards_with_layouts()) {
     print_to(stderr, "nothing to do: the run has {}, and this shard none of them\n",
              counted(divided.shards_with_layouts(), "block"));
@@ -182,7 +184,7 @@ ExitCode run_screening(const ScreeningJob& asked) {
   }
   const Result<ScreeningJob> shard = divided.shard(asked.part->part);
   if (!shard) return fail(ExitCode::some_failed, shard.error());
-  return run_whole(*shard, **engine, accelerations);
+  return run_whole(*shard, *shard->layouts, **engine, accelerations, costs);
 }
 
 }  // namespace holdfast::internal

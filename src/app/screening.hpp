@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "api/recorded_run.hpp"
 #include "app/exit_code.hpp"
 #include "core/model/settings.hpp"
+#include "io/input/layout_files.hpp"
 
 namespace holdfast::internal {
 
@@ -24,6 +26,7 @@ struct ScreeningJob {
   Settings settings;
   std::string config_text;  ///< of the configuration file, kept in the results; may be empty
   std::vector<std::string> layout_paths;
+  std::shared_ptr<LayoutFiles> layouts;         ///< those of a shard; absent: all of `layout_paths`
   std::vector<std::string> acceleration_paths;  ///< without them and a norm: gravity alone
   std::string results_path;
   std::optional<std::string> text_folder;  ///< write the three text files there

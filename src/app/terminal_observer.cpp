@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "app/norm_option.hpp"
@@ -32,9 +33,14 @@ std::string engine_text(const Settings& settings) {
 /// The coefficients of friction that act.
 std::string friction_text(const Settings& settings) {
   const ContactSettings& contact = settings.contact;
-  if (contact.friction_model == FrictionModel::pairs)
-    return fmt::format("friction: box on box {:.3g}, on the floor {:.3g}, on walls {:.3g}\n", contact.box_box,
-                       contact.box_floor, contact.box_wall);
+  if (contact.friction_model == FrictionModel::pairs) {
+    const std::size_t own = contact.materials.rows().size();
+    return fmt::format("friction: box on box {:.3g}, on the floor {:.3g}, on walls {:.3g}{}\n", contact.box_box,
+                       contact.box_floor, contact.box_wall,
+                       own == 0   ? ""
+                       : own == 1 ? "; one pair of materials has its own"
+                                  : fmt::format("; {} pairs of materials have their own", own));
+  }
   const bool own = std::any_of(settings.materials.begin(), settings.materials.end(),
                                [](const auto& one) { return one.second.friction.has_value(); });
   return fmt::format("friction: box on box {:.3g}, on floor and walls {:.3g}{}\n",
@@ -43,14 +49,13 @@ std::string friction_text(const Settings& settings) {
 }
 
 /// The first lines: what is run, and what its norm says.
-std::string start_text(const ScreeningJob& job, std::size_t accelerations, std::size_t finished) {
+std::string start_text(const ScreeningJob& job, std::size_t layouts, std::size_t accelerations, std::size_t finished) {
   const Settings& settings = job.settings;
-  const std::size_t layouts = job.layout_paths.size();
   const auto threads = static_cast<std::size_t>(thread_count(settings.screening.threads));
   const std::string& norm = settings.screening.norm;
   return fmt::format("{} x {} = {}, engine {}, scheduler {}, {}{}\n{}{}", counted(layouts, "layout"),
                      counted(accelerations, "acceleration"), counted(layouts * accelerations, "world"),
-                     engine_text(settings), find_setting("Screening", "Scheduler")->get(settings, 0),
+                     engine_text(settings), find_setting("Screening", "Scheduler")->get(settings, ""),
                      counted(threads, "thread"), finished > 0 ? fmt::format(", {} finished before", finished) : "",
                      friction_text(settings), norm.empty() ? "" : norm_text(norm));
 }
@@ -63,7 +68,8 @@ void TerminalObserver::started(const RunProgress& progress) {
   if (!job_.quiet) {
     if (job_.existing == ExistingResults::resume && progress.resumed == 0)
       print_to(stderr, "{}: nothing is finished that could be resumed, all worlds are to be run\n", job_.results_path);
-    print_to(stderr, "{}", start_text(job_, description_.accelerations.size(), progress.resumed));
+    print_to(stderr, "{}",
+             start_text(job_, description_.layout_names.size(), description_.accelerations.size(), progress.resumed));
   }
   display_.emplace(progress, job_.quiet);
   ticker_ = std::make_unique<Ticker>(std::chrono::milliseconds(250), [this] {
@@ -77,6 +83,14 @@ void TerminalObserver::started(const RunProgress& progress) {
 
 void TerminalObserver::warned(const Error& warning) {
   if (++warning_count_ <= kWarningsShown) note("warning: " + warning.message());
+}
+
+void TerminalObserver::layout_begins(const LayoutRecord& layout) {
+  if (!job_.json || layout.layout == nullptr) return;
+  const std::vector<Box>& boxes = layout.layout->boxes;
+  if (std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return box.name.empty(); })) return;
+  std::vector<std::string>& names = box_names_[layout.index];
+  for (const Box& box : boxes) names.push_back(box.name);
 }
 
 void TerminalObserver::layout_finished(const LayoutRecord& layout) {
@@ -96,7 +110,12 @@ void TerminalObserver::world_finished(const WorldRecord& world, std::size_t inde
   if (!job_.json) return;
   const WorldRow& row = world.row;
   const double saved = time_saved(row.status, row.stop_reason, row.end_time, planned_end(acceleration, job_.settings));
-  const std::string line = world_json(world, layout, acceleration.name, index, description_.thresholds, saved) + "\n";
+  box_names_.erase(box_names_.begin(), box_names_.lower_bound(row.layout));  // worlds come layout by layout
+  const auto named = box_names_.find(row.layout);
+  const std::span<const std::string> names =
+      named == box_names_.end() ? std::span<const std::string>() : std::span<const std::string>(named->second);
+  const std::string line =
+      world_json(world, layout, acceleration.name, index, description_.thresholds, saved, names) + "\n";
   write_unless(stop_.drop, stdout, line);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,6 +27,7 @@ class TerminalObserver final : public RunObserver {
 
   void started(const RunProgress& progress) override;
   void warned(const Error& warning) override;
+  void layout_begins(const LayoutRecord& layout) override;
   void layout_finished(const LayoutRecord& layout) override;
   void world_finished(const WorldRecord& world, std::size_t index) override;
   void ended() override;
@@ -44,6 +47,7 @@ class TerminalObserver final : public RunObserver {
   const RunDescription& description_;
   const StopRequest& stop_;
   std::size_t warning_count_ = 0;
+  std::map<std::uint64_t, std::vector<std::string>> box_names_;  ///< of layouts whose worlds are to come, by index
   std::mutex notes_mutex_;
   std::vector<std::string> notes_;  ///< lines that the display's thread will print
   std::optional<Display> display_;

@@ -60,7 +60,7 @@ BulletWorld::~BulletWorld() {
 
 void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   BoxBody& box = boxes_.emplace_back();
-  box.surface = {{SurfaceKind::box, batch.boxes.friction[i], batch.boxes.restitution[i]}, &world_.contact};
+  box.surface = {batch.boxes.surface[i], &world_.contact};
   box.shape = std::make_unique<btBoxShape>(to_bullet(batch.boxes.half_extents[i]));
   btCollisionShape* shape = box.shape.get();
   const Vec3& centre_of_mass = batch.boxes.centre_of_mass[i];
@@ -83,6 +83,7 @@ void BulletWorld::add_box(const WorldBatch& batch, std::size_t i) {
   box.body->setLinearVelocity(to_bullet(batch.state.velocity[i]));
   box.body->setAngularVelocity(to_bullet(batch.state.angular_velocity[i]));
   box.body->setUserPointer(&box.surface);
+  if (box.surface.mat) notice_mat(*box.body);
   if (fixed) box.body->setUserIndex(static_cast<int>(kFixedBoxes));
   if (preset_.sleeping == BulletSleeping::off && !fixed) box.body->setActivationState(DISABLE_DEACTIVATION);
   dynamics_.addRigidBody(box.body.get());

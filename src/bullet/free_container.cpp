@@ -22,12 +22,12 @@ class FreeContainer final : public ContainerBody {
   FreeContainer(btDiscreteDynamicsWorld& world, const Settings& settings, const World& load, double cargo_mass)
       : world_(world),
         gravity_(0.0, 0.0, -settings.gravity),
-        driven_mass_(settings.container.mass + cargo_mass),
-        surface_{{SurfaceKind::floor, load.container_friction, 0.0}, &load.contact},
-        ground_surface_{{SurfaceKind::ground, settings.container.ground_friction, 0.0}, &load.contact},
+        driven_mass_(load.container.mass + cargo_mass),
+        surface_{{SurfaceKind::floor, load.container.friction, 0.0}, &load.contact},
+        ground_surface_{{SurfaceKind::ground, load.container.ground_friction, 0.0}, &load.contact},
         ground_shape_(btVector3(to_bullet(kGroundReach), to_bullet(kGroundReach), to_bullet(0.5 * kGroundThickness))) {
     add_ground();
-    add_shell(settings.container, load.container_friction);
+    add_shell(load.container);
   }
   ~FreeContainer() override {
     world_.removeRigidBody(body_.get());
@@ -62,13 +62,13 @@ class FreeContainer final : public ContainerBody {
 
   /// The mass of the container is distributed over the panels by volume; the frame of the compound body is that of its
   /// principal axes.
-  void add_shell(const ContainerSettings& container, double friction) {
+  void add_shell(const ContainerSettings& container) {
     btCompoundShape panels;
     std::vector<btScalar> masses;
     double volume = 0.0;
     ContainerSettings on_ground = container;
     on_ground.bed_height = kPanelThickness;
-    std::vector<Panel> sides = container_panels(on_ground, friction, kPanelThickness);
+    std::vector<Panel> sides = container_panels(on_ground, kPanelThickness);
     std::erase_if(sides, [](const Panel& side) { return side.surface.kind == SurfaceKind::ground; });
     for (const Panel& side : sides) volume += side.half_extents.prod();
     for (const Panel& side : sides) {

@@ -16,7 +16,7 @@ class PrescribedContainer final : public ContainerBody {
  public:
   PrescribedContainer(btDiscreteDynamicsWorld& world, const Settings& settings, const World& load)
       : world_(world), gravity_(0.0, 0.0, -settings.gravity) {
-    const std::vector<Panel> panels = container_panels(settings.container, load.container_friction, kClosedThickness);
+    const std::vector<Panel> panels = container_panels(load.container, kClosedThickness);
     sides_.reserve(panels.size());
     for (const Panel& panel : panels) {
       Side& side = sides_.emplace_back();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+
 #include "core/model/contact_law.hpp"
 
 namespace holdfast::internal {
@@ -12,5 +14,8 @@ struct BodySurface : Surface {
 /// Makes Bullet use the contact laws of `contact_law.hpp` for the friction and restitution of every pair. The callbacks
 /// are global in the library.
 void install_contact_laws();
+
+/// Contacts of this body may be on its anti-slip mat.
+void notice_mat(btCollisionObject& body);
 
 }  // namespace holdfast::internal

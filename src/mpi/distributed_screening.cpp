@@ -69,7 +69,8 @@ ShardsEnd run_shards(const ScreeningJob& job, SharedCounter& counter) {
   ScreeningJob of_shards = job;
   of_shards.quiet = true;
   of_shards.existing = ExistingResults::resume;
-  const DividedJob divided(of_shards, read_accelerations(job, 0.0), kMostShards);
+  const LayoutFiles layouts(job.layout_paths, job.settings);
+  const DividedJob divided(of_shards, layouts, read_accelerations(job, 0.0), kMostShards);
   const std::uint64_t count = divided.shards_with_layouts();
   ShardsEnd end;
   for (std::uint64_t next = counter.add(1); next < count && end.finished; next = counter.add(1)) {

@@ -144,7 +144,7 @@ class Check(CliTest):
             return {re.sub(r"^(warning: )?([a-z]+/(more/)?)?", "", line) for line in done.stderr.splitlines()}
 
         self.assertLessEqual(messages(screened), messages(checked))
-        for what in ("cut.txt:1: the header announces", "columns after the seventh", "within the tolerance", "wholly beyond the floor",
+        for what in ("cut.txt:1: the header announces", "more than seven columns", "within the tolerance", "wholly beyond the floor",
                      "overlaps box 1", "at the roof", "its series under long.txt would be too large", "has the same name in the results",
                      "too many steps", "too many samples", "very many steps", "ay is not a number", "left out, neither", "has no effect"):
             self.assertTrue(any(what in line for line in messages(screened)), (what, screened.stderr))

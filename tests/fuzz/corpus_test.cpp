@@ -74,6 +74,14 @@ TEST_CASE("fuzz: layouts are read or refused, the corpus and what becomes of it"
   check_target("layout", fuzz::read_layout);
 }
 
+TEST_CASE("fuzz: tables are read or refused, the corpus and what becomes of it", "[fuzz]") {
+  check_target("table", fuzz::read_load_file);
+}
+
+TEST_CASE("fuzz: JSON of loads is read or refused, the corpus and what becomes of it", "[fuzz]") {
+  check_target("json", fuzz::read_load_file);
+}
+
 TEST_CASE("fuzz: accelerations are read or refused, the corpus and what becomes of it", "[fuzz]") {
   check_target("acceleration", fuzz::read_acceleration);
 }

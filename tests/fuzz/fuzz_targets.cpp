@@ -15,6 +15,8 @@
 #include "io/input/config_reader.hpp"
 #include "io/input/input_paths.hpp"
 #include "io/input/layout_reader.hpp"
+#include "io/loads/load_file.hpp"
+#include "io/loads/load_json.hpp"
 
 namespace fuzz {
 
@@ -24,6 +26,7 @@ using namespace holdfast::internal;
 
 constexpr std::size_t kMostMessageBytes = 2000;
 constexpr int kNumbersPerBox = 7;
+constexpr std::size_t kMostNameBytes = 300;
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
@@ -106,6 +109,41 @@ void read_layout(std::string_view text) {
     if (!layout) continue;
     require(!layout->boxes.empty() && layout->boxes.size() <= kMostBoxes, "no boxes, or too many");
     for (const Box& box : layout->boxes) check_box(box);
+  }
+}
+
+void read_load_file(std::string_view text) {
+  classify(text);
+  const TextFile file = file_of(text);
+  Settings settings;
+  for (const char* const format : {"", "planner", "py3dbp"}) {
+    settings.loads.format = format;
+    const Result<LoadsOfFile> loads = read_loads(file, settings);
+    if (!loads) {
+      check_errors(loads, {});
+      continue;
+    }
+    require(!loads->loads.empty(), "neither loads nor an error");
+    for (const Error& note : loads->notes) check_message(note);
+    for (const ReadLoad& load : loads->loads) {
+      require(!load.layout.name.empty() && load.layout.name.size() <= kMostNameBytes, "a name is too long, or none");
+      for (const Error& error : load.errors) check_message(error);
+      for (const Error& warning : load.warnings) check_message(warning);
+      require(load.errors.size() <= ErrorList::kMost + 1, "too many errors");
+      require(load.errors.empty() != load.layout.boxes.empty(), "a load has either boxes or errors");
+      require(container_of(settings, load.layout).size.minCoeff() > 0.0, "a container has no size");
+      for (const Box& box : load.layout.boxes) {
+        require((box.corner_max - box.corner_min).minCoeff() > kLayoutTolerance, "a box has no extent");
+        require(!box.mass || (*box.mass > 0.0 && std::isfinite(*box.mass)), "a mass is none");
+        require(box.name.size() <= kMostNameBytes, "a name is too long");
+      }
+      if (!load.errors.empty()) continue;
+      // A load is the same when it is written and read again.
+      const std::string text_again = "{\"holdfast\": 1}\n" + load_line(load.layout) + '\n';
+      const Result<LoadsOfFile> again = read_loads(file_of(text_again), settings);
+      require(bool(again) && again->loads.size() == 1 && again->loads[0].errors.empty(), "what is written is not read");
+      require(canonical_json(again->loads[0].layout) == canonical_json(load.layout), "a load changes when it is written");
+    }
   }
 }
 

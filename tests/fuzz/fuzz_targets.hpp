@@ -10,6 +10,9 @@ void read_layout(std::string_view text);
 void read_acceleration(std::string_view text);
 void read_config(std::string_view text);
 
+/// Files of loads: tables and JSON, as `classify` and the program take them.
+void read_load_file(std::string_view text);
+
 /// Every line is one request to `holdfast serve`.
 void read_requests(std::string_view text);
 

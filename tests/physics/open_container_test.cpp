@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "analyses/walls/wall_forces.hpp"
@@ -10,6 +9,7 @@
 #include "core/model/container_sides.hpp"
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
+#include "physics/ways.hpp"
 
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
@@ -20,17 +20,6 @@ namespace {
 
 constexpr double kLength = 10.0, kBed = 1.2;
 
-/// An engine, with the accuracy where it has several.
-struct Way {
-  std::string engine;
-  Accuracy accuracy = Accuracy::standard;
-};
-
-Way any_way() {
-  return GENERATE(Way{"native", Accuracy::screening}, Way{"native", Accuracy::standard},
-                  Way{"native", Accuracy::reference}, Way{"native-plain"}, Way{"bullet"}, Way{"bullet-f64"});
-}
-
 /// A container of 10 m x 4 m x 3 m that is open at the rear.
 Settings open_rear(double friction) {
   Settings settings = open_floor(friction);
@@ -38,11 +27,6 @@ Settings open_rear(double friction) {
   settings.container.open_sides = {"rear"};
   settings.box_friction = settings.container.ground_friction = 1.0;
   return settings;
-}
-
-Run run_by(const Way& way, const Layout& layout, const Acceleration& acceleration, Settings settings) {
-  settings.native.accuracy = way.accuracy;
-  return run(way.engine, layout, acceleration, settings);
 }
 
 /// The two sides without a wall between, at a height.
@@ -240,7 +224,7 @@ TEST_CASE("container_panels: an open container stands on the ground, and its wal
   container.size = {6, 2, 2.5};
   container.open_sides = {"rear", "roof"};
   container.drop_sides = {{"left", 0.6}};
-  const std::vector<Panel> panels = container_panels(container, 0.4, 1.0);
+  const std::vector<Panel> panels = container_panels(container, 1.0);
   REQUIRE(panels.size() == 5);
   const auto low = [&](std::size_t i) -> Vec3 { return panels[i].centre - panels[i].half_extents; };
   const auto high = [&](std::size_t i) -> Vec3 { return panels[i].centre + panels[i].half_extents; };
@@ -255,5 +239,5 @@ TEST_CASE("container_panels: an open container stands on the ground, and its wal
   for (std::size_t i = 0; i < 5; ++i) CHECK(panels[i].ends == (i < 4));
   container.open_sides.clear();
   container.drop_sides.clear();
-  for (const Panel& panel : container_panels(container, 0.4, 1.0)) CHECK(!panel.ends);
+  for (const Panel& panel : container_panels(container, 1.0)) CHECK(!panel.ends);
 }

@@ -82,10 +82,6 @@ class Contacts {
   std::vector<SideSet> sides_;
 };
 
-double mass_of(const BoxMaterial& material, double volume) {
-  return material.mass ? *material.mass : *material.density * volume;
-}
-
 }  // namespace
 
 LayoutIndicators find_indicators(const Layout& layout, const Settings& settings) {
@@ -95,21 +91,20 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
   double load_mass = 0.0;
   Vec3 moment = Vec3::Zero();
   for (const Box& box : layout.boxes) {
-    const BoxMaterial material = material_of(settings, box.material);
-    if (material.fixed) continue;
-    const double volume = (box.corner_max - box.corner_min).prod();
-    const double mass = mass_of(material, volume);
-    load_volume += volume;
-    load_mass += mass;
-    moment += mass * (0.5 * (box.corner_min + box.corner_max) + material.centre_of_mass);
+    const BoxProperties properties = properties_of(settings, box);
+    if (properties.fixed) continue;
+    load_volume += (box.corner_max - box.corner_min).prod();
+    load_mass += properties.mass;
+    moment += properties.mass * (0.5 * (box.corner_min + box.corner_max) + properties.centre_of_mass);
   }
   if (load_mass == 0.0) return found;
-  const Vec3& size = settings.container.size;
+  const ContainerSettings container = container_of(settings, layout);
+  const Vec3& size = container.size;
   found.centre_of_gravity = moment / load_mass;
   found.centre_offset = found.centre_of_gravity.cwiseQuotient(size) - Vec3(0.5, 0.5, 0.5);
   found.fill = load_volume / size.prod();
 
-  const Contacts contacts(layout, settings.container);
+  const Contacts contacts(layout, container);
   std::size_t badly_based = 0;
   std::size_t badly_braced = 0;
   std::size_t loaded = 0;
@@ -118,7 +113,7 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
     const std::size_t sides = contacts.supported_sides(i);
     found.base_support.push_back(static_cast<float>(base));
     found.supported_sides.push_back(static_cast<std::uint8_t>(sides));
-    if (material_of(settings, layout.boxes[i].material).fixed) continue;
+    if (properties_of(settings, layout.boxes[i]).fixed) continue;
     ++loaded;
     badly_based += base < kGoodBase ? 1U : 0U;
     badly_braced += sides < kGoodBracing ? 1U : 0U;

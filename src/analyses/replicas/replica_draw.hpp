@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
+#include <string>
 
 #include "core/model/layout.hpp"
 #include "core/model/settings.hpp"
@@ -14,9 +16,11 @@ std::uint64_t boxes_hash(const Layout& layout);
 
 /// What a replica of a world varies, each as a factor of the nominal value.
 struct ReplicaDraw {
-  std::map<int, double> materials;  ///< of the friction of boxes' surfaces, by material id; model `product`
-  double container = 1.0;           ///< of the friction of the container's surfaces; model `product`
-  double box_box = 1.0;             ///< of the coefficient of two boxes; model `pairs`, as are the next two
+  std::map<MaterialName, double> materials;  ///< of the friction of boxes' surfaces; model `product`
+  std::map<std::string, double> pairs;       ///< of rows of [Friction], by their keys; model `pairs`
+  double mats = 1.0;                         ///< of anti-slip mats
+  double container = 1.0;                    ///< of the friction of the container's surfaces; model `product`
+  double box_box = 1.0;                      ///< of the coefficient of two boxes; model `pairs`, as are the next two
   double box_floor = 1.0;
   double box_wall = 1.0;
   double acceleration = 1.0;
@@ -30,8 +34,9 @@ struct ReplicaDraw {
 /// 1/√2 of it, since both surfaces would have to be bad.
 /// @param boxes  `boxes_hash` of the layout
 /// @param number of the replica, from 1
+/// @param pairs  of materials that have coefficients of their own
 ReplicaDraw draw_replica(const Layout& layout, std::uint64_t boxes, std::uint32_t number,
-                         const ScreeningSettings& spreads);
+                         const ScreeningSettings& spreads, std::span<const FrictionTable::Row> pairs = {});
 
 /// Lowers every factor of friction to that of another draw of the same layout, where that is smaller.
 void lower_friction(ReplicaDraw& draw, const ReplicaDraw& other);

@@ -14,7 +14,7 @@
 #include "app/stop_signal.hpp"
 #include "io/export/text_output.hpp"
 #include "io/input/input_paths.hpp"
-#include "io/input/layout_reader.hpp"
+#include "io/loads/load_file.hpp"
 #include "io/input/text_file.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
@@ -55,10 +55,14 @@ Result<std::vector<BenchCase>> sets_by_boxes(const BenchOptions& options, const 
   for (const std::string& path : layouts) {
     const Result<TextFile> file = read_text_file(path);
     if (!file) return file.errors();
-    std::vector<Error> warnings;
-    const Result<Layout> layout = parse_layout(*file, settings, warnings);
-    if (!layout) return layout.errors();
-    const auto limit = std::upper_bound(limits.begin(), limits.end(), layout->boxes.size());
+    const Result<LoadsOfFile> loads = read_loads(*file, settings);
+    if (!loads) return loads.errors();
+    std::size_t boxes = 0;  // of the largest load
+    for (const ReadLoad& load : loads->loads) {
+      if (!load.errors.empty()) return load.errors;
+      boxes = std::max(boxes, load.layout.boxes.size());
+    }
+    const auto limit = std::upper_bound(limits.begin(), limits.end(), boxes);
     sets[static_cast<std::size_t>(limit - limits.begin())].layouts.push_back(path);
   }
   std::erase_if(sets, [](const BenchCase& set) { return set.layouts.empty(); });

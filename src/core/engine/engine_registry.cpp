@@ -73,7 +73,7 @@ Error unknown_engine(std::string_view name) {
 std::string accuracy_of(const Settings& settings) {
   const EngineEntry* entry = find_engine(settings.screening.engine);
   if (entry == nullptr || entry->accuracy_keys.empty()) return "";
-  return find_setting(entry->accuracy_keys, "Accuracy")->get(settings, 0);
+  return find_setting(entry->accuracy_keys, "Accuracy")->get(settings, "");
 }
 
 std::optional<Error> set_accuracy(Settings& settings, const std::string& accuracy) {
@@ -87,7 +87,7 @@ std::optional<Error> set_accuracy(Settings& settings, const std::string& accurac
                  .accepted = "leave out --accuracy, or take --engine " + able};
   }
   const SettingKey& key = *find_setting(entry->accuracy_keys, "Accuracy");
-  if (key.set(settings, 0, accuracy)) return std::nullopt;
+  if (key.set(settings, "", accuracy)) return std::nullopt;
   return Error{.what = "unknown accuracy", .value = accuracy, .accepted = "accepted are " + std::string(key.accepted)};
 }
 

@@ -20,7 +20,7 @@ Panel panel_between(std::size_t side, int axis, bool far, double face, const Vec
 
 }  // namespace
 
-std::vector<Panel> container_panels(const ContainerSettings& container, double friction, double thickness) {
+std::vector<Panel> container_panels(const ContainerSettings& container, double thickness) {
   const bool open = has_opening(container);
   const bool on_ground = open && container.bed_height > 0.0;
   const double wall = open ? kWallThickness : thickness;
@@ -47,7 +47,7 @@ std::vector<Panel> container_panels(const ContainerSettings& container, double f
     }
     const double face = side.far ? container.size[side.axis] : 0.0;
     Panel& panel = panels.emplace_back(panel_between(side.index, side.axis, side.far, face, low, high));
-    panel.surface = {side.kind, friction, 0.0};
+    panel.surface = {side.kind, container.friction, 0.0};
     panel.ends = open && (side.kind == SurfaceKind::wall || on_ground);
   }
   if (on_ground) {

@@ -32,7 +32,6 @@ inline constexpr double kEndless = 1000.0;
 /// Panels of a closed container are `thickness` (m) thick, and extend by as much over the edges that they share. If any
 /// side is open or low, walls stand on the ground, are `kWallThickness` thick, and end where the neighbouring side is
 /// open; the floor is a block down to the ground under the walls and the inside, and the ground is `thickness` thick.
-/// @param friction of floor, walls and roof; the ground has its own
-std::vector<Panel> container_panels(const ContainerSettings& container, double friction, double thickness);
+std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
 
 }  // namespace holdfast::internal

@@ -6,6 +6,7 @@
 
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
+#include "core/model/box_overlaps.hpp"
 #include "core/model/container_sides.hpp"
 #include "core/model/setting_kinds.hpp"
 
@@ -14,9 +15,6 @@ namespace holdfast::internal {
 namespace {
 
 constexpr std::array kExtentNames{"length", "width", "height"};
-
-/// Rounding of differences of coordinates, m; decimal numbers of metres have errors of about 1e-15.
-constexpr double kExact = 1e-9;
 
 std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
 std::string centimetres(const Vec3& v) {
@@ -40,27 +38,13 @@ long not_finite(const Box& box) {
   return 0;
 }
 
-/// A box that has positive extents.
-struct Extents {
-  Vec3 min, max;
-  std::size_t index;  ///< of the box
-};
-
-/// How far two boxes are in each other across the container, m; negative when they are apart.
-double depth_across(const Extents& a, const Extents& b) {
-  return (a.max.tail<2>().cwiseMin(b.max.tail<2>()) - a.min.tail<2>().cwiseMax(b.min.tail<2>())).minCoeff();
-}
-
-/// The same along the container.
-double depth_along(const Extents& a, const Extents& b) {
-  return std::min(a.max.x(), b.max.x()) - std::max(a.min.x(), b.min.x());
-}
-
 /// The check of one layout: first of single boxes, then of pairs of the boxes that have positive extents.
 class LayoutCheck {
  public:
   LayoutCheck(const Layout& layout, const Settings& settings, const std::string& file)
-      : boxes_(layout.boxes), settings_(settings), container_(settings.container), errors_(file) {}
+      : boxes_(layout.boxes), settings_(settings), container_(container_of(settings, layout)), errors_(file) {
+    for (const Box& box : boxes_) fixed_.push_back(properties_of(settings, box).fixed);
+  }
 
   void check_boxes() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -73,17 +57,9 @@ class LayoutCheck {
   }
 
   void check_pairs() {
-    std::sort(sound_.begin(), sound_.end(), [](const Extents& a, const Extents& b) {
-      return a.min.x() < b.min.x() || (a.min.x() == b.min.x() && a.index < b.index);
+    for_each_overlap(sound_, [&](const BoxExtents& a, const BoxExtents& b) {
+      check_pair(std::min(a.index, b.index), std::max(a.index, b.index), depths_of(a, b).minCoeff());
     });
-    for (auto a = sound_.begin(); a != sound_.end(); ++a) {
-      for (auto b = a + 1; b != sound_.end() && b->min.x() < a->max.x(); ++b) {
-        const double across = depth_across(*a, *b);
-        if (across <= kExact) continue;  // nearly all
-        const double depth = std::min(across, depth_along(*a, *b));
-        if (depth > kExact) check_pair(std::min(a->index, b->index), std::max(a->index, b->index), depth);
-      }
-    }
   }
 
   std::vector<Error> take_errors() { return errors_.take(); }
@@ -102,9 +78,9 @@ class LayoutCheck {
   void warn_of_boxes_beyond(const std::string& file, std::vector<Error>& warnings) const {
     std::size_t count = 0;
     std::size_t first = boxes_.size();
-    for (const Extents& box : sound_) {
-      const bool above_floor = (box.max.head<2>().array() > kExact).all() &&
-                               (box.min.head<2>().array() < container_.size.head<2>().array() - kExact).all();
+    for (const BoxExtents& box : sound_) {
+      const bool above_floor = (box.max.head<2>().array() > kExactLength).all() &&
+                               (box.min.head<2>().array() < container_.size.head<2>().array() - kExactLength).all();
       if (above_floor || is_fixed(box.index) || is_above_fixed(box)) continue;
       ++count;
       first = std::min(first, box.index);
@@ -116,11 +92,11 @@ class LayoutCheck {
                         .accepted = "such a box falls unless others carry it"});
   }
 
-  bool is_above_fixed(const Extents& box) const {
-    return std::any_of(sound_.begin(), sound_.end(), [&](const Extents& other) {
+  bool is_above_fixed(const BoxExtents& box) const {
+    return std::any_of(sound_.begin(), sound_.end(), [&](const BoxExtents& other) {
       const double beside = std::min(box.max.y(), other.max.y()) - std::max(box.min.y(), other.min.y());
-      return is_fixed(other.index) && other.max.z() <= box.min.z() + kLayoutTolerance && beside > kExact &&
-             depth_along(box, other) > kExact;
+      return is_fixed(other.index) && other.max.z() <= box.min.z() + kLayoutTolerance && beside > kExactLength &&
+             depths_of(box, other).x() > kExactLength;
     });
   }
 
@@ -160,7 +136,7 @@ class LayoutCheck {
   }
 
   void check_side(std::size_t i, const ContainerSide& side, double depth) {
-    if (depth <= kExact || is_open(container_, side) || is_above(i, side) || tolerates(depth)) return;
+    if (depth <= kExactLength || is_open(container_, side) || is_above(i, side) || tolerates(depth)) return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[i].line,
                  .what = box_name(i) + " is outside the container at the " + std::string(side.name),
@@ -178,12 +154,12 @@ class LayoutCheck {
 
   void check_centre_of_mass(std::size_t i) {
     const Box& box = boxes_[i];
-    const Vec3 offset = material_of(settings_, box.material).centre_of_mass;
-    const Vec3 most = 0.5 * (box.corner_max - box.corner_min) + Vec3::Constant(kExact);
+    const Vec3 offset = properties_of(settings_, box).centre_of_mass;
+    const Vec3 most = 0.5 * (box.corner_max - box.corner_min) + Vec3::Constant(kExactLength);
     if ((offset.cwiseAbs().array() <= most.array()).all()) return;
     errors_.add({.line = box.line,
-                 .what = box_name(i) + " has its centre of mass outside, by CentreOfMass of [Material " +
-                         std::to_string(box.material) + ']',
+                 .what = box_name(i) + " has its centre of mass outside" +
+                         (box.centre_of_mass ? "" : ", by CentreOfMass of [Material " + box.material.text() + ']'),
                  .value = setting_kinds::CentimetreVector::text(offset) + " cm",
                  .accepted = "at most half of the box to either side, " + centimetres(most),
                  .box = place_of(i),
@@ -202,10 +178,10 @@ class LayoutCheck {
                  .box = place_of(b)});
   }
 
-  bool is_fixed(std::size_t i) const { return material_of(settings_, boxes_[i].material).fixed; }
+  bool is_fixed(std::size_t i) const { return fixed_[i]; }
 
   bool tolerates(double depth) {
-    if (depth > kLayoutTolerance + kExact) return false;
+    if (depth > kLayoutTolerance + kExactLength) return false;
     ++tolerated_;
     largest_tolerated_ = std::max(largest_tolerated_, depth);
     return true;
@@ -213,9 +189,10 @@ class LayoutCheck {
 
   const std::vector<Box>& boxes_;
   const Settings& settings_;
-  const ContainerSettings& container_;
+  const ContainerSettings container_;
+  std::vector<bool> fixed_;
   ErrorList errors_;
-  std::vector<Extents> sound_;  ///< in check_pairs by where they begin along x
+  std::vector<BoxExtents> sound_;  ///< in check_pairs by where they begin along x
   std::size_t tolerated_ = 0;
   double largest_tolerated_ = 0.0;  ///< m
 };

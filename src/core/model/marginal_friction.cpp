@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "core/model/contact_law.hpp"
 
@@ -15,17 +16,19 @@ bool has_marginal_friction(const World& world, const BoxView& boxes, double grav
     const double vertical = gravity + a.z();
     if (vertical > 0.0) asked = std::max(asked, std::hypot(a.x(), a.y()) / vertical);
   }
-  const auto is_marginal = [&](const Surface& a, const Surface& b) {
-    return std::abs(friction_of_pair(world.contact, a, b) - asked) <= kMarginalFriction * asked;
-  };
   if (asked == 0.0) return false;
-  const std::set<double> frictions(boxes.friction.begin(), boxes.friction.end());
-  const Surface floor{.kind = SurfaceKind::floor, .friction = world.container_friction};
-  for (const double a : frictions) {
-    const Surface box{.kind = SurfaceKind::box, .friction = a};
-    if (is_marginal(box, floor)) return true;
-    for (const double b : frictions)
-      if (boxes.friction.size() > 1 && is_marginal(box, {.kind = SurfaceKind::box, .friction = b})) return true;
+  const auto is_marginal = [&](const Surface& below, const Surface& above, double up) {
+    return std::abs(friction_of_pair(world.contact, below, above, up) - asked) <= kMarginalFriction * asked;
+  };
+  const auto order = [](const Surface& a, const Surface& b) {
+    return std::tie(a.friction, a.material, a.mat) < std::tie(b.friction, b.material, b.mat);
+  };
+  const std::set<Surface, decltype(order)> surfaces(boxes.surface.begin(), boxes.surface.end(), order);
+  const Surface floor{.kind = SurfaceKind::floor, .friction = world.container.friction};
+  for (const Surface& above : surfaces) {
+    if (is_marginal(floor, above, 1.0)) return true;
+    for (const Surface& below : surfaces)
+      if (boxes.surface.size() > 1 && is_marginal(below, above, 1.0)) return true;
   }
   return false;
 }

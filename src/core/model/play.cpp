@@ -26,10 +26,10 @@ void share(double gap, const Box& a, BoxPlay& play_a, const Box& b, BoxPlay& pla
 }  // namespace
 
 std::vector<BoxPlay> play_of(const Layout& layout, const Settings& settings, double largest) {
-  const ContainerSettings& container = settings.container;
+  const ContainerSettings container = container_of(settings, layout);
   std::vector<BoxPlay> play(layout.boxes.size());
   std::vector<bool> fixed;
-  for (const Box& box : layout.boxes) fixed.push_back(material_of(settings, box.material).fixed);
+  for (const Box& box : layout.boxes) fixed.push_back(properties_of(settings, box).fixed);
   for (std::size_t i = 0; i < play.size(); ++i) {
     const Box& box = layout.boxes[i];
     if (fixed[i]) continue;

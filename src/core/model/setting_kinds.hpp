@@ -11,8 +11,10 @@
 
 #include "core/base/number_text.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/model/container_catalogue.hpp"
 #include "core/model/container_sides.hpp"
 #include "core/model/friction_pairs.hpp"
+#include "core/model/length_unit.hpp"
 #include "core/model/norms.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/wrapped_text.hpp"
@@ -91,6 +93,36 @@ struct Centimetres : Kind {
     return number ? std::optional(*number / 100.0) : std::nullopt;
   }
   static std::string text(double metres) { return centimetre_text(metres); }
+};
+
+/// A length that the file gives in millimetres, up to 10 cm.
+struct Millimetres {
+  static constexpr std::string_view kAccepted = "a number from 0 to 100";
+  static std::optional<double> parse(std::string_view text) {
+    const std::optional<double> number = parse_number(text);
+    return number && *number >= 0.0 && *number <= 100.0 ? std::optional(*number / 1000.0) : std::nullopt;
+  }
+  static std::string text(double metres) {
+    const double rounded = std::round(metres * 1e12) / 1e9;
+    return number_text(rounded / 1000.0 == metres ? rounded : metres * 1000.0);
+  }
+};
+
+/// A unit of length, in metres.
+struct LengthUnitName {
+  static constexpr std::string_view kAccepted = "m, dm, cm, mm, in or ft";
+  static std::optional<double> parse(std::string_view text) { return length_unit(text); }
+  static std::string text(double metres) { return length_unit_name(metres); }
+};
+
+/// Axes of a file.
+struct Axes {
+  static constexpr std::string_view kAccepted =
+      "x, y and z in the order of length, width and height, each with a minus where it counts from the far side, such "
+      "as "
+      "-z x y";
+  static std::optional<FileAxes> parse(std::string_view text) { return parse_axes(text); }
+  static std::string text(const FileAxes& axes) { return axes_text(axes); }
 };
 
 /// A time that the file gives in milliseconds. Divided by 1000, so that 20 gives the double nearest to 0.02.
@@ -294,6 +326,17 @@ struct NormName {
     if (text.empty()) return "";
     const Result<ChosenNorm> norm = find_norm(text);
     return norm ? std::optional(norm->name()) : std::nullopt;
+  }
+  static std::string text(const std::string& name) { return name; }
+};
+
+/// A type of the catalogue of containers, kept by its name there; or none.
+struct ContainerTypeName {
+  static constexpr std::string_view kAccepted = "a name that `holdfast containers` lists, such as 40hc";
+  static std::optional<std::string> parse(std::string_view text) {
+    if (text.empty()) return "";
+    const ContainerType* const type = find_container(text);
+    return type == nullptr ? std::nullopt : std::optional<std::string>(type->name);
   }
   static std::string text(const std::string& name) { return name; }
 };

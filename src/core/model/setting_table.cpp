@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/number_text.hpp"
+#include "core/model/container_catalogue.hpp"
 #include "core/model/setting_kinds.hpp"
 
 namespace holdfast::internal {
@@ -27,20 +28,20 @@ template <class Kind, class Member>
 SettingKey made_of(SettingKey key, Member) {
   key.accepted = Kind::kAccepted;
   if constexpr (std::is_invocable_v<Member, Settings&>) {
-    key.set = [](Settings& settings, int, std::string_view text) {
+    key.set = [](Settings& settings, std::string_view, std::string_view text) {
       const auto value = Kind::parse(text);
       if (value) Member{}(settings) = *value;
       return value.has_value();
     };
-    key.get = [](const Settings& settings, int) { return text_of<Kind>(Member{}(settings)); };
+    key.get = [](const Settings& settings, std::string_view) { return text_of<Kind>(Member{}(settings)); };
   } else {
-    key.set = [](Settings& settings, int material, std::string_view text) {
+    key.set = [](Settings& settings, std::string_view material, std::string_view text) {
       const auto value = Kind::parse(text);
-      if (value) Member{}(settings.materials[material]) = *value;
+      if (value) Member{}(settings.materials[MaterialName(material)]) = *value;
       return value.has_value();
     };
-    key.get = [](const Settings& settings, int material) {
-      const auto found = settings.materials.find(material);
+    key.get = [](const Settings& settings, std::string_view material) {
+      const auto found = settings.materials.find(MaterialName(material));
       return found == settings.materials.end() ? std::string() : text_of<Kind>(Member{}(found->second));
     };
   }
@@ -56,6 +57,37 @@ concept Some = std::is_same_v<std::remove_const_t<S>, T>;
   [](Some<Settings> auto& s) -> auto& { return s.expression; }
 #define OF_MATERIAL(expression) \
   [](Some<MaterialSettings> auto& m) -> auto& { return m.expression; }
+
+bool is_any(const std::string& name) { return name == "any"; }
+
+/// Where the coefficient of a pair is that names no material; null where it names one.
+template <Some<Settings> S>
+auto general_pair(S& settings, const FrictionPartners& partners) {
+  auto& contact = settings.contact;
+  if (!is_any(partners.first)) return decltype(&contact.box_box)(nullptr);
+  if (is_any(partners.second)) return &contact.box_box;
+  return partners.second == "floor" ? &contact.box_floor : &contact.box_wall;
+}
+
+bool set_pair(Settings& settings, std::string_view pair, std::string_view text) {
+  const std::optional<FrictionPartners> partners = parse_partners(pair);
+  const auto value = NamedFriction<OfPair>::parse(text);
+  if (!partners || !value) return false;
+  if (double* const general = general_pair(settings, *partners))
+    *general = *value;
+  else
+    settings.contact.materials.set(*partners, *value);
+  return true;
+}
+
+std::string get_pair(const Settings& settings, std::string_view pair) {
+  const std::optional<FrictionPartners> partners = parse_partners(pair);
+  if (!partners) return {};
+  if (const double* const general = general_pair(settings, *partners)) return NamedFriction<OfPair>::text(*general);
+  for (const FrictionTable::Row& row : settings.contact.materials.rows())
+    if (row.partners == *partners) return NamedFriction<OfPair>::text(row.coefficient);
+  return {};
+}
 
 std::vector<SettingKey> make_table() {
   std::vector<SettingKey> table;
@@ -111,6 +143,9 @@ std::vector<SettingKey> make_table() {
       "boxes have its coefficient; by default 0.5, that of cardboard-cardboard in the CTU Code.");
 
   section = "Container";
+  add(ContainerTypeName{}, "Type", "", "", MEMBER(container.type),
+      "A type of the catalogue that `holdfast containers` lists: its size, open sides and bed, where the keys below do "
+      "not give them.");
   add(Centimetres<Positive>{}, "Length", "cm", "587", MEMBER(container.size.x()),
       "Inner length, along x from the front wall to the door.");
   add(Centimetres<Positive>{}, "Width", "cm", "233", MEMBER(container.size.y()),
@@ -130,6 +165,22 @@ std::vector<SettingKey> make_table() {
       "Height of the floor above the ground, where a side is open or low: a box that gets out falls onto the ground, "
       "which moves with the container. With 0 the floor has no end.");
 
+  section = "Loads";
+  add(LengthUnitName{}, "Unit", "", "", MEMBER(loads.unit),
+      "Unit of lengths in files of loads that do not say it themselves; when absent, cm.");
+  add(Axes{}, "Axes", "", "", MEMBER(loads.axes),
+      "Axes of files of loads that are the container's length, width and height, with a minus where one counts from "
+      "the "
+      "rear, the right wall or the roof: `-z x y`. UpAxis = y is `x -z y`.");
+  add(Text{}, "Format", "", "", MEMBER(loads.format),
+      "A known format of tables that `holdfast formats` lists; when absent, the words of the header tell.");
+  add(Text{}, "Columns", "", "", MEMBER(loads.columns),
+      "What columns of tables mean, where their words do not tell: `PosX = y, Artikel = name`.");
+  add(Millimetres{}, "OverlapTolerance", "mm", "", MEMBER(loads.overlap_tolerance),
+      "Overlaps up to this are trimmed, half from each box, with masses kept; when absent 1 mm in files, and up to 0.1 "
+      "mm "
+      "is taken as rounding.");
+
   section = "Contact";
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
       "Coefficient of restitution of every contact whose material does not have its own.");
@@ -146,6 +197,16 @@ std::vector<SettingKey> make_table() {
   add(Share{}, "KineticFriction", "", "1", MEMBER(contact.kinetic_friction),
       "Kinetic friction over static friction, of every pair: surfaces that slide have this share of their coefficient; "
       "the CTU Code takes 0.75. An engine that cannot model it reports an error.");
+
+  section = kFrictionSection;
+  table.push_back({.section = section,
+                   .name = kPairKey,
+                   .accepted = OfPair::kAccepted,
+                   .sentence =
+                       "Friction coefficient of the materials A and B, such as `carton, pallet = 0.5`; `floor`, "
+                       "`wall` and `any` may take the place of B.",
+                   .set = set_pair,
+                   .get = get_pair});
 
   section = kMaterialSection;
   add(Positive{}, "Density", "kg/m³", "", OF_MATERIAL(density),
@@ -298,12 +359,6 @@ std::vector<SettingKey> make_table() {
 
 }  // namespace
 
-std::optional<int> material_id(std::string_view text) {
-  const std::optional<long> id = parse_integer(text);
-  if (!id || *id < 0 || *id > std::numeric_limits<int>::max()) return std::nullopt;
-  return static_cast<int>(*id);
-}
-
 std::span<const SettingKey> setting_table() {
   static const std::vector<SettingKey> kTable = make_table();
   return kTable;
@@ -322,41 +377,125 @@ const SettingKey* find_setting(std::string_view section, std::string_view name) 
   return nullptr;
 }
 
+std::optional<std::string> material_of_section(std::string_view section) {
+  constexpr std::string_view kPrefix = "Material";
+  if (!section.starts_with(kPrefix)) return std::nullopt;
+  section.remove_prefix(kPrefix.size());
+  const std::size_t begin = section.find_first_not_of(" \t");
+  if (begin == 0 || begin == std::string_view::npos) return std::nullopt;
+  const MaterialName name(section.substr(begin));
+  // These stand for others in [Friction]; a comma separates the names there. No number but a whole one is a name.
+  for (const char* const taken : {"any", "floor", "wall"})
+    if (name.text() == taken) return std::nullopt;
+  const bool is_odd_number = !name.is_number() && parse_number(name.text());
+  return is_odd_number || name.text().find(',') != std::string::npos ? std::nullopt : std::optional(name.text());
+}
+
+std::optional<PlacedSetting> place_setting(std::string_view section, std::string_view name) {
+  if (section == kFrictionSection) {
+    const std::optional<FrictionPartners> partners = parse_partners(name);
+    if (!partners) return std::nullopt;
+    return PlacedSetting{find_setting(kFrictionSection, kPairKey), partners->text(), std::string(section),
+                         partners->text()};
+  }
+  const std::optional<std::string> material = material_of_section(section);
+  const SettingKey* const key = find_setting(material ? kMaterialSection : section, name);
+  if (key == nullptr || (!material && key->section == kMaterialSection)) return std::nullopt;
+  return PlacedSetting{key, material.value_or(""), material ? "Material " + *material : std::string(section),
+                       std::string(key->name)};
+}
+
+std::vector<PlacedSetting> placed_settings(const Settings& settings) {
+  std::vector<PlacedSetting> placed;
+  for (const SettingKey& key : setting_table()) {
+    if (key.section == kMaterialSection) continue;
+    if (key.section != kFrictionSection) {
+      placed.push_back({&key, "", std::string(key.section), std::string(key.name)});
+      continue;
+    }
+    for (const FrictionTable::Row& row : settings.contact.materials.rows())
+      placed.push_back({&key, row.partners.text(), std::string(key.section), row.partners.text()});
+  }
+  for (const auto& [name, material] : settings.materials)
+    for (const SettingKey& key : setting_table())
+      if (key.section == kMaterialSection)
+        placed.push_back({&key, name.text(), "Material " + name.text(), std::string(key.name)});
+  return placed;
+}
+
 std::vector<std::pair<std::string, std::string>> effective_settings(const Settings& settings) {
   std::vector<std::pair<std::string, std::string>> texts;
-  const auto add = [&](const std::string& section, const SettingKey& key, int material) {
-    texts.emplace_back(section + '/' + std::string(key.name), key.get(settings, material));
-  };
-  for (const SettingKey& key : setting_table())
-    if (key.section != kMaterialSection) add(std::string(key.section), key, 0);
-  for (const auto& [id, material] : settings.materials)
-    for (const SettingKey& key : setting_table())
-      if (key.section == kMaterialSection) add("Material " + std::to_string(id), key, id);
+  for (const PlacedSetting& placed : placed_settings(settings))
+    texts.emplace_back(placed.section + '/' + placed.name, placed.key->get(settings, placed.of));
   return texts;
 }
 
-std::vector<SettingConflict> choose_friction_model(
-    Settings& settings, const std::function<bool(std::string_view section, std::string_view key)>& given) {
+std::vector<SettingConflict> choose_friction_model(Settings& settings, const GivenKeys& given) {
   std::vector<SettingConflict> conflicts;
-  FrictionModel& model = settings.contact.friction_model;
+  ContactSettings& contact = settings.contact;
   const bool chosen = given("Contact", "FrictionModel");
   const bool factors = given("Simulation Settings", "BoxFriction") || given("Simulation Settings", "ContainerFriction");
-  for (const char* name : {"BoxBox", "BoxFloor", "BoxWall"}) {
-    if (!given("Contact", name) || (chosen && model == FrictionModel::pairs)) continue;
+
+  // The keys of [Contact] are rows of [Friction] that name no material.
+  struct Row {
+    std::string section, name, same;
+  };
+  std::vector<Row> rows;
+  for (const auto& [name, same] :
+       {std::pair{"BoxBox", "any, any"}, std::pair{"BoxFloor", "any, floor"}, std::pair{"BoxWall", "any, wall"}}) {
+    const bool as_key = given("Contact", name);
+    const bool as_row = given(kFrictionSection, same);
+    if (as_key) rows.push_back({"Contact", name, ""});
+    if (as_row) rows.push_back({std::string(kFrictionSection), same, as_key ? name : ""});
+  }
+  for (const FrictionTable::Row& row : contact.materials.rows())
+    rows.push_back({std::string(kFrictionSection), row.partners.text(), ""});
+  // What is said of any two holds for floor and walls, where nothing is said of these.
+  if (given(kFrictionSection, "any, any")) {
+    if (!given(kFrictionSection, "any, floor") && !given("Contact", "BoxFloor")) contact.box_floor = contact.box_box;
+    if (!given(kFrictionSection, "any, wall") && !given("Contact", "BoxWall")) contact.box_wall = contact.box_box;
+  }
+
+  for (const Row& row : rows) {
+    if (!row.same.empty()) {
+      conflicts.push_back({row.section, row.name,
+                           Error{.what = "a coefficient is given twice",
+                                 .value = '[' + row.section + "] " + row.name,
+                                 .accepted = "give it here or as [Contact] " + row.same}});
+      continue;
+    }
+    if (chosen && contact.friction_model == FrictionModel::pairs) continue;
     if (!chosen && !factors) {
-      model = FrictionModel::pairs;
-      return {};
+      contact.friction_model = FrictionModel::pairs;
+      continue;
     }
     const char* const what = chosen ? "a key has no effect while FrictionModel is product"
                                     : "a coefficient of a pair is given beside BoxFriction or ContainerFriction, which "
                                       "are factors of a product";
-    conflicts.push_back({"Contact", name,
+    conflicts.push_back({row.section, row.name,
                          Error{.what = what,
-                               .value = std::string("[Contact] ") + name,
+                               .value = '[' + row.section + "] " + row.name,
                                .accepted = chosen ? "remove it, or set FrictionModel = pairs"
                                                   : "set FrictionModel, or give the keys of one model"}});
   }
   return conflicts;
+}
+
+void apply_container_type(Settings& settings, const GivenKeys& given) {
+  ContainerSettings& container = settings.container;
+  const ContainerType* const type = find_container(container.type);
+  if (type == nullptr) return;
+  const ContainerShape shape = type->shape();
+  const auto take = [&](const char* key, auto& to, const auto& from) {
+    if (!given("Container", key)) to = from;
+  };
+  container.type = shape.type;
+  take("Length", container.size.x(), shape.size.x());
+  take("Width", container.size.y(), shape.size.y());
+  take("Height", container.size.z(), shape.size.z());
+  // A side that is low is not open, and the other way round.
+  if (!given("Container", "DropSides")) take("OpenSides", container.open_sides, shape.open_sides);
+  take("BedHeight", container.bed_height, shape.bed_height);
 }
 
 std::vector<SettingConflict> check_settings(const Settings& settings) {
@@ -366,13 +505,23 @@ std::vector<SettingConflict> check_settings(const Settings& settings) {
         {section, name, Error{.what = what, .value = '[' + section + "] " + name, .accepted = accepted}});
   };
   for (const auto& [id, material] : settings.materials) {
-    const std::string section = "Material " + std::to_string(id);
+    const std::string section = "Material " + id.text();
     if (material.density && material.mass)
       add(section, "Mass", "a material has both a mass and a density", "give only one of them");
     if (material.friction && settings.contact.friction_model == FrictionModel::pairs)
       add(section, "Friction", "a material has its own friction while FrictionModel is pairs",
           "remove it, or set FrictionModel = product");
   }
+  if (const auto ambiguity = settings.contact.materials.ambiguity()) {
+    const FrictionTable::Row& row = ambiguity->second;
+    conflicts.push_back(
+        {std::string(kFrictionSection), row.partners.text(),
+         Error{.what = "two coefficients hold for one pair, and differ",
+               .value = ambiguity->first.partners.text() + " and " + row.partners.text(),
+               .accepted = "give that of `" + ambiguity->first.partners.first + ", " + row.partners.first + '`'}});
+  }
+  if (settings.loads.axes && settings.up_axis == UpAxis::y)
+    add("Loads", "Axes", "both Axes and UpAxis say which axis points up", "give Axes alone; UpAxis = y is x -z y");
   for (const DropSide& drop : settings.container.drop_sides)
     if (std::find(settings.container.open_sides.begin(), settings.container.open_sides.end(), drop.side) !=
         settings.container.open_sides.end())

@@ -6,6 +6,11 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "core/model/container_shape.hpp"
+#include "core/model/file_axes.hpp"
+#include "core/model/friction_table.hpp"
+#include "core/model/layout.hpp"
+#include "core/model/material_name.hpp"
 
 namespace holdfast::internal {
 
@@ -37,25 +42,24 @@ enum class Scheduler {
 /// How Bullet puts bodies to sleep.
 enum class BulletSleeping { off, wake_on_change };
 
-/// A wall that is lower than the container: a drop side, over which boxes may tip.
-struct DropSide {
-  std::string side;     ///< front, rear, left or right
-  double height = 0.0;  ///< above the floor, m
-  friend bool operator==(const DropSide&, const DropSide&) = default;
-};
-
 /// The inside of the container and the way it moves; `[Container]`.
-struct ContainerSettings {
-  Vec3 size = {5.87, 2.33, 2.20};         ///< inner length, width and height, m
+struct ContainerSettings : ContainerShape {
   double mass = 3700.0;                   ///< kg; used by a free container only
   double friction = 0.70710678118654757;  ///< of floor, walls and roof, one factor of a product
   double ground_friction = 0.6;           ///< of the ground under the container, one factor of a product
   ContainerMotion motion = ContainerMotion::prescribed;
-  std::vector<std::string> open_sides;  ///< sides without a wall: front, rear, left, right, roof
-  std::vector<DropSide> drop_sides;     ///< walls that are lower than the container
-  /// Height of the floor above the ground, m; 0: a floor without end. Without effect where no side is open or low: no
-  /// box gets out.
-  double bed_height = 1.2;
+  bool overrides_loads = false;  ///< a load's own container has no effect
+
+  ContainerSettings() = default;
+};
+
+/// How files of loads are read, where they do not say it themselves; `[Loads]`.
+struct LoadFileSettings {
+  std::optional<double> unit;               ///< of lengths, m; absent: that of the file, else cm
+  std::optional<FileAxes> axes;             ///< absent: by `Settings::up_axis`
+  std::string format;                       ///< name of a known format of tables; empty: by the words of its header
+  std::string columns;                      ///< words of the header and what they mean, see `parse_column_choice`
+  std::optional<double> overlap_tolerance;  ///< overlaps up to it are trimmed, m; absent: 1 mm in files, none in memory
 };
 
 /// Contact laws; `[Contact]`.
@@ -65,10 +69,12 @@ struct ContactSettings {
   double box_box = 0.5;           ///< friction coefficient of two boxes, model `pairs`
   double box_floor = 0.5;         ///< friction coefficient of box and floor, model `pairs`
   double box_wall = 0.5;          ///< friction coefficient of box and wall or roof, model `pairs`
+  FrictionTable materials;        ///< coefficients of pairs that are named, before the three above
+  double mat_factor = 1.0;        ///< by which the coefficients of anti-slip mats are multiplied
   double kinetic_friction = 1.0;  ///< of surfaces that slide, over the coefficients above, which are static
 };
 
-/// Properties of the boxes of one material id; `[Material N]`. Absent values come from the common keys.
+/// Properties of the boxes of one material; `[Material N]`. Absent values come from the common keys.
 struct MaterialSettings {
   std::optional<double> density;       ///< kg/m³; not together with mass
   std::optional<double> mass;          ///< kg per box
@@ -184,24 +190,35 @@ struct Settings {
   double box_friction = 0.70710678118654757;
 
   UpAxis up_axis = UpAxis::z;  ///< of layout files
+  LoadFileSettings loads;
   ContainerSettings container;
   ContactSettings contact;
-  std::map<int, MaterialSettings> materials;  ///< by material id
+  std::map<MaterialName, MaterialSettings> materials;
   ScreeningSettings screening;
   NativeSettings native;
   BulletSettings bullet;
   OpenClSettings opencl;
+
+  Settings() = default;
 };
 
-/// Density or mass, friction and restitution of a box of material `id`, with absent values replaced by defaults.
-struct BoxMaterial {
-  std::optional<double> density;  ///< kg/m³; absent where `mass` is given
-  std::optional<double> mass;     ///< kg
+/// What holds for a box: its own values, else those of its material, else the common ones.
+struct BoxProperties {
+  double mass = 0.0;  ///< kg; of a fixed box without effect, as its centre of mass
   double friction = 0.0;
   double restitution = 0.0;
-  Vec3 centre_of_mass = Vec3::Zero();  ///< m
-  bool fixed = false;                  ///< part of the container: mass and centre of mass have no effect
+  Vec3 centre_of_mass = Vec3::Zero();  ///< offset from the middle of the box, m
+  bool fixed = false;                  ///< part of the container
 };
-BoxMaterial material_of(const Settings& settings, int id);
+BoxProperties properties_of(const Settings& settings, const Box& box);
+
+/// The friction of a material's surface, one factor of a product.
+double friction_of(const Settings& settings, const MaterialName& material);
+
+/// How the axes of files lie in the container.
+FileAxes axes_of(const Settings& settings);
+
+/// The container of a load: its own shape, unless the settings override it.
+ContainerSettings container_of(const Settings& settings, const Layout& layout);
 
 }  // namespace holdfast::internal

@@ -61,7 +61,16 @@ their given order.
 
 std::string section_note(std::string_view section) {
   if (section == kMaterialSection)
-    return "One section per material id of the layout files: `[Material 3]`. Give Density or Mass, not both.\n\n";
+    return "One section per material of the loads, by number or name: `[Material 3]`, `[Material pallet]`. Give "
+           "Density "
+           "or Mass, not both. What a box says for itself holds before its material.\n\n";
+  if (section == kFrictionSection)
+    return "One row per pair, in any order: `carton, pallet = 0.5`. The coefficient of a contact is that of an "
+           "anti-slip "
+           "mat beneath the upper box; else of both materials; else of a material with `floor` or `wall`; else of a "
+           "material with `any`; else `any, floor` and `any, wall`, which are BoxFloor and BoxWall; else `any, any`, "
+           "which "
+           "is BoxBox.\n\n";
   if (section == "Renderer Engine") return "Accepted for compatibility with existing files, without effect.\n\n";
   if (section == "Screening") return std::string(kStopWhenNote);
   if (section == "Native")

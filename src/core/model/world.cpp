@@ -9,24 +9,27 @@ namespace holdfast::internal {
 namespace {
 
 void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
-  const BoxMaterial material = material_of(settings, box.material);
+  const BoxProperties properties = properties_of(settings, box);
   const Vec3 size = box.corner_max - box.corner_min;
-  double mass = material.mass ? *material.mass : *material.density * size.prod();
-  if (material.fixed) mass = std::numeric_limits<double>::infinity();
+  const double mass = properties.fixed ? std::numeric_limits<double>::infinity() : properties.mass;
   const Vec3 square = size.cwiseProduct(size);
+  const FrictionTable& pairs = settings.contact.materials;
 
   BoxColumns& boxes = batch.boxes;
   boxes.half_extents.push_back(0.5 * size);
   boxes.mass.push_back(mass);
   boxes.inertia.push_back(mass / 12.0 *
                           Vec3(square.y() + square.z(), square.z() + square.x(), square.x() + square.y()));
-  boxes.centre_of_mass.push_back(material.centre_of_mass);
-  boxes.friction.push_back(material.friction);
-  boxes.restitution.push_back(material.restitution);
-  boxes.material.push_back(box.material);
+  boxes.centre_of_mass.push_back(properties.centre_of_mass);
+  boxes.surface.push_back({.kind = SurfaceKind::box,
+                           .friction = properties.friction,
+                           .restitution = properties.restitution,
+                           .material = pairs.empty() ? FrictionTable::kOther : pairs.index_of(box.material.text()),
+                           .mat = box.mat});
+  boxes.material.push_back(box.material.id());
 
   StateColumns& state = batch.state;
-  state.position.emplace_back(0.5 * (box.corner_min + box.corner_max) + material.centre_of_mass);
+  state.position.emplace_back(0.5 * (box.corner_min + box.corner_max) + properties.centre_of_mass);
   state.orientation.emplace_back(Rotation::Identity());
   state.velocity.emplace_back(Vec3::Zero());
   state.angular_velocity.emplace_back(Vec3::Zero());
@@ -50,7 +53,7 @@ void for_each_number(const StateView& state, Visit visit) {
 
 void append_world(WorldBatch& batch, const Layout& layout, const Acceleration& acceleration, const Settings& settings) {
   batch.worlds.push_back({&layout, &acceleration, batch.state.position.size(), layout.boxes.size(), settings.contact,
-                          settings.container.friction});
+                          container_of(settings, layout)});
   for (const Box& box : layout.boxes) append_box(batch, box, settings);
 }
 
@@ -69,8 +72,8 @@ StateView view(const StateColumns& state, const World& world) {
 
 BoxView view(const BoxColumns& boxes, const World& world) {
   const auto part = [&](const auto& column) { return std::span(column).subspan(world.box_begin, world.box_count); };
-  return {part(boxes.half_extents), part(boxes.mass),        part(boxes.inertia), part(boxes.centre_of_mass),
-          part(boxes.friction),     part(boxes.restitution), part(boxes.material)};
+  return {part(boxes.half_extents),   part(boxes.mass),    part(boxes.inertia),
+          part(boxes.centre_of_mass), part(boxes.surface), part(boxes.material)};
 }
 
 std::uint64_t state_hash(const StateView& state) {

@@ -7,6 +7,7 @@
 
 #include "core/base/vector.hpp"
 #include "core/model/acceleration.hpp"
+#include "core/model/contact_law.hpp"
 #include "core/model/layout.hpp"
 #include "core/model/settings.hpp"
 
@@ -18,9 +19,8 @@ struct BoxColumns {
   std::vector<double> mass;          ///< kg; infinite, with infinite moments: fixed to the container
   std::vector<Vec3> inertia;         ///< principal moments about the centre of mass, body axes, kg m²
   std::vector<Vec3> centre_of_mass;  ///< offset from the centroid, body axes, m
-  std::vector<double> friction;      ///< coefficient of the surface, one factor of a product
-  std::vector<double> restitution;   ///< coefficient of the surface
-  std::vector<int> material;         ///< id of the layout file
+  std::vector<Surface> surface;
+  std::vector<int> material;  ///< its number; -1 where it has a name
 };
 
 /// State of boxes in the container's frame: one column per quantity, one entry per box.
@@ -39,8 +39,7 @@ void for_each_box_column(Visit&& visit, Columns&&... c) {
   visit("mass", c.mass...);
   visit("inertia", c.inertia...);
   visit("centre_of_mass", c.centre_of_mass...);
-  visit("friction", c.friction...);
-  visit("restitution", c.restitution...);
+  visit("surface", c.surface...);
   visit("material", c.material...);
 }
 template <class Visit, class... Columns>
@@ -60,7 +59,7 @@ struct World {
   std::size_t box_begin = 0;
   std::size_t box_count = 0;
   ContactSettings contact;
-  double container_friction = 0.0;  ///< of floor, walls and roof, one factor of a product
+  ContainerSettings container;
 };
 
 /// Worlds that an engine gets together: one set of columns; each world is a range of it.
@@ -92,8 +91,7 @@ struct BoxView {
   std::span<const double> mass;
   std::span<const Vec3> inertia;
   std::span<const Vec3> centre_of_mass;
-  std::span<const double> friction;
-  std::span<const double> restitution;
+  std::span<const Surface> surface;
   std::span<const int> material;
 };
 

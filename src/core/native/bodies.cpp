@@ -46,7 +46,7 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
   for (std::size_t i = 0; i < world.box_count; ++i) {
     const std::uint32_t box = bodies.world_box[i];
     bodies.shape[i].half_extents = boxes.half_extents[box];
-    bodies.surface.push_back({SurfaceKind::box, boxes.friction[box], boxes.restitution[box]});
+    bodies.surface.push_back(boxes.surface[box]);
     bodies.fixed.push_back(std::isinf(bodies.mass[i]) ? 1 : 0);
     bodies.asleep.push_back(0);
     bodies.radius.push_back((boxes.half_extents[box] + bodies.centre_of_mass[i].cwiseAbs()).norm());

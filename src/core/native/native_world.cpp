@@ -19,10 +19,9 @@ namespace {
 /// grows.
 constexpr std::size_t kLikelyManifolds = 8;
 
-/// @param friction of floor, walls and roof
-std::vector<Side> sides_of(const ContainerSettings& container, double friction, const std::vector<OrientedBox>& boxes) {
+std::vector<Side> sides_of(const ContainerSettings& container, const std::vector<OrientedBox>& boxes) {
   std::vector<Side> sides;
-  for (const Panel& panel : container_panels(container, friction, kWallThickness)) {
+  for (const Panel& panel : container_panels(container, kWallThickness)) {
     Side& made = sides.emplace_back();
     made.index = panel.side;
     made.space = {panel.normal, panel.offset};
@@ -60,7 +59,7 @@ NativeWorld::NativeWorld(const WorldBatch& batch, const World& world, const Sett
   scene_.bodies = bodies_of(batch, world);
   options_.steps_per_second =
       std::max(options_.steps_per_second, least_steps_per_second(scene_.bodies, settings.gravity));
-  scene_.sides = sides_of(settings.container, world.container_friction, scene_.bodies.shape);
+  scene_.sides = sides_of(world.container, scene_.bodies.shape);
   scene_.notes_pushes = settings.screening.measures_walls();
   const std::size_t count = scene_.bodies.count();
   scene_.manifolds = std::move(memory_->manifolds);
@@ -203,9 +202,8 @@ void NativeWorld::set_force(std::size_t box, const BoxForce& force) {
 void NativeWorld::set_friction(const ContactSettings& contact) {
   contact_ = contact;
   for (Manifold& manifold : scene_.manifolds) {
-    set_surfaces(manifold);
-    // Forces that balanced may lie outside of the new cones, and would pass as a proof of rest.
-    for (CachedImpulse& cached : manifold.cached) cached = {.pressed = cached.pressed};
+    set_surfaces(manifold, manifold.contact.normal);
+    forget_forces(manifold);
   }
   disturbed_ = true;
 }

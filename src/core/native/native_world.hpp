@@ -83,7 +83,8 @@ class NativeWorld {
   void take_contact(std::int32_t a, std::int32_t b, const ContactSet& contact);
   void set_contact(std::int32_t a, std::int32_t b, std::int32_t known, const ContactSet& contact);
   void update_sides(std::size_t body, double margin);
-  void set_surfaces(Manifold& manifold) const;
+  void set_surfaces(Manifold& manifold, const Vec3& normal) const;
+  void turn_surfaces(Manifold& manifold, const Vec3& normal) const;
   void end_manifold(std::size_t index);
   void end_separated_from_sleeping();
   StepTerms terms_for(const IslandView& island) const;

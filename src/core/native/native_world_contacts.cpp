@@ -26,6 +26,9 @@ bool have_passed(const Vec3& before, const Vec3& after, const Vec3& room, double
   return false;
 }
 
+/// Which body of a contact stands on the other: 1 for the second, −1 for the first, 0 for none.
+int upper_of(const Vec3& normal) { return normal.z() >= kStandsOn ? 1 : normal.z() <= -kStandsOn ? -1 : 0; }
+
 }  // namespace
 
 /// Finds the contact of a pair. One that is narrow is taken when all others are.
@@ -63,7 +66,9 @@ void NativeWorld::take_contact(std::int32_t a, std::int32_t b, const ContactSet&
 void NativeWorld::set_contact(std::int32_t a, std::int32_t b, std::int32_t known, const ContactSet& contact) {
   const Bodies& bodies = scene_.bodies;
   if (known >= 0 && contact.count > 0) {
-    update_contact(scene_.manifolds[at(known)], contact, bodies);
+    Manifold& manifold = scene_.manifolds[at(known)];
+    if (upper_of(manifold.contact.normal) != upper_of(contact.normal)) turn_surfaces(manifold, contact.normal);
+    update_contact(manifold, contact, bodies);
   } else if (known >= 0) {
     end_manifold(at(known));
   } else if (contact.count > 0) {
@@ -71,7 +76,7 @@ void NativeWorld::set_contact(std::int32_t a, std::int32_t b, std::int32_t known
     Manifold& manifold = scene_.manifolds.emplace_back();
     manifold.a = a;
     manifold.b = b;
-    set_surfaces(manifold);
+    set_surfaces(manifold, contact.normal);
     update_contact(manifold, contact, bodies);
   }
 }
@@ -85,13 +90,21 @@ void NativeWorld::mark_failed(std::int32_t a, std::int32_t b) {
 }
 
 /// Gives a manifold the coefficients of its two surfaces.
-void NativeWorld::set_surfaces(Manifold& manifold) const {
+/// @param normal of its contact, from a to b
+void NativeWorld::set_surfaces(Manifold& manifold, const Vec3& normal) const {
   const std::vector<Surface>& surfaces = scene_.bodies.surface;
   const Surface& on_a = manifold.with_side() ? scene_.sides[side_of(manifold)].surface : surfaces[at(manifold.a)];
   const Surface& on_b = surfaces[at(manifold.b)];
-  manifold.friction = friction_of_pair(contact_, on_a, on_b);
+  manifold.friction = friction_of_pair(contact_, on_a, on_b, normal.z());
   manifold.kinetic_friction = contact_.kinetic_friction * manifold.friction;
   manifold.restitution = restitution_of_pair(on_a, on_b);
+}
+
+/// Gives a manifold the coefficients of its contact's new normal: a mat acts only where its box stands on the other.
+void NativeWorld::turn_surfaces(Manifold& manifold, const Vec3& normal) const {
+  const double before = manifold.friction;
+  set_surfaces(manifold, normal);
+  if (manifold.friction != before) forget_forces(manifold);
 }
 
 void NativeWorld::end_manifold(std::size_t index) {

@@ -72,10 +72,10 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
   const StateView state = view(batch.state, world);
   for (std::size_t i = 0; i < world.box_count; ++i) {
     bodies_.push_back({boxes.half_extents[i], boxes.centre_of_mass[i], 1.0 / boxes.mass[i], boxes.inertia[i],
-                       Surface{SurfaceKind::box, boxes.friction[i], boxes.restitution[i]}, state.position[i],
-                       state.orientation[i], state.velocity[i], state.angular_velocity[i]});
+                       boxes.surface[i], state.position[i], state.orientation[i], state.velocity[i],
+                       state.angular_velocity[i]});
   }
-  for (const Panel& panel : container_panels(settings.container, world.container_friction, kWallThickness)) {
+  for (const Panel& panel : container_panels(world.container, kWallThickness)) {
     Side& made = sides_.emplace_back();
     made.half_space = {panel.normal, panel.offset};
     if (panel.ends) made.block = Block{panel.centre, panel.half_extents, Eigen::Matrix3d::Identity()};
@@ -140,7 +140,8 @@ PlainWorld::Touch PlainWorld::touch_at(const ContactPoint& point, std::size_t a,
     return i < bodies_.size() ? Vec3(point.position - bodies_[i].position) : Vec3::Zero();
   };
   const Surface& second = bodies_[b].surface;
-  return {.law = {a, b, arm(a), arm(b), point.normal, 0.0, friction_of_pair(world_.contact, first, second)},
+  return {.law = {a, b, arm(a), arm(b), point.normal, 0.0,
+                  friction_of_pair(world_.contact, first, second, point.normal.z())},
           .gap = point.gap,
           .restitution = restitution_of_pair(first, second)};
 }

@@ -21,8 +21,11 @@ std::vector<std::string> distinct_stems(const std::vector<std::string>& names) {
   std::set<std::string> taken;
   std::vector<std::string> stems;
   for (const std::string& name : names) {
-    std::string stem = std::filesystem::path(valid_utf8(name)).stem().string();
-    std::replace(stem.begin(), stem.end(), '$', '_');
+    // Of a load in a file with several: the file without its ending, and the name of the load.
+    const std::string text = valid_utf8(name);
+    const std::size_t load = std::min(text.find('#'), text.size());
+    std::string stem = std::filesystem::path(text.substr(0, load)).stem().string() + text.substr(load);
+    for (const char sign : {'$', '/'}) std::replace(stem.begin(), stem.end(), sign, '_');
     std::string distinct = stem;
     for (int i = 2; !taken.insert(distinct).second; ++i) distinct = fmt::format("{}~{}", stem, i);
     stems.push_back(distinct);

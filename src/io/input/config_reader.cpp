@@ -32,7 +32,6 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 struct Section {
   std::string name;        ///< for messages; `Material 3` for any white space and leading zeros in the file
   std::string_view table;  ///< as in the table of keys; "" if the table has no such section
-  int material = 0;
 };
 
 /// Reads one file. inih separates keys from values and removes comments. It reports neither line numbers nor what it
@@ -119,24 +118,20 @@ class ConfigReader {
     }
     const std::string_view name = trimmed(line.substr(1, end - 1));
     if (name == "Material" || name.starts_with("Material ") || name.starts_with("Material\t")) {
-      open_material(line, trimmed(name.substr(8)));
+      const std::optional<std::string> material = material_of_section(name);
+      if (material)
+        section_ = {"Material " + *material, kMaterialSection};
+      else
+        add_error(column_of(line), "a material section without the name of a material", shown(line),
+                  "[Material N], where N is a whole number from 0, or a name that is not any, floor or wall and has no "
+                  "comma");
       return;
     }
     const std::vector<std::string_view> sections = setting_sections();
     for (const std::string_view known : sections)
-      if (known == name) section_ = {std::string(name), known, 0};
+      if (known == name) section_ = {std::string(name), known};
     if (section_->table.empty() && !counted_only())
       add_error(column_of(line), "unknown section", shown(in_brackets(name)), suggestion(name, sections, true));
-  }
-
-  void open_material(std::string_view line, std::string_view id_text) {
-    const std::optional<int> id = material_id(id_text);
-    if (!id) {
-      add_error(column_of(line), "a material section without a material id", shown(line),
-                "[Material N] with a whole number N from 0 to 2147483647");
-      return;
-    }
-    section_ = {"Material " + std::to_string(*id), kMaterialSection, *id};
   }
 
   void set_key(const std::string& name, const std::string& value) {
@@ -145,18 +140,19 @@ class ConfigReader {
     if (!section_) return add_error(name_column, "a key before any section", shown(name), "a line [section] before it");
     if (section_->table.empty()) return;  // an error has already been reported for the section
     if (name.empty()) return add_error(name_column, "a value without a key", shown(value), "key = value");
-    const SettingKey* key = find_setting(section_->table, name);
-    if (key == nullptr) return add_unknown_key(name_column, name);
+    const std::optional<PlacedSetting> placed = place_setting(section_->name, name);
+    if (!placed) return add_unknown_key(name_column, name);
+    const SettingKey* const key = placed->key;
 
     const auto [first, is_new] =
-        given_.try_emplace({section_->name, std::string(key->name)}, Place{lines_.number(), name_column});
+        given_.try_emplace({placed->section, placed->name}, Place{lines_.number(), name_column});
     if (!is_new)
       return add_error(name_column, "the key is given twice", shown(name),
                        "its first value is on line " + std::to_string(first->second.line));
     const std::size_t equals = line.find_first_of("=:");
     const std::size_t begin = line.find_first_not_of(" \t", equals + 1);
     const long value_column = static_cast<long>(begin == std::string_view::npos ? equals + 1 : begin) + 1;
-    if (!key->set(config_.settings, section_->material, value)) {
+    if (!key->set(config_.settings, placed->of, value)) {
       std::string accepted(key->accepted);
       if (!key->unit.empty()) accepted += " (" + std::string(key->unit) + ')';
       add_error(value_column, name + (value.empty() ? " has no value" : " has a wrong value"), shown(value), accepted);
@@ -173,6 +169,8 @@ class ConfigReader {
       if (key.section == section_->table) names.push_back(key.name);
       if (key.name == name || key.alias == name) accepted = "it belongs to " + in_brackets(key.section);
     }
+    if (accepted.empty() && section_->table == kFrictionSection)
+      accepted = "two names with a comma between them: materials, or `any`, and at most one of `floor` and `wall`";
     if (accepted.empty()) accepted = suggestion(name, names, false);
     add_error(column, "unknown key in " + in_brackets(section_->name), shown(name), accepted);
   }
@@ -181,6 +179,7 @@ class ConfigReader {
     const auto is_given = [&](std::string_view section, std::string_view key) {
       return given_.contains({std::string(section), std::string(key)});
     };
+    apply_container_type(config_.settings, is_given);
     std::vector<SettingConflict> conflicts = choose_friction_model(config_.settings, is_given);
     for (SettingConflict& conflict : check_settings(config_.settings)) conflicts.push_back(std::move(conflict));
     for (SettingConflict& conflict : conflicts) {

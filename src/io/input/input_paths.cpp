@@ -17,6 +17,8 @@
 #include "io/input/regular_file.hpp"
 #include "io/input/text_file.hpp"
 #include "io/input/text_lines.hpp"
+#include "io/loads/json_loads.hpp"
+#include "io/loads/load_file.hpp"
 
 namespace holdfast::internal {
 
@@ -156,6 +158,9 @@ struct Look {
 
 Look look_at(std::string_view text) {
   if (text.find('\0') != std::string_view::npos) return {InputKind::unknown, true};
+  if (looks_like_json(text)) return {InputKind::layout, true};
+  if (text.find('\n') != std::string_view::npos && load_syntax(text) == LoadSyntax::table)
+    return {InputKind::layout, true};
   InputKind first = InputKind::unknown;
   bool is_second = false;
   LineReader lines(text);

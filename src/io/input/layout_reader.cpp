@@ -8,6 +8,7 @@
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
 #include "core/model/layout_check.hpp"
+#include "core/model/length_unit.hpp"
 #include "io/input/announced_boxes.hpp"
 #include "io/input/text_lines.hpp"
 
@@ -39,6 +40,8 @@ class LayoutReader {
  public:
   LayoutReader(const TextFile& file, const Settings& settings) : file_(file), settings_(settings), errors_(file.path) {
     layout_.name = file.name;
+    axes_ = axes_of(settings);
+    unit_ = settings.loads.unit.value_or(unit_);
     layout_.sha256 = file.sha256;
   }
 
@@ -48,18 +51,11 @@ class LayoutReader {
       errors_.add({.what = header_line_ == 0 ? "is empty" : "has no boxes",
                    .accepted = std::string("a layout is a header line, then one line per box: ") + kLayoutLine});
     if (!errors_.empty()) return errors_.take();
-    if (extra_line_ > 0)
-      warnings.push_back({.file = file_.path,
-                          .line = extra_line_,
-                          .column = extra_column_,
-                          .what = "columns after the seventh are ignored, here and in all further lines"});
     if (announced_)
       warnings.push_back({.file = file_.path,
                           .line = header_line_,
                           .what = "the header announces " + std::to_string(*announced_) + " boxes and the file has " +
                                   std::to_string(box_count_) + ", as in a truncated copy"});
-    std::vector<Error> geometry = check_layout(layout_, settings_, file_.path, warnings);
-    if (!geometry.empty()) return geometry;
     return std::move(layout_);
   }
 
@@ -115,9 +111,13 @@ class LayoutReader {
                    .accepted = std::string("the seven columns are ") + kLayoutLine});
       return;
     }
-    if (fields.size() > kLayoutColumns && extra_line_ == 0) {
-      extra_line_ = line;
-      extra_column_ = fields[kLayoutColumns].column;
+    if (fields.size() > kLayoutColumns && !has_more_columns_) {
+      has_more_columns_ = true;
+      errors_.add({.line = line,
+                   .column = fields[kLayoutColumns].column,
+                   .what = "more than seven columns, and nothing says what they mean",
+                   .value = shown(fields[kLayoutColumns].text),
+                   .accepted = std::string("name all columns in the first line, such as: ") + kLayoutLine + " weight"});
     }
     std::array<double, 6> corner{};
     bool good = true;
@@ -128,7 +128,7 @@ class LayoutReader {
       else if (std::abs(*number) > kFarthestCorner)
         good = refuse(line, fields[i], kCornerNames[i], "too far away", "a number of cm from -1000000 to 1000000");
       else
-        corner[i] = *number / 100.0;
+        corner[i] = in_metres(*number, unit_);
     }
     const std::optional<int> material = parse_material(fields[6].text);
     if (!material) good = refuse(line, fields[6], "the material", "not an id", "a whole number from 0 to 2147483647");
@@ -146,9 +146,8 @@ class LayoutReader {
   }
 
   Box make_box(const std::array<double, 6>& c, int material, long line) const {
-    if (settings_.up_axis == UpAxis::z) return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, material, line};
-    const double width = settings_.container.size.y();
-    return {{c[0], width - c[5], c[1]}, {c[3], width - c[2], c[4]}, material, line};
+    const auto [min, max] = axes_.corners({c[0], c[1], c[2]}, {c[3], c[4], c[5]}, settings_.container.size);
+    return {min, max, material, line};
   }
 
   const TextFile& file_;
@@ -156,16 +155,24 @@ class LayoutReader {
   ErrorList errors_;
   Layout layout_;
   long header_line_ = 0;
-  std::size_t box_count_ = 0;  ///< box lines so far, good or bad
-  long extra_line_ = 0;        ///< first line with an eighth column
-  long extra_column_ = 0;
+  std::size_t box_count_ = 0;      ///< box lines so far, good or bad
+  bool has_more_columns_ = false;  ///< a line with an eighth column has been seen
+  FileAxes axes_;
+  double unit_ = 0.01;                    ///< m
   std::optional<std::size_t> announced_;  ///< number of boxes in the header, if it differs from that in the file
 };
 
 }  // namespace
 
-Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings) {
+Result<Layout> read_layout_text(const TextFile& file, const Settings& settings, std::vector<Error>& warnings) {
   return LayoutReader(file, settings).read(warnings);
+}
+
+Result<Layout> parse_layout(const TextFile& file, const Settings& settings, std::vector<Error>& warnings) {
+  Result<Layout> layout = read_layout_text(file, settings, warnings);
+  if (!layout) return layout;
+  std::vector<Error> geometry = check_layout(*layout, settings, file.path, warnings);
+  return geometry.empty() ? std::move(layout) : Result<Layout>(std::move(geometry));
 }
 
 }  // namespace holdfast::internal

@@ -2,29 +2,15 @@
 
 #include <algorithm>
 
+#include "core/base/utf8.hpp"
+
 namespace holdfast::internal {
 
 namespace {
 
 constexpr std::string_view kWhite = " \t\r\v\f";
 
-/// Bytes of the UTF-8 character at the beginning of the text; 0 if it is not valid UTF-8.
-std::size_t utf8_length(std::string_view text) {
-  const unsigned lead = static_cast<unsigned char>(text[0]);
-  if (lead < 0x80U) return 1;
-  if (lead < 0xC2U || lead > 0xF4U) return 0;
-  const std::size_t length = lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
-  if (text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
-  // No surrogates, no overlong encodings, nothing above U+10FFFF.
-  const unsigned second = static_cast<unsigned char>(text[1]);
-  if ((lead == 0xE0U && second < 0xA0U) || (lead == 0xEDU && second > 0x9FU)) return 0;
-  if ((lead == 0xF0U && second < 0x90U) || (lead == 0xF4U && second > 0x8FU)) return 0;
-  return length;
-}
-
-/// The same; 0 also for a control character.
+/// Bytes of the UTF-8 character at the beginning of the text; 0 if it is none, or a control character.
 std::size_t character_length(std::string_view text) {
   const unsigned lead = static_cast<unsigned char>(text[0]);
   return lead < 0x20U || lead == 0x7FU ? 0 : utf8_length(text);

@@ -22,6 +22,7 @@ hid_t stored_type(ElementType type) {
       return H5T_IEEE_F32LE;
     case ElementType::f64:
       return H5T_IEEE_F64LE;
+    case ElementType::label:
     case ElementType::text:
       break;
   }
@@ -30,7 +31,7 @@ hid_t stored_type(ElementType type) {
 
 Id type_of(const DatasetSpec& spec, std::size_t text_size) {
   Id type(H5Tcopy(stored_type(spec.type)), H5Tclose);
-  if (spec.type == ElementType::text) {
+  if (spec.type == ElementType::text || spec.type == ElementType::label) {
     H5Tset_size(type, text_size);
     H5Tset_cset(type, H5T_CSET_UTF8);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
@@ -93,9 +94,10 @@ Dataset Dataset::open(const File& file, const DatasetSpec& spec) {
 
   const Id type(H5Dget_type(dataset.id_), H5Tclose);
   dataset.number_bytes_ = H5Tget_size(type);
-  const bool type_fits = spec.type == ElementType::text
-                             ? H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0
-                             : H5Tequal(type, stored_type(spec.type)) > 0;
+  const bool is_string = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+  const bool type_fits = spec.type == ElementType::text    ? is_string
+                         : spec.type == ElementType::label ? is_string && dataset.number_bytes_ == kLabelBytes
+                                                           : H5Tequal(type, stored_type(spec.type)) > 0;
   const Id space(H5Dget_space(dataset.id_), H5Sclose);
   std::array<hsize_t, 2> extent = {0, 1};
   const int rank = spec.width == 1 ? 1 : 2;

@@ -1,6 +1,7 @@
 #include "io/results/results_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace holdfast::internal {
@@ -23,6 +24,13 @@ void Column::append_stored(std::vector<std::byte>&& stored, std::size_t text_siz
     bytes_ = std::move(stored);
   else
     bytes_.insert(bytes_.end(), stored.begin(), stored.end());
+}
+
+void Column::append_label(const std::string& text) {
+  std::array<std::byte, kLabelBytes> padded{};
+  std::memcpy(padded.data(), text.data(), std::min(text.size(), kLabelBytes));
+  bytes_.insert(bytes_.end(), padded.begin(), padded.end());
+  ++count_;
 }
 
 std::vector<std::byte> Column::take() {

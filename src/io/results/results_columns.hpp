@@ -38,7 +38,8 @@ class Column {
   }
   void append(bool flag) { append(static_cast<std::uint8_t>(flag ? 1 : 0)); }
   void append(const std::string& text) {
-    assert(spec_->type == ElementType::text);
+    assert(spec_->type == ElementType::text || spec_->type == ElementType::label);
+    if (spec_->type == ElementType::label) return append_label(text);
     texts_.push_back(valid_utf8(text));  // the type of the column is UTF-8
     ++count_;
   }
@@ -64,6 +65,8 @@ class Column {
   std::vector<std::byte> stored(std::size_t text_size) const;
 
  private:
+  void append_label(const std::string& text);
+
   const DatasetSpec* spec_;
   std::uint64_t count_ = 0;
   std::vector<std::byte> bytes_;

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/model/setting_kinds.hpp"
 #include "io/input/text_lines.hpp"
 
 namespace holdfast::internal {
@@ -167,10 +170,24 @@ void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_b
   columns["/inputs/layouts/header"].append(layout.header);
   columns["/inputs/layouts/box_begin"].append(box_begin);
   columns["/inputs/layouts/box_count"].append(static_cast<std::uint32_t>(layout.boxes.size()));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::optional<ContainerShape>& own = layout.container;
+  columns["/inputs/layouts/container_type"].append(own ? own->type : std::string());
+  columns["/inputs/layouts/container_size"].append(own ? own->size : Vec3(Vec3::Constant(kNone)));
+  columns["/inputs/layouts/open_sides"].append(own ? setting_kinds::Sides::text(own->open_sides) : std::string());
+  columns["/inputs/layouts/drop_sides"].append(own ? setting_kinds::DropSides::text(own->drop_sides) : std::string());
+  columns["/inputs/layouts/bed_height"].append(own ? own->bed_height : kNone);
   for (const Box& box : layout.boxes) {
+    columns["/inputs/layouts/material_name"].append(box.material.is_number() ? std::string() : box.material.text());
+    columns["/inputs/layouts/box_name"].append(box.name);
+    columns["/inputs/layouts/mass"].append(box.mass.value_or(kNone));
+    columns["/inputs/layouts/mat"].append(box.mat.value_or(kNone));
+    columns["/inputs/layouts/fixed"].append(box.fixed);
+    columns["/inputs/layouts/order"].append(box.order ? static_cast<double>(*box.order) : kNone);
+    columns["/inputs/layouts/bearing_limit"].append(box.bearing_limit.value_or(kNone));
     columns["/inputs/layouts/corner_min"].append(box.corner_min);
     columns["/inputs/layouts/corner_max"].append(box.corner_max);
-    columns["/inputs/layouts/material"].append(static_cast<std::int32_t>(box.material));
+    columns["/inputs/layouts/material"].append(static_cast<std::int32_t>(box.material.id()));
   }
 }
 

@@ -12,8 +12,12 @@ namespace {
 constexpr DatasetContent kWorldOfBox = {"/boxes/world", Axis::boxes, "1", "world of the box: row of /worlds"};
 
 constexpr DatasetSpec kInputs[] = {
-    {{"/inputs/layouts/name", Axis::layouts, "none", "file name of the layout"}, ElementType::text, 1},
-    {{"/inputs/layouts/sha256", Axis::layouts, "none", "SHA-256 of the layout file's bytes, hexadecimal"},
+    {{"/inputs/layouts/name", Axis::layouts, "none",
+      "file name of the layout; # and the name of the load where a file has several"},
+     ElementType::text,
+     1},
+    {{"/inputs/layouts/sha256", Axis::layouts, "none",
+      "SHA-256, hexadecimal, of the layout file's bytes; of a load in a table or JSON, of its own JSON"},
      ElementType::text,
      1},
     {{"/inputs/layouts/header", Axis::layouts, "none", "first line of the layout file, as it is"},
@@ -33,8 +37,49 @@ constexpr DatasetSpec kInputs[] = {
     {{"/inputs/layouts/corner_max", Axis::layout_boxes, "m", "corner of the box with the largest x, y, z as loaded"},
      ElementType::f64,
      3},
-    {{"/inputs/layouts/material", Axis::layout_boxes, "1", "material id of the box in the layout file"},
+    {{"/inputs/layouts/material", Axis::layout_boxes, "1", "material of the box by number; -1 where it has a name"},
      ElementType::i32,
+     1},
+    {{"/inputs/layouts/material_name", Axis::layout_boxes, "none",
+      "material of the box by name; empty where it has a number"},
+     ElementType::label,
+     1},
+    {{"/inputs/layouts/box_name", Axis::layout_boxes, "none", "name of the box; empty where it has none"},
+     ElementType::label,
+     1},
+    {{"/inputs/layouts/mass", Axis::layout_boxes, "kg", "mass that the load says for the box; NaN: by its material"},
+     ElementType::f64,
+     1},
+    {{"/inputs/layouts/mat", Axis::layout_boxes, "1",
+      "friction coefficient of the anti-slip mat beneath the box; NaN: none"},
+     ElementType::f64,
+     1},
+    {{"/inputs/layouts/fixed", Axis::layout_boxes, "1", "1 where the load says that the box is part of the container"},
+     ElementType::u8,
+     1},
+    {{"/inputs/layouts/order", Axis::layout_boxes, "1", "when the box is loaded; NaN: in the order of the boxes"},
+     ElementType::f64,
+     1},
+    {{"/inputs/layouts/bearing_limit", Axis::layout_boxes, "kg", "most that may rest on the box; NaN: not known"},
+     ElementType::f64,
+     1},
+    {{"/inputs/layouts/container_type", Axis::layouts, "none",
+      "type of the load's own container in the catalogue; empty: none, or the container of the run"},
+     ElementType::text,
+     1},
+    {{"/inputs/layouts/container_size", Axis::layouts, "m",
+      "inner length, width and height of the load's own container; NaN: that of the run, in /inputs/settings"},
+     ElementType::f64,
+     3},
+    {{"/inputs/layouts/open_sides", Axis::layouts, "none", "open sides of the load's own container, as OpenSides"},
+     ElementType::text,
+     1},
+    {{"/inputs/layouts/drop_sides", Axis::layouts, "none", "low sides of the load's own container, as DropSides"},
+     ElementType::text,
+     1},
+    {{"/inputs/layouts/bed_height", Axis::layouts, "m",
+      "height of the floor of the load's own container above the ground; NaN: that of the run"},
+     ElementType::f64,
      1},
     {{"/inputs/accelerations/name", Axis::accelerations, "none",
       "file name of the acceleration, or norm, direction and size"},
@@ -128,13 +173,13 @@ std::string_view to_string(Axis axis) {
 }
 
 std::size_t size_of(ElementType type) {
-  constexpr std::array<std::size_t, 7> kSizes = {1, 4, 8, 4, 4, 8, 0};
+  constexpr std::array<std::size_t, 8> kSizes = {1, 4, 8, 4, 4, 8, kLabelBytes, 0};
   return kSizes.at(static_cast<std::size_t>(type));
 }
 
 std::string_view to_string(ElementType type) {
-  constexpr std::array<std::string_view, 7> kNames = {"uint8",   "uint32",  "uint64", "int32",
-                                                      "float32", "float64", "text"};
+  constexpr std::array<std::string_view, 8> kNames = {"uint8",   "uint32",  "uint64",    "int32",
+                                                      "float32", "float64", "text(120)", "text"};
   return kNames.at(static_cast<std::size_t>(type));
 }
 

@@ -42,8 +42,11 @@ inline std::uint64_t& at(AxisCounts& counts, Axis axis) { return counts[static_c
 inline std::uint64_t at(const AxisCounts& counts, Axis axis) { return counts[static_cast<std::size_t>(axis)]; }
 
 /// Type of the numbers of a dataset. Text is UTF-8 of fixed length, as long as the longest value needs, padded with
-/// zero bytes.
-enum class ElementType : std::uint8_t { u8, u32, u64, i32, f32, f64, text };
+/// zero bytes. A label is text of `kLabelBytes`, so that a long axis may have it.
+enum class ElementType : std::uint8_t { u8, u32, u64, i32, f32, f64, label, text };
+
+/// Bytes of a label: the longest name of a box.
+inline constexpr std::size_t kLabelBytes = 120;
 
 /// Size of one number, bytes; 0 for text, whose length varies from file to file.
 std::size_t size_of(ElementType type);

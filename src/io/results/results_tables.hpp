@@ -45,7 +45,8 @@ template <class Visit>
 void visit_boxes(Visit&& visit) {
   visit(DatasetContent{"/boxes/id", Axis::boxes, "1", "position among the boxes of the layout file, from 1"},
         &BoxTable::id);
-  visit(DatasetContent{"/boxes/material", Axis::boxes, "1", "material id of the layout file"}, &BoxTable::material);
+  visit(DatasetContent{"/boxes/material", Axis::boxes, "1", "material of the box by number; -1 where it has a name"},
+        &BoxTable::material);
   visit(DatasetContent{"/boxes/mass", Axis::boxes, "kg", "mass"}, &BoxTable::mass);
   visit(DatasetContent{"/boxes/size", Axis::boxes, "m", "edge lengths along x, y, z as loaded"}, &BoxTable::size);
   visit(DatasetContent{"/boxes/initial_position", Axis::boxes, "m", "centre of mass as loaded, container frame (z up)"},

@@ -98,14 +98,15 @@ void append(DeviceBatch& device, ShapeNumbers& shapes, const Body& body, std::si
 
 }  // namespace
 
-DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps) {
+DeviceBatch make_device_batch(const WorldBatch& batch, int sweeps) {
   DeviceBatch device;
   ShapeNumbers shapes(device.shapes);
   for (std::size_t world = 0; world < batch.worlds.size(); ++world) {
     const std::size_t begin = device.bodies.size();
     const World& load = batch.worlds[world];
-    const FrictionSides friction(load.contact, load.box_count == 0 ? 0.0 : batch.boxes.friction[load.box_begin]);
-    const std::vector<Panel> panels = container_panels(settings.container, load.container_friction, kClosedThickness);
+    const FrictionSides friction(load.contact,
+                                 load.box_count == 0 ? 0.0 : batch.boxes.surface[load.box_begin].friction);
+    const std::vector<Panel> panels = container_panels(load.container, kClosedThickness);
     for (std::size_t i = load.box_begin; i < load.box_begin + load.box_count; ++i) {
       append(device, shapes,
              {.position = batch.state.position[i],
@@ -116,8 +117,8 @@ DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings,
               .shape_centre = -batch.boxes.centre_of_mass[i],
               .mass = batch.boxes.mass[i],
               .inertia = batch.boxes.inertia[i],
-              .friction = friction.of(SurfaceKind::box, batch.boxes.friction[i]),
-              .restitution = batch.boxes.restitution[i]},
+              .friction = friction.of(SurfaceKind::box, batch.boxes.surface[i].friction),
+              .restitution = batch.boxes.surface[i].restitution},
              world, sweeps);
     }
     for (const Panel& panel : panels) {

@@ -19,6 +19,6 @@ struct DeviceBatch {
 };
 
 /// @param sweeps of the solver within each of Bullet's outer sweeps
-DeviceBatch make_device_batch(const WorldBatch& batch, const Settings& settings, int sweeps);
+DeviceBatch make_device_batch(const WorldBatch& batch, int sweeps);
 
 }  // namespace holdfast::internal

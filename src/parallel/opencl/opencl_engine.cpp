@@ -47,7 +47,7 @@ class OpenClSimulation final : public Simulation {
       : batch_(batch),
         gravity_(0.0, 0.0, -settings.gravity),
         steps_per_second_(settings.steps_per_second.value_or(kStepsPerSecond)),
-        device_(make_device_batch(batch, settings, (settings.opencl.iterations + kOuterSweeps - 1) / kOuterSweeps)),
+        device_(make_device_batch(batch, (settings.opencl.iterations + kOuterSweeps - 1) / kOuterSweeps)),
         start_(device_.bodies),
         start_position_(batch.state.position),
         parts_(parts_of(device_.ranges, bodies_at_once)),
@@ -200,6 +200,11 @@ std::vector<Error> unsupported(const Settings& settings) {
   if (settings.container.motion == ContainerMotion::free) {
     errors.push_back({.what = "bullet-opencl has no free container",
                       .accepted = "Motion = prescribed in [Container], or another engine"});
+  }
+  if (!settings.contact.materials.empty()) {
+    errors.push_back({.what = "bullet-opencl has no coefficients for pairs of materials",
+                      .value = "[Friction] " + settings.contact.materials.rows().front().partners.text(),
+                      .accepted = "rows of any, floor and wall alone, or another engine"});
   }
   return errors;
 }

@@ -35,16 +35,17 @@ void Scene::append_to(WorldBatch& batch) const {
     batch.boxes.mass.push_back(mass);
     batch.boxes.inertia.push_back(fixed ? Vec3::Constant(kFixed) : Vec3(mass / 12.0 * moments));
     batch.boxes.centre_of_mass.emplace_back(Vec3::Zero());
-    batch.boxes.friction.push_back(box.friction.value_or(settings.box_friction));
-    batch.boxes.restitution.push_back(box.restitution.value_or(settings.contact.restitution));
+    batch.boxes.surface.push_back({.friction = box.friction.value_or(settings.box_friction),
+                                   .restitution = box.restitution.value_or(settings.contact.restitution),
+                                   .material = settings.contact.materials.index_of(box.material),
+                                   .mat = box.mat});
     batch.boxes.material.push_back(0);
     batch.state.position.push_back(box.position);
     batch.state.orientation.push_back(box.orientation);
     batch.state.velocity.push_back(box.velocity);
     batch.state.angular_velocity.push_back(box.angular_velocity);
   }
-  batch.worlds.push_back(
-      {&kNoLayout, &acceleration, begin, boxes.size(), settings.contact, settings.container.friction});
+  batch.worlds.push_back({&kNoLayout, &acceleration, begin, boxes.size(), settings.contact, settings.container});
 }
 
 Scene empty_scene(const Vec3& container_size, double friction, double restitution) {

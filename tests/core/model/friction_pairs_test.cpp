@@ -11,7 +11,7 @@ using namespace holdfast::internal;
 namespace {
 
 bool set(Settings& settings, const char* section, const char* key, const char* value) {
-  return find_setting(section, key)->set(settings, 1, value);
+  return find_setting(section, key)->set(settings, "1", value);
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ TEST_CASE("friction_pairs: two boxes whose material is named have the coefficien
     Settings settings;
     REQUIRE(set(settings, "Material N", "Friction", std::string(pair.name).c_str()) == pair.same);
     if (!pair.same) continue;
-    const Surface box{SurfaceKind::box, material_of(settings, 1).friction, 0.0};
-    CHECK(friction_of_pair(settings.contact, box, box) == Approx(pair.dry).epsilon(1e-15));
+    const Surface box{SurfaceKind::box, friction_of(settings, 1), 0.0};
+    CHECK(friction_of_pair(settings.contact, box, box, 1.0) == Approx(pair.dry).epsilon(1e-15));
   }
   Settings settings;
   REQUIRE(set(settings, "Simulation Settings", "BoxFriction", "cardboard-cardboard"));

@@ -12,7 +12,7 @@ bool takes(const char* section, const char* name, const char* text) {
   Settings settings;
   const SettingKey* key = find_setting(section, name);
   REQUIRE(key != nullptr);
-  return key->set(settings, 1, text);
+  return key->set(settings, "1", text);
 }
 
 /// Sets the value from a text and returns its text.
@@ -20,8 +20,8 @@ std::string round_trip(const char* section, const char* name, const char* text) 
   Settings settings;
   const SettingKey* key = find_setting(section, name);
   REQUIRE(key != nullptr);
-  REQUIRE(key->set(settings, 1, text));
-  return key->get(settings, 1);
+  REQUIRE(key->set(settings, "1", text));
+  return key->get(settings, "1");
 }
 
 }  // namespace
@@ -45,9 +45,9 @@ TEST_CASE("setting_table: the declared default is the default of the member", "[
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     Settings set = defaults;
-    if (!key.default_value.empty()) REQUIRE(key.set(set, 1, key.default_value));
-    CHECK(key.get(defaults, 1) == key.get(set, 1));
-    CHECK(key.get(defaults, 1).empty() == key.default_value.empty());
+    if (!key.default_value.empty()) REQUIRE(key.set(set, "1", key.default_value));
+    CHECK(key.get(defaults, "1") == key.get(set, "1"));
+    CHECK(key.get(defaults, "1").empty() == key.default_value.empty());
   }
 }
 
@@ -57,10 +57,10 @@ TEST_CASE("setting_table: a key reads what it writes", "[core][setting_table]") 
     for (const char* text : {"1", "0.3333333333333333", "1e-3", "true", "settled", "pairs", "free", "y", "sleeping",
                              "wake_on_change", "native", "serial", "left, roof", "1 2.5 -3", "a path"}) {
       Settings settings;
-      if (!key.set(settings, 1, text)) continue;
+      if (!key.set(settings, "1", text)) continue;
       Settings again;
-      REQUIRE(key.set(again, 1, key.get(settings, 1)));
-      CHECK(key.get(again, 1) == key.get(settings, 1));
+      REQUIRE(key.set(again, "1", key.get(settings, "1")));
+      CHECK(key.get(again, "1") == key.get(settings, "1"));
     }
   }
 }
@@ -69,16 +69,16 @@ TEST_CASE("setting_table: a refused text changes nothing", "[core][setting_table
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     Settings settings;
-    if (key.set(settings, 7, "\x01 no value")) continue;
+    if (key.set(settings, "7", "\x01 no value")) continue;
     CHECK(settings.materials.empty());
-    CHECK(key.get(settings, 1) == key.get(Settings{}, 1));
+    CHECK(key.get(settings, "1") == key.get(Settings{}, "1"));
   }
 }
 
 TEST_CASE("setting_table: keys set the member they name, in SI units", "[core][setting_table]") {
   Settings s;
   const auto set = [&](const char* section, const char* name, const char* text) {
-    REQUIRE(find_setting(section, name)->set(s, 3, text));
+    REQUIRE(find_setting(section, name)->set(s, "3", text));
   };
   set("Container", "Length", "1203.5");
   set("Container", "OpenSides", "rear,roof  rear");
@@ -100,9 +100,9 @@ TEST_CASE("setting_table: keys set the member they name, in SI units", "[core][s
   CHECK(s.materials.at(3).mass == 12.0);
   CHECK(s.bullet.sleeping == BulletSleeping::wake_on_change);
   CHECK(s.screening.tilt_threshold == 5.0);
-  CHECK(find_setting("Container", "Length")->get(s, 0) == "1203.5");
-  CHECK(find_setting("Material N", "CentreOfMass")->get(s, 3) == "1 -2.5 0");
-  CHECK(find_setting("Material N", "Mass")->get(s, 4).empty());
+  CHECK(find_setting("Container", "Length")->get(s, "") == "1203.5");
+  CHECK(find_setting("Material N", "CentreOfMass")->get(s, "3") == "1 -2.5 0");
+  CHECK(find_setting("Material N", "Mass")->get(s, "4").empty());
 }
 
 TEST_CASE("setting_table: numbers are read whole, finite and in range", "[core][setting_table]") {
@@ -131,8 +131,8 @@ TEST_CASE("setting_table: no number is so large or so small that a run cannot co
     Settings settings;
     if (key.accepted.starts_with("a number")) {
       ++numbers;
-      CHECK_FALSE(key.set(settings, 1, "1e300"));
-      CHECK_FALSE(key.set(settings, 1, "-1e300"));
+      CHECK_FALSE(key.set(settings, "1", "1e300"));
+      CHECK_FALSE(key.set(settings, "1", "-1e300"));
     }
   }
   CHECK(numbers > 30);

@@ -84,8 +84,10 @@ TEST_CASE("world: boxes have the properties of their material", "[core][world]")
   const WorldBatch batch =
       batch_of({layout_of({box({0, 0, 0}, size, 1), box({1, 0, 0}, size, 2), box({2, 0, 0}, size, 3)})}, settings);
   CHECK(batch.boxes.mass == std::vector<double>{250.0, 500.0, 9.0});
-  CHECK(batch.boxes.friction == std::vector<double>{0.6, 0.3, 0.6});
-  CHECK(batch.boxes.restitution == std::vector<double>{0.1, 0.1, 0.4});
+  const std::vector<Surface>& surface = batch.boxes.surface;
+  CHECK(std::vector{surface[0].friction, surface[1].friction, surface[2].friction} == std::vector{0.6, 0.3, 0.6});
+  CHECK(std::vector{surface[0].restitution, surface[1].restitution, surface[2].restitution} ==
+        std::vector{0.1, 0.1, 0.4});
   CHECK(batch.boxes.centre_of_mass[1] == Vec3(0.1, 0, -0.2));
   // The state is that of the centre of mass, not of the centroid.
   CHECK(batch.state.position[0] == Vec3(0.5, 0.5, 0.5));

@@ -197,7 +197,7 @@ TEST_CASE("native_engine: a fixed box holds others and never moves", "[core][nat
         NativeEngine(settings), layout, constant(6, 1.5), settings,
         [](WorldBatch& batch) {
           fix(batch, 0);
-          batch.boxes.friction[3] = 0.0;
+          batch.boxes.surface[3].friction = 0.0;
         },
         [&](const WorldBatch& batch, const Phase&) {
           fixed_moved = fixed_moved || batch.state.position[0] != Vec3(5.5, 5.5, 0.5);

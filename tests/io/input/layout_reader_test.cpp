@@ -54,12 +54,20 @@ TEST_CASE("layout_reader: white space, comments and forms of numbers are accepte
   CHECK(layout->boxes[1].line == 7);
 }
 
-TEST_CASE("layout_reader: further columns are ignored with one warning", "[io][layout_reader]") {
-  std::vector<Error> warnings;
-  REQUIRE(
-      parse_layout(memory_file("1\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1 x y\n20 0 0 29 9 9 1 4\n"), Settings{}, warnings));
-  CHECK(messages_of(warnings) ==
-        Messages{"a.txt:3:17: columns after the seventh are ignored, here and in all further lines"});
+TEST_CASE("layout_reader: further columns, which nothing names, are one error", "[io][layout_reader]") {
+  CHECK(messages_of(parse("1\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1 x y\n20 0 0 29 9 9 1 4\n")) ==
+        Messages{"a.txt:3:17: more than seven columns, and nothing says what they mean: x; name all columns in the first "
+                 "line, such as: x1 y1 z1 x2 y2 z2 material weight"});
+}
+
+TEST_CASE("layout_reader: other units and axes are those of the settings", "[io][layout_reader]") {
+  Settings settings;
+  settings.loads.unit = 0.001;
+  settings.loads.axes = parse_axes("-z x y");
+  const Result<Layout> layout = parse("1\n100 0 70 200 50 470 1\n", settings);
+  REQUIRE(layout);
+  CHECK((layout->boxes[0].corner_min - Vec3(5.87 - 0.47, 0.1, 0)).norm() < 1e-12);
+  CHECK((layout->boxes[0].corner_max - Vec3(5.87 - 0.07, 0.2, 0.05)).norm() < 1e-12);
 }
 
 TEST_CASE("layout_reader: coordinates must be finite decimal numbers", "[io][layout_reader]") {

@@ -1,0 +1,224 @@
+#include "io/loads/check_load.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/base/number_text.hpp"
+#include "core/model/container_catalogue.hpp"
+#include "core/model/container_sides.hpp"
+#include "core/model/layout_check.hpp"
+#include "core/model/length_unit.hpp"
+#include "core/model/overlap_trim.hpp"
+#include "io/input/text_lines.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+std::string box_name(const Layout& layout, std::size_t index) {
+  const std::string& name = layout.boxes[index].name;
+  return "box " + std::to_string(index + 1) + (name.empty() ? "" : " (" + shown(name) + ')');
+}
+
+std::string millimetres(double metres) { return rounded_text(metres * 1000.0) + " mm"; }
+
+std::string size_text(const Vec3& size) {
+  return rounded_text(size.x()) + " x " + rounded_text(size.y()) + " x " + rounded_text(size.z()) + " m";
+}
+
+/// Whether boxes have positive extents, and corners at which sums do not overflow.
+bool is_sound(const Box& box) {
+  return box.corner_min.allFinite() && box.corner_max.allFinite() && (box.corner_max - box.corner_min).minCoeff() > 0.0;
+}
+
+/// Whether a box, shown another way, is inside a container.
+bool is_inside(const ContainerShape& shape, const Vec3& low, const Vec3& high) {
+  const ContainerSettings container = [&] {
+    ContainerSettings settings;
+    static_cast<ContainerShape&>(settings) = shape;
+    return settings;
+  }();
+  for (const ContainerSide& side : kContainerSides) {
+    const double depth = side.far ? high[side.axis] - shape.size[side.axis] : -low[side.axis];
+    if (depth > kLayoutTolerance + 1e-9 && !is_open(container, side)) return false;
+  }
+  return true;
+}
+
+/// Looks at a load as a whole.
+class WholeLook {
+ public:
+  WholeLook(const Layout& layout, const std::string& path, const Settings& settings)
+      : layout_(layout), path_(path), settings_(settings), container_(container_of(settings, layout)) {}
+
+  std::optional<Error> mistake() const {
+    if (layout_.boxes.empty()) return std::nullopt;
+    // Box by box is told what is wrong with single boxes.
+    const bool sound = std::all_of(layout_.boxes.begin(), layout_.boxes.end(), is_sound);
+    if (!sound) return sizes_as_corners();
+    const auto outside = [&](const Box& box) {
+      return !properties_of(settings_, box).fixed && !is_inside(container_, box.corner_min, box.corner_max);
+    };
+    const std::size_t count =
+        static_cast<std::size_t>(std::count_if(layout_.boxes.begin(), layout_.boxes.end(), outside));
+    if (count == 0) return all_tiny();
+    if (auto error = another_unit()) return error;
+    if (auto error = other_axes()) return error;
+    if (auto error = sizes_as_corners()) return error;
+    constexpr std::size_t kWhole = 3;  // fewer are told one by one
+    if (count < kWhole) return std::nullopt;
+    return another_container(count);
+  }
+
+ private:
+  template <class Corners>
+  bool all_inside(Corners corners) const {
+    return std::all_of(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
+      const auto [low, high] = corners(box);
+      return is_inside(container_, low, high);
+    });
+  }
+
+  /// The far corner of all boxes.
+  Vec3 reach() const {
+    Vec3 most = Vec3::Zero();
+    for (const Box& box : layout_.boxes) most = most.cwiseMax(box.corner_max);
+    return most;
+  }
+
+  /// A load in metres that is read as centimetres lies within a hundredth of the container.
+  std::optional<Error> all_tiny() const {
+    constexpr double kHundredth = 0.0101;
+    if (settings_.loads.unit || (reach().array() > kHundredth * container_.size.array()).any()) return std::nullopt;
+    return Error{.file = path_,
+                 .what = "all boxes lie within a hundredth of the container",
+                 .value = "up to " + size_text(reach()),
+                 .accepted = "if the lengths are metres: --unit m; --unit cm says that they are meant"};
+  }
+
+  std::optional<Error> another_unit() const {
+    const double unit = settings_.loads.unit.value_or(0.01);
+    for (const double other : {0.01, 0.001, 1.0, 0.0254}) {
+      const double factor = other / unit;
+      if (factor > 0.9) continue;  // boxes that are outside would be so all the more
+      const Vec3 reached = factor * reach();
+      // Such a load is none that is merely much smaller than the container.
+      constexpr double kLeastShare = 0.1;
+      if ((reached.array() < kLeastShare * container_.size.array()).all()) continue;
+      if (!all_inside(
+              [&](const Box& box) { return std::pair<Vec3, Vec3>(factor * box.corner_min, factor * box.corner_max); }))
+        continue;
+      return Error{.file = path_,
+                   .what = "the boxes do not fit the container in " + length_unit_name(unit),
+                   .value = "up to " + size_text(reach()),
+                   .accepted = "everything fits if the lengths are " + length_unit_name(other) + ": --unit " +
+                               length_unit_name(other)};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> other_axes() const {
+    if (settings_.loads.axes || settings_.up_axis == UpAxis::y) return std::nullopt;
+    for (const char* const text : {"x -z y", "-z x y", "z x y", "y x z"}) {
+      const FileAxes axes = *parse_axes(text);
+      const auto turned = [&](const Box& box) { return axes.corners(box.corner_min, box.corner_max, container_.size); };
+      if (!all_inside(turned)) continue;
+      return Error{
+          .file = path_,
+          .what = "the boxes do not fit the container along its axes",
+          .value = "up to " + size_text(reach()),
+          .accepted = std::string("everything fits with --axes \"") + text + "\", which are length, width and height"};
+    }
+    return std::nullopt;
+  }
+
+  /// Numbers of a place and a size, read as two corners.
+  std::optional<Error> sizes_as_corners() const {
+    std::size_t impossible = 0;
+    for (const Box& box : layout_.boxes) {
+      if (!box.corner_min.allFinite() || !box.corner_max.allFinite()) return std::nullopt;
+      if ((box.corner_max - box.corner_min).minCoeff() <= 0.0) ++impossible;
+      if (box.corner_max.minCoeff() <= 0.0) return std::nullopt;
+    }
+    if (impossible == 0) return std::nullopt;
+    if (!all_inside(
+            [](const Box& box) { return std::pair<Vec3, Vec3>(box.corner_min, box.corner_min + box.corner_max); }))
+      return std::nullopt;
+    return Error{.file = path_,
+                 .what = "the numbers seem to be places and sizes, and are read as two corners",
+                 .value = std::to_string(impossible) + " boxes would have no extent",
+                 .accepted = "name the columns in the first line: x y z length width height material"};
+  }
+
+  std::optional<Error> another_container(std::size_t outside) const {
+    const ContainerType* smallest = nullptr;
+    const auto volume = [](const ContainerType& type) { return type.length * type.width * type.height; };
+    for (const ContainerType& type : container_catalogue()) {
+      const ContainerShape shape = type.shape();
+      if (!shape.open_sides.empty()) continue;
+      const bool holds = std::all_of(layout_.boxes.begin(), layout_.boxes.end(),
+                                     [&](const Box& box) { return is_inside(shape, box.corner_min, box.corner_max); });
+      if (holds && (smallest == nullptr || volume(type) < volume(*smallest))) smallest = &type;
+    }
+    if (smallest == nullptr) return std::nullopt;
+    return Error{.file = path_,
+                 .what = std::to_string(outside) + " of " + std::to_string(layout_.boxes.size()) +
+                         " boxes are outside the container of " + size_text(container_.size),
+                 .value = "up to " + size_text(reach()),
+                 .accepted = "--container " + std::string(smallest->name) + " holds them"};
+  }
+
+  const Layout& layout_;
+  const std::string& path_;
+  const Settings& settings_;
+  ContainerSettings container_;
+};
+
+/// Named materials that neither a section nor a pair of [Friction] describes, while others are described.
+void warn_of_materials(const Layout& layout, const std::string& path, const Settings& settings,
+                       std::vector<Error>& warnings) {
+  const FrictionTable& pairs = settings.contact.materials;
+  if (settings.materials.empty() && pairs.empty()) return;
+  std::set<std::string> unknown;
+  for (const Box& box : layout.boxes)
+    if (!box.material.is_number() && !settings.materials.contains(box.material) &&
+        pairs.index_of(box.material.text()) == FrictionTable::kOther)
+      unknown.insert(box.material.text());
+  if (unknown.empty()) return;
+  std::string names;
+  for (const std::string& name : unknown) names += (names.empty() ? "" : ", ") + shown(name);
+  warnings.push_back(
+      {.file = path,
+       .what = unknown.size() == 1 ? "a material that is not described" : "materials that are not described",
+       .value = names,
+       .accepted = "the common keys hold; [Material " + *unknown.begin() + "] describes it"});
+}
+
+}  // namespace
+
+void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
+  if (!load.errors.empty()) return;
+  const double tolerance = settings.loads.overlap_tolerance.value_or(kFileOverlapTolerance);
+  Layout& layout = load.layout;
+  if (const auto mistake = WholeLook(layout, path, settings).mistake()) {
+    load.errors.push_back(*mistake);
+    return;
+  }
+  const Trimmed trimmed = trim_overlaps(layout, settings, tolerance);
+  load.errors = check_layout(layout, settings, path, load.warnings);
+  if (!load.errors.empty()) return;
+  if (trimmed.pairs > 0)
+    load.warnings.push_back({.file = path,
+                             .what = trimmed.pairs == 1 ? "an overlap is trimmed, half from each box, with masses kept"
+                                                        : "overlaps are trimmed, half from each box, with masses kept",
+                             .value = (trimmed.pairs == 1 ? "" : std::to_string(trimmed.pairs) + ", the largest ") +
+                                      box_name(layout, trimmed.first) + " and " + box_name(layout, trimmed.second) +
+                                      " by " + millimetres(trimmed.largest),
+                             .accepted = "up to " + millimetres(tolerance) + " by [Loads] OverlapTolerance"});
+  warn_of_materials(layout, path, settings, load.warnings);
+}
+
+}  // namespace holdfast::internal

@@ -1,0 +1,203 @@
+#include "io/loads/load_file.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/number_text.hpp"
+#include "io/input/layout_reader.hpp"
+#include "io/input/text_lines.hpp"
+#include "io/loads/check_load.hpp"
+#include "io/loads/json_loads.hpp"
+#include "io/loads/load_json.hpp"
+#include "io/loads/table_loads.hpp"
+#include "io/loads/table_text.hpp"
+
+namespace holdfast::internal {
+
+namespace {
+
+/// Fewest cells of a row that is taken for a header whose words are not known.
+constexpr std::size_t kFewestColumns = 6;
+
+/// Rows before the header that are passed over: titles and dates.
+constexpr int kMostTitleRows = 20;
+
+std::vector<std::string> texts_of(const std::vector<TableCell>& row) {
+  std::vector<std::string> texts;
+  for (const TableCell& cell : row) texts.emplace_back(cell.text);
+  return texts;
+}
+
+bool is_number(std::string_view text) {
+  std::string with_point(text);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return parse_number(with_point).has_value();
+}
+
+/// Whether a row can be a header: it names something, and its cells are no numbers.
+bool has_words(const std::vector<std::string>& row) {
+  return std::none_of(row.begin(), row.end(), [](const std::string& cell) { return is_number(cell); });
+}
+
+/// A table of text below its header.
+class TextRows final : public LoadRows {
+ public:
+  TextRows(const std::string& path, std::string_view text, char separator)
+      : path_(path), separator_(separator), table_(text, separator) {}
+
+  /// Looks for the header among the first rows: the first one whose words tell boxes; else what the best one lacks.
+  Result<ColumnPlan> find_header(std::span<const ColumnChoice> choices) {
+    std::optional<Error> best;
+    for (int i = 0; i < kMostTitleRows && table_.next(); ++i) {
+      std::vector<std::string> row = texts_of(table_.row());
+      if (!has_words(row)) break;
+      Result<ColumnPlan> plan = plan_columns(row, choices);
+      if (plan && plan->has_boxes()) {
+        headers_ = std::move(row);
+        header_line_ = table_.line();
+        return plan;
+      }
+      const bool says_something = !plan || plan->has_place() || plan->has_size() || plan->mass || plan->length;
+      if (best && !says_something) continue;
+      Error error =
+          plan ? Error{.what = "the header does not tell " + missing_columns(*plan),
+                       .value = joined(row),
+                       .accepted = "columns such as x, y, z, length, width, height; or --columns \"HEADER = x, ...\""}
+               : plan.error();
+      error.file = path_;
+      error.line = table_.row().front().line;
+      best = std::move(error);
+      if (says_something) break;
+    }
+    if (best) return *best;
+    if (Error wrong = mistake(); !wrong.what.empty()) return wrong;
+    return Error{.file = path_, .what = "has no header", .accepted = "a first row that names the columns"};
+  }
+
+  const std::vector<std::string>& headers() const override { return headers_; }
+  bool next() override { return table_.next(); }
+  void restart() override {
+    table_.restart();
+    while (table_.line() <= header_line_ - 1 && table_.next()) {
+    }
+  }
+  std::string_view cell(int column) const override {
+    const std::vector<TableCell>& row = table_.row();
+    return static_cast<std::size_t>(column) < row.size() ? row[static_cast<std::size_t>(column)].text : "";
+  }
+  Error at(int column, std::string what) const override {
+    const std::vector<TableCell>& row = table_.row();
+    const auto index = static_cast<std::size_t>(std::max(column, 0));
+    const TableCell& cell = index < row.size() ? row[index] : row.back();
+    const std::string name = column >= 0 ? " (column " + shown(headers_[index]) + ')' : "";
+    return {.file = path_, .line = cell.line, .column = cell.column, .what = std::move(what) + name};
+  }
+  long line() const override { return table_.row().front().line; }
+  Error mistake() const override {
+    if (table_.error().empty()) return {};
+    return {.file = path_, .line = table_.line(), .what = table_.error()};
+  }
+  bool may_have_decimal_commas() const override { return separator_ != ','; }
+
+ private:
+  static std::string joined(const std::vector<std::string>& row) {
+    std::string text;
+    for (const std::string& cell : row) text += (text.empty() ? "" : ", ") + cell;
+    return shown(text);
+  }
+
+  const std::string& path_;
+  char separator_;
+  TableText table_;
+  std::vector<std::string> headers_;
+  long header_line_ = 0;
+};
+
+/// Whether the second line of a text, after one that names no columns, is that of a box in StableCargo's text: such a
+/// text may have any header.
+bool has_seven_numbers(std::string_view text) {
+  LineReader lines(text);
+  std::vector<Field> fields;
+  std::vector<std::string> header;
+  while (lines.next()) {
+    split_fields(lines.line(), fields);
+    if (fields.empty()) continue;
+    if (header.empty()) {
+      for (const Field& field : fields) header.emplace_back(field.text);
+      continue;
+    }
+    const Result<ColumnPlan> plan = plan_columns(header, {});
+    if (plan && plan->has_boxes()) return false;
+    return fields.size() >= kLayoutColumns && std::all_of(fields.begin(), fields.begin() + 6, [](const Field& field) {
+             return parse_number(field.text).has_value();
+           });
+  }
+  return false;
+}
+
+Result<LoadsOfFile> read_text(const TextFile& file, const Settings& settings) {
+  LoadsOfFile found;
+  ReadLoad& load = found.loads.emplace_back();
+  Result<Layout> layout = read_layout_text(file, settings, load.warnings);
+  if (layout) {
+    load.layout = std::move(*layout);
+    check_load(load, file.path, settings);
+  } else {
+    load.errors = layout.errors();
+  }
+  load.layout.name = file.name;
+  load.layout.sha256 = file.sha256;
+  return found;
+}
+
+Result<LoadsOfFile> read_table_text(const TextFile& file, const TableChoices& choices, const Settings& settings) {
+  TextRows rows(file.path, file.text, separator_of(file.text));
+  const Result<ColumnPlan> plan = rows.find_header(choices.columns);
+  if (!plan) return plan.errors();
+  LoadsOfFile found = read_table(rows, *plan, {.path = file.path, .name = file.name}, choices, settings);
+  if (found.loads.empty()) return Error{.file = file.path, .what = "has no boxes"};
+  return found;
+}
+
+}  // namespace
+
+LoadSyntax load_syntax(std::string_view text) {
+  if (looks_like_json(text)) return LoadSyntax::json;
+  if (has_seven_numbers(text)) return LoadSyntax::text;
+  const char separator = separator_of(text);
+  TableText table(text, separator);
+  for (int i = 0; i < kMostTitleRows && table.next(); ++i) {
+    const std::vector<std::string> row = texts_of(table.row());
+    if (!has_words(row)) break;
+    const Result<ColumnPlan> plan = plan_columns(row, {});
+    const bool names_some = plan && (plan->has_place() || plan->has_size());
+    if (names_some || !plan) return LoadSyntax::table;
+    if (separator != ' ' && row.size() >= kFewestColumns) return LoadSyntax::table;
+  }
+  return LoadSyntax::text;
+}
+
+Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
+  if (const std::string encoding = encoding_mistake(file.text); !encoding.empty())
+    return Error{
+        .file = file.path, .what = "is " + encoding, .accepted = "text as UTF-8: save or export it as CSV (UTF-8)"};
+  const LoadSyntax syntax = load_syntax(file.text);
+  if (syntax == LoadSyntax::text) return read_text(file, settings);
+  const Result<TableChoices> choices = TableChoices::of(settings);
+  if (!choices) return choices.errors();
+  Result<LoadsOfFile> found = syntax == LoadSyntax::json
+                                  ? read_json_loads(file.text, file.path, file.name, *choices, settings)
+                                  : read_table_text(file, *choices, settings);
+  if (!found) return found;
+  for (ReadLoad& load : found->loads) {
+    if (load.errors.empty()) load.layout.sha256 = sha256_of(canonical_json(load.layout));
+    check_load(load, file.path, settings);
+    if (!load.errors.empty()) load.layout.boxes.clear();
+  }
+  return found;
+}
+
+}  // namespace holdfast::internal

@@ -1,0 +1,276 @@
+#include "io/loads/load_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/input/memory_file.hpp"
+#include "io/loads/load_json.hpp"
+#include "io/loads/load_writer.hpp"
+
+using namespace holdfast::internal;
+using test::memory_file;
+using test::Messages;
+using test::messages_of;
+
+namespace {
+
+const std::string kFormats = std::string(HOLDFAST_SOURCE_DIR) + "/tests/io/loads/formats/";
+
+TextFile format_file(const std::string& name) {
+  Result<TextFile> file = read_text_file(kFormats + name);
+  REQUIRE(file);
+  return *file;
+}
+
+LoadsOfFile loads_of(const std::string& text, const Settings& settings = {}, const std::string& path = "a.csv") {
+  Result<LoadsOfFile> loads = read_loads(memory_file(text, path), settings);
+  if (!loads) FAIL(loads.error().message());
+  return std::move(*loads);
+}
+
+Messages all_errors(const std::string& text, const Settings& settings = {}, const std::string& path = "a.csv") {
+  const Result<LoadsOfFile> loads = read_loads(memory_file(text, path), settings);
+  if (!loads) return messages_of(loads.errors());
+  Messages messages;
+  for (const ReadLoad& load : loads->loads)
+    for (const std::string& message : messages_of(load.errors)) messages.push_back(message);
+  return messages;
+}
+
+void check_vector(const nlohmann::json& expected, const Vec3& read) {
+  const Vec3 wanted(expected.at(0), expected.at(1), expected.at(2));
+  INFO(wanted.transpose() << " against " << read.transpose());
+  CHECK((wanted - read).cwiseAbs().maxCoeff() < 2e-6);
+}
+
+/// Compares what is read of a file with its description.
+/// @param trimmed the description has corners before overlaps are trimmed, m
+void check_format(const std::string& name, const std::string& stem, const Settings& settings, double trimmed = 0.0) {
+  INFO(name);
+  std::ifstream description(kFormats + "expected/" + stem + ".json");
+  const nlohmann::json expected = nlohmann::json::parse(description);
+  const Result<LoadsOfFile> read = read_loads(format_file(name), settings);
+  REQUIRE(read);
+  REQUIRE(read->loads.size() == expected["loads"].size());
+  for (std::size_t i = 0; i < read->loads.size(); ++i) {
+    const ReadLoad& load = read->loads[i];
+    const nlohmann::json& wanted = expected["loads"][i];
+    INFO(messages_of(load.errors).size());
+    REQUIRE(messages_of(load.errors) == Messages{});
+    CHECK(load.layout.name == wanted["name"].get<std::string>());
+    const Vec3 container = container_of(settings, load.layout).size;
+    if (wanted["container"].is_array())
+      check_vector(wanted["container"], container);
+    else
+      CHECK_FALSE(load.layout.container);
+    REQUIRE(load.layout.boxes.size() == wanted["boxes"].size());
+    for (std::size_t k = 0; k < load.layout.boxes.size(); ++k) {
+      const Box& box = load.layout.boxes[k];
+      const nlohmann::json& given = wanted["boxes"][k];
+      if (trimmed == 0.0) {
+        check_vector(given["corner_min"], box.corner_min);
+        check_vector(given["corner_max"], box.corner_max);
+      } else {
+        const Vec3 low(given["corner_min"][0], given["corner_min"][1], given["corner_min"][2]);
+        CHECK((low - box.corner_min).cwiseAbs().maxCoeff() < trimmed);
+      }
+      if (given.contains("name")) CHECK(box.name == given["name"].get<std::string>());
+      if (given.contains("mass")) CHECK(box.mass == Approx(given["mass"].get<double>()));
+      if (given.contains("material")) CHECK(box.material.text() == given["material"].get<std::string>());
+      if (given.contains("order")) CHECK(box.order == given["order"].get<long>());
+    }
+  }
+}
+
+/// What is said of a file and its loads.
+std::string said_of(const LoadsOfFile& loads) {
+  std::string said;
+  for (const Error& note : loads.notes) said += note.message() + '\n';
+  for (const ReadLoad& load : loads.loads)
+    for (const Error& warning : load.warnings) said += warning.message() + '\n';
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("load_file: a spreadsheet with semicolons and decimal commas", "[io][loads]") {
+  check_format("spreadsheet_semicolon.csv", "spreadsheet_semicolon", {});
+}
+
+TEST_CASE("load_file: a planner's export, which counts from the door and has two containers", "[io][loads]") {
+  Settings settings;
+  SECTION("by its axes") { settings.loads.axes = parse_axes("-z x y"); }
+  SECTION("by its format") { settings.loads.format = "planner"; }
+  check_format("planner_export.csv", "planner_export", settings);
+  const Result<LoadsOfFile> read = read_loads(format_file("planner_export.csv"), settings);
+  CHECK(said_of(*read).find("1 item is not placed: Reel spare") != std::string::npos);
+  CHECK(read->loads[0].layout.container->type == "40hc");
+}
+
+TEST_CASE("load_file: without axes the planner's export is told what it needs", "[io][loads]") {
+  const Result<LoadsOfFile> read = read_loads(format_file("planner_export.csv"), {});
+  REQUIRE(read);
+  REQUIRE(read->loads[0].errors.size() == 1);
+  CHECK(read->loads[0].errors[0].accepted.find("--axes \"-z x y\"") != std::string::npos);
+}
+
+TEST_CASE("load_file: a solver's bins, whose rows give sizes", "[io][loads]") {
+  check_format("solver_bins.csv", "solver_bins", {});
+}
+
+TEST_CASE("load_file: orders as keys of JSON, units in keys, turned items", "[io][loads]") {
+  check_format("order_plan.json", "order_plan", {});
+}
+
+TEST_CASE("load_file: a packer's middles with y upwards, in metres as its truck tells", "[io][loads]") {
+  Settings settings;
+  settings.up_axis = UpAxis::y;
+  check_format("packer_yup.json", "packer_yup", settings);
+  CHECK(said_of(*read_loads(format_file("packer_yup.json"), settings)).find("taken as m") != std::string::npos);
+}
+
+TEST_CASE("load_file: crates that nest are trimmed at their tops, and keep their masses", "[io][loads]") {
+  check_format("nested_crates.csv", "nested_crates", {});
+}
+
+TEST_CASE("load_file: inches, with an overlap of their rounding", "[io][loads]") {
+  Settings settings;
+  settings.loads.unit = 0.0254;
+  check_format("inches.txt", "inches", settings, 1e-4);
+  const std::string said = said_of(*read_loads(format_file("inches.txt"), settings));
+  CHECK(said.find("box 2 and box 3 by 0.127 mm") != std::string::npos);
+}
+
+TEST_CASE("load_file: a load is the same in every kind of file", "[io][loads]") {
+  Settings settings;
+  settings.loads.format = "planner";
+  std::vector<Layout> loads;
+  for (const ReadLoad& load : read_loads(format_file("planner_export.csv"), settings)->loads)
+    loads.push_back(load.layout);
+  for (const ReadLoad& load : read_loads(format_file("spreadsheet_semicolon.csv"), {})->loads)
+    loads.push_back(load.layout);
+  loads[1].boxes[0].mat = 0.6;
+  loads[1].boxes[0].fixed = true;
+  loads[1].boxes[0].bearing_limit = 1200.0;
+  loads[1].boxes[0].order = 7;
+  for (const std::string path : {"out.json", "out.csv"}) {
+    const Result<std::string> text = loads_text(loads, path);
+    REQUIRE(text);
+    const LoadsOfFile read = loads_of(*text, {}, path);
+    REQUIRE(read.loads.size() == loads.size());
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      INFO(path << ' ' << i);
+      CHECK(messages_of(read.loads[i].errors) == Messages{});
+      CHECK(canonical_json(read.loads[i].layout) == canonical_json(loads[i]));
+      CHECK(read.loads[i].layout.sha256 == sha256_of(canonical_json(loads[i])));
+    }
+    CHECK(read.loads[0].layout.name == path + "#Unit 1");
+  }
+  CHECK_FALSE(loads_text(loads, "out.txt"));
+  CHECK_FALSE(loads_text(loads, "out"));
+  const LoadsOfFile plain = loads_of("1 1\n0 0 0 80 59.5 106 4\n", {}, "a.txt");
+  CHECK(*loads_text({plain.loads[0].layout}, "b.txt") == "1 boxes\n0 0 0 80 59.5 106 4\n");
+}
+
+TEST_CASE("load_file: a text whose first line names its columns is a table", "[io][loads]") {
+  const LoadsOfFile loads = loads_of("x y z length width height material weight\n0 0 0 80 60 50 2 12.5\n", {}, "a.txt");
+  REQUIRE(loads.loads.size() == 1);
+  const Box& box = loads.loads[0].layout.boxes.at(0);
+  CHECK(box.corner_max == Vec3(0.8, 0.6, 0.5));
+  CHECK(box.material.id() == 2);
+  CHECK(box.mass == 12.5);
+  // Any other first line is a header without meaning, whatever signs it has.
+  for (const char* const header : {"seed=5; by hand", "a, b, c, d, e, f, g", "x y z", "3 boxes"})
+    CHECK(load_syntax(std::string(header) + "\n0 0 0 80 60 50 2\n") == LoadSyntax::text);
+}
+
+TEST_CASE("load_file: titles before the header are passed over, blank columns have no meaning", "[io][loads]") {
+  const LoadsOfFile loads = loads_of(
+      "Load plan;;;;;;\nby hand;;;;;;\n;;;;;;\nArtikel;x;y;z;L\xC3\xA4nge (mm);Breite (mm);H\xC3\xB6he (mm)\n"
+      "A;0;0;0;800;600;500\n;;;;;;\n");
+  REQUIRE(loads.loads.size() == 1);
+  CHECK(loads.loads[0].layout.boxes.size() == 1);
+  CHECK(loads.loads[0].layout.boxes[0].corner_max == Vec3(0.8, 0.6, 0.5));
+  CHECK(loads.loads[0].layout.boxes[0].name == "A");
+}
+
+TEST_CASE("load_file: what cannot be read is named by line, column and header", "[io][loads]") {
+  CHECK(all_errors("x;y;z;length;width;height\n0;0;0;80,5;60;50.5\n") ==
+        Messages{"a.csv:2:14: the height is not a number (column height): 50.5; a number such as 80 or 12,5; the table "
+                 "has decimal commas"});
+  CHECK(all_errors("name,x,y,z,weight,mass,length,width,height\nA,0,0,0,1,2,3,4,5\n") ==
+        Messages{"a.csv:1: two columns mean the same: weight and mass; leave one out: --columns \"mass = -\""});
+  CHECK(all_errors("name,x,y,length,width,height,m\nA,0,0,1,2,3,4\n") ==
+        Messages{
+            "a.csv:1: the header does not tell the place along z: name, x, y, length, width, height, m; columns such "
+            "as x, y, z, length, width, height; or --columns \"HEADER = x, ...\""});
+  CHECK(all_errors("x,y,z,length,width,height,weight\n0,0,0,80,60,50,-4\n") ==
+        Messages{"a.csv:2:16: the mass is not possible (column weight): -4; a number above 0"});
+  CHECK(all_errors("x,y,z,length,width,height\n0,0,0,80,\"60,50\n") == Messages{"a.csv:2: a quote is never closed"});
+  CHECK(all_errors(std::string("x\0,\0y\0", 6)) ==
+        Messages{"a.csv: is UTF-16; text as UTF-8: save or export it as CSV (UTF-8)"});
+  CHECK(all_errors("{\"a\": [1, }", {}, "a.json")[0].starts_with("a.json:1:11: the text is not JSON"));
+  CHECK(
+      all_errors("{\"items\": [{\"x\": 1, \"y\": 2, \"z\": 0}]}", {}, "a.json") ==
+      Messages{"a.json: no list of boxes with places and sizes is found: the list /items lacks the length, the width, "
+               "the height; a list of objects with keys such as x, y, z, length, width, height; or --columns"});
+}
+
+TEST_CASE("load_file: mistakes of one load leave the others", "[io][loads]") {
+  const LoadsOfFile loads = loads_of(
+      "load,x,y,z,length,width,height\nA,0,0,0,80,60,50\nB,0,0,zero,80,60,50\nC,0,0,0,80,60,50\nA,80,0,0,80,60,50\n");
+  REQUIRE(loads.loads.size() == 3);
+  CHECK(loads.loads[0].layout.boxes.size() == 2);
+  CHECK(messages_of(loads.loads[1].errors) ==
+        Messages{"a.csv:3:7: the place is not a number (column z): zero; a number such as 80 or 12.5"});
+  CHECK(loads.loads[2].errors.empty());
+}
+
+TEST_CASE("load_file: JSON of ours has its keys checked, and pointers in messages", "[io][loads]") {
+  const std::string box = R"({"corner_min": [0, 0, 0], "corner_max": [1, 1, 1]})";
+  CHECK(all_errors(R"({"holdfast": 1, "loads": [{"boxes": [)" + box + R"(], "nmae": "A"}]})", {}, "a.json") ==
+        Messages{"a.json: /loads/0/nmae: unknown key: nmae; did you mean 'name'?"});
+  CHECK(all_errors(R"({"holdfast": 1, "loads": [{"boxes": [{"corner_min": [0, 0, "x"], "corner_max": [1, 1, 1]}]}]})",
+                   {}, "a.json") == Messages{"a.json: /loads/0/boxes/0/corner_min/2: no number: \"x\"; a number"});
+  const LoadsOfFile lines = loads_of(
+      "{\"holdfast\": 1, \"unit\": \"cm\"}\n{\"name\": \"A\", \"container\": \"40HC\", "
+      "\"boxes\": [[0, 0, 0, 80, 60, 50, 3]]}\n{\"boxes\": 3}\n",
+      {}, "a.jsonl");
+  REQUIRE(lines.loads.size() == 2);
+  CHECK(lines.loads[0].layout.name == "a.jsonl#A");
+  CHECK(lines.loads[0].layout.container->type == "40hc");
+  CHECK(lines.loads[0].layout.boxes[0].corner_max == Vec3(0.8, 0.6, 0.5));
+  CHECK(messages_of(lines.loads[1].errors) ==
+        Messages{"a.jsonl:3: /boxes: no list of boxes: 3; a list with at least one box"});
+}
+
+TEST_CASE("load_file: a load that fits only otherwise is told what mends it", "[io][loads]") {
+  const auto only = [](const Messages& messages) {
+    REQUIRE(messages.size() == 1);
+    return messages[0];
+  };
+  // Metres as centimetres, millimetres as centimetres.
+  CHECK(only(all_errors("1\n0 0 0 1.2 0.8 1 1\n1.2 0 0 2.4 0.8 1 1\n", {}, "a.txt")).find("--unit m;") !=
+        std::string::npos);
+  CHECK(only(all_errors("1\n0 0 0 1200 800 1000 1\n1200 0 0 2400 800 1000 1\n", {}, "a.txt")).find("--unit mm") !=
+        std::string::npos);
+  // Fourteen boxes beyond the rear are one error, and a longer container holds them.
+  std::string row = "1\n";
+  for (int i = 0; i < 10; ++i) row += std::to_string(110 * i) + " 0 0 " + std::to_string(110 * i + 110) + " 80 90 1\n";
+  CHECK(only(all_errors(row, {}, "a.txt")).find("--container 40 holds them") != std::string::npos);
+  // Sizes as second corners.
+  CHECK(only(all_errors("1\n0 0 0 120 80 90 1\n120 0 0 120 80 90 1\n240 0 0 120 80 90 1\n", {}, "a.txt"))
+            .find("x y z length width height") != std::string::npos);
+  // y upwards, in a container that is longer than it is high.
+  CHECK(only(all_errors("1\n0 0 0 100 210 230 1\n100 0 0 200 210 232 1\n", {}, "a.txt")).find("--axes \"x -z y\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("load_file: named materials that nothing describes are said where others are described", "[io][loads]") {
+  Settings settings;
+  const std::string text = "x,y,z,length,width,height,material\n0,0,0,80,60,50,carton\n80,0,0,80,60,50,steel\n";
+  CHECK(said_of(loads_of(text, settings)).empty());
+  settings.materials[MaterialName("carton")].friction = 0.4;
+  CHECK(said_of(loads_of(text, settings)).find("not described: steel") != std::string::npos);
+}
