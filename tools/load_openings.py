@@ -1,8 +1,12 @@
-"""What of a container is open or low, which boxes are part of it, and how boxes leave it."""
+"""What loads say of their boxes and of their containers: what is open or low, what is part of it, and how boxes leave it."""
 import re
+
+import numpy as np
 
 BED_HEIGHT = "0"  # cm: where the settings do not say it; floors had no end in versions that did not know the key
 SIDES = {"front": (0, False), "rear": (0, True), "left": (1, False), "right": (1, True)}  # axis, and whether at its far end
+LONGEST_NAME = 40  # letters of a name within a sentence
+ROWS_READ = 65536  # texts in memory at a time
 
 
 def side_name(side):
@@ -58,6 +62,85 @@ class Openings:
 
 
 def fixed_materials(settings):
-    """The materials whose boxes are part of the container."""
-    keys = {re.fullmatch(r"Material (-?\d+)/Fixed", key): str(value) for key, value in settings.items()}
-    return {int(match[1]) for match, value in keys.items() if match and value.lower() in ("true", "yes", "1")}
+    """The materials whose boxes are part of the container: numbers as texts, and names."""
+    keys = {re.fullmatch(r"Material (.+)/Fixed", key): str(value) for key, value in settings.items()}
+    return {match[1] for match, value in keys.items() if match and value.lower() in ("true", "yes", "1")}
+
+
+def size_text(size):
+    return " × ".join(f"{round(part, 3):g}" for part in size) + " m"
+
+
+class Loads:
+    """What the layouts of a results file say of themselves. Files of earlier versions have less, and hold for all layouts what the
+    settings say.
+
+    :param file: the results file
+    :param settings: texts by section and key, as it has them
+    """
+
+    def __init__(self, file, settings):
+        inputs = file["inputs/layouts"]
+        layouts, boxes = len(inputs["name"]), len(inputs["material"])
+        self.run_type = str(settings.get("Container/Type", ""))
+        run_size = [float(settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
+        self.run_openings = Openings(settings, run_size)
+        self.names = texts_in(inputs, "box_name")  # by box
+        self.bearing_limit, self.mat = (inputs[name][:] if name in inputs else np.full(boxes, np.nan) for name in ("bearing_limit", "mat"))
+        fixed, named = fixed_materials(settings), texts_in(inputs, "material_name")
+        # Per box of the layouts: part of the container.
+        self.is_fixed = np.isin(inputs["material"][:], [int(name) for name in fixed if re.fullmatch(r"-?\d+", name)])
+        self.is_fixed[[box for box, name in named.items() if name in fixed]] = True
+        if "fixed" in inputs:
+            self.is_fixed |= inputs["fixed"][:] != 0
+        sizes = inputs["container_size"][:] if "container_size" in inputs else np.full((layouts, 3), np.nan)
+        own = [i for i in range(layouts) if np.isfinite(sizes[i]).all()]
+        types, opened, low = ({} if not own else texts_in(inputs, name) for name in ("container_type", "open_sides", "drop_sides"))
+        beds = inputs["bed_height"][:] if own else ()
+        self.own = {i: (types.get(i, ""), Openings({"Container/OpenSides": opened.get(i, ""), "Container/DropSides": low.get(i, ""),
+                                                    "Container/BedHeight": str(100 * beds[i])}, [float(part) for part in sizes[i]]))
+                    for i in own}
+        self.layouts = layouts
+
+    def openings(self, layout):
+        """Of the container of a layout."""
+        return self.own[layout][1] if layout in self.own else self.run_openings
+
+    @property
+    def all_closed(self):
+        return self.run_openings.is_closed and all(openings.is_closed for _, openings in self.own.values())
+
+    def own_container_text(self, layout):
+        """Type and size of a layout's own container, as a sentence behind others; nothing where it is in that of the run."""
+        if layout not in self.own:
+            return ""
+        kind, openings = self.own[layout]
+        return f" The container is {f'of type {kind}, ' if kind else ''}{size_text(openings.container)}."
+
+    def run_text(self):
+        """The container of the run, or that layouts have their own."""
+        if self.own and len(self.own) == self.layouts:
+            return "each layout has its own"
+        own = f"{len(self.own)} of {self.layouts} layouts have their own" if self.own else ""
+        return "; ".join(filter(None, [self.run_type, size_text(self.run_openings.container), self.run_openings.text(), own]))
+
+    def name(self, box):
+        """The name of a box of the layouts; nothing where it has none but its number."""
+        return self.names.get(int(box), "")
+
+    def short_name(self, box):
+        name = self.name(box)
+        return name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME - 1].rstrip()}…"
+
+
+def texts_in(group, name):
+    """The texts of a dataset that are not empty, by row; none where the file does not have it. What is cut within a letter ends
+    before it."""
+    found = {}
+    if name not in group:
+        return found
+    dataset = group[name]
+    for begin in range(0, len(dataset), ROWS_READ):
+        part = dataset[begin:begin + ROWS_READ]
+        found |= {begin + int(row): part[row].decode(errors="ignore").strip() for row in np.flatnonzero(part != b"")}
+    return found

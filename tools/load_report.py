@@ -20,7 +20,7 @@ try:
     import numpy as np
 except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
-from load_openings import Openings, fixed_materials, side_name
+from load_openings import Loads, side_name
 from load_views import FILLS, draw, packed_faces, turned_faces
 
 VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
@@ -41,13 +41,17 @@ WORST = (UNSTABLE, FELL, MOVED)  # the worst first
 ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
          "in which boxes move under most, then those with most such boxes.")
 READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken not to come to an end: SIGPROF ends the process
-TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes")  # datasets that are no numbers
+TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes", "material_name", "box_name", "container_type",
+         "open_sides", "drop_sides")  # datasets that are no numbers
 MOST_BOXES = 10  # rows of a page's table
+FEW_COLUMNS = 9  # of a table whose heads are in a line
+MOST_LISTED = 6  # of what a line of the front page lists
+MOST_ON_MATS = 20  # boxes that a note names
 STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
 h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
 table{border-collapse:collapse;margin:.6em 0;font-size:12px}td,th{border-bottom:1px solid #d5d9de;padding:2px 9px 2px 0;text-align:right}
 th{font-weight:600}td:first-child,th:first-child,.text{text-align:left}td,th{white-space:nowrap}
-.wrap td:last-child{white-space:normal}.views{display:flex}.views div{margin-right:5mm}
+.wrap td:last-child,.name,.many th{white-space:normal}.name{min-width:7em}.many td,.many th{padding-right:5px}.views{display:flex}.views div{margin-right:5mm}
 h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:5mm}figure{margin:0}.note{margin:.3em 0}figcaption,.note{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
 .key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}.key span:first-child{margin-left:0}"""
 
@@ -68,14 +72,11 @@ class Results:
         check_types(file)
         self.attributes = dict(file.attrs)
         self.settings = dict(file["inputs/settings"].attrs)
-        self.container = [float(self.settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
-        self.openings = Openings(self.settings, self.container)
+        self.loads = Loads(file, self.settings)
         inputs = file["inputs/layouts"]
         self.layout_names = inputs["name"].asstr()[:]
         self.begin, self.count = (inputs[name][:].astype(int) for name in ("box_begin", "box_count"))
         self.low, self.high = inputs["corner_min"][:], inputs["corner_max"][:]
-        fixed = sorted(fixed_materials(self.settings))
-        self.is_fixed = np.isin(inputs["material"][:], fixed)  # per box of the layouts: part of the container
         self.acceleration_names = file["inputs/accelerations/name"].asstr()[:]
         self.worlds = {name: file[f"worlds/{name}"][:] for name in ("layout", "acceleration", "box_begin", "box_count", "stop_reason")}
         self.by_layout = np.argsort(self.worlds["layout"], kind="stable")  # worlds
@@ -116,9 +117,9 @@ class Results:
         return start, start + end_displacement
 
     def last_orientations(self, file):
-        """Quaternions w, x, y, z of all boxes at the end, NaN where the file does not have them; None for a closed container, of
-        which nobody asks."""
-        if self.openings.is_closed:
+        """Quaternions w, x, y, z of all boxes at the end, NaN where the file does not have them; None where all containers are
+        closed, of which nobody asks."""
+        if self.loads.all_closed:
             return None
         turns = np.full((len(self.box_mass), 4), np.nan)
         if "series/orientation" not in file:
@@ -132,10 +133,11 @@ class Results:
     def sides_left(self, world):
         """The side at which each box left the container that is outside at the end, by index."""
         rows = self.rows_of(world)
-        if self.openings.is_closed:
+        openings = self.loads.openings(int(self.worlds["layout"][world]))
+        if openings.is_closed:
             return {}
-        sides = {box: self.openings.side_beyond(end) for box, (start, end) in enumerate(zip(self.start[rows], self.end[rows]))
-                 if self.openings.side_beyond(start) is None}
+        sides = {box: openings.side_beyond(end) for box, (start, end) in enumerate(zip(self.start[rows], self.end[rows]))
+                 if openings.side_beyond(start) is None}
         return {box: side for box, side in sides.items() if side}
 
     def needed_margins(self, file):
@@ -159,6 +161,22 @@ class Results:
         begin, end = np.searchsorted(self.sorted_layout, (layout, layout + 1))
         return self.by_layout[begin:end]
 
+    def span_of(self, layout):
+        """The rows of a layout's boxes in what the file says of layouts."""
+        return slice(int(self.begin[layout]), int(self.begin[layout]) + int(self.count[layout]))
+
+    def box_text(self, layout, box):
+        """A box as it is called on the page: its number, and its name where it has one."""
+        name = self.loads.short_name(self.begin[layout] + box)
+        return html.escape(f"box {box + 1}, {name}" if name not in ("", str(box + 1)) else f"box {box + 1}")
+
+    def mass_of(self, layout):
+        """Mass of a load without what is part of the container, kg; NaN where none of its worlds was simulated."""
+        for world in self.worlds_of(layout):
+            if self.worlds["box_count"][world] > 0:
+                return float(self.box_mass[self.rows_of(world)][~self.loads.is_fixed[self.span_of(layout)]].sum())
+        return np.nan
+
     def rows_of(self, world):
         begin = int(self.worlds["box_begin"][world])
         return slice(begin, begin + int(self.worlds["box_count"][world]))
@@ -179,11 +197,15 @@ class Results:
 
 
 def table(heads, rows, text=(), kind=""):
-    """:param text: columns beside the first that are aligned to the left
+    """:param text: columns beside the first that are aligned to the left; as a dictionary, with one more class of each in the style
     :param kind: class of the table in the style
     """
+    def kind_of(i):
+        more = text[i] if isinstance(text, dict) else ""
+        return f' class="text {more}"' if more else " class=text"
+
     def cells(tag, row):
-        return "".join(f'<{tag}{" class=text" if i in text else ""}>{cell}</{tag}>' for i, cell in enumerate(row))
+        return "".join(f'<{tag}{kind_of(i) if i in text else ""}>{cell}</{tag}>' for i, cell in enumerate(row))
 
     return f"<table class='{kind}'><tr>{cells('th', heads)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
 
@@ -199,6 +221,11 @@ def fixed(value, digits=0):
         return "-"
     text = f"{value:.{digits}f}"
     return text.lstrip("-") if float(text) == 0 else text
+
+
+def number(value):
+    """A number with the digits that it needs, three at most; what is not known is nothing."""
+    return "" if np.isnan(value) else f"{value:.3g}"
 
 
 def compared(value, limit):
@@ -219,9 +246,19 @@ def when(time):
     return f"{fixed(time, 2)} s" if time >= 0 else "settling"
 
 
-def named(box, time):
+def weight(mass):
+    """A mass, kg."""
+    return fixed(mass, 0 if mass >= 100 else 1)
+
+
+def listed(texts, most=MOST_LISTED, between=", "):
+    """The first of several, and how many there are more."""
+    return between.join(texts[:most]) + (f" and {len(texts) - most} more" if len(texts) > most else "")
+
+
+def box_at(text, time):
     """A box with the time at which it was beyond a limit first, where that is known."""
-    return f"box {box}" + ("" if np.isnan(time) else f", {when(time)}")
+    return text + ("" if np.isnan(time) else f", {when(time)}")
 
 
 def most_and_last(most, last, limit):
@@ -235,7 +272,7 @@ def first_box(results, world):
     return critical - 1 if critical > 0 and results.is_beyond(world).any() else None
 
 
-def worlds_table(results, worlds):
+def worlds_table(results, layout, worlds):
     rows, explained = [], {}
     for world in worlds:
         summary = {name: column[world] for name, column in results.world_summary.items()}
@@ -252,7 +289,7 @@ def worlds_table(results, worlds):
             replicas = {key: column[world] for key, column in results.replicas.items()}
             told = f"{REPLICA_VERDICTS[replicas['verdict']]}: {replicas['failed']} of {replicas['count']} fail" if replicas["count"] else ""
         rows.append([name, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
-                     "-" if first is None else named(first + 1, results.box_summary["first_beyond"][results.rows_of(world)][first]),
+                     "-" if first is None else box_at(results.box_text(layout, first), results.box_summary["first_beyond"][results.rows_of(world)][first]),
                      f"{summary['fallen_boxes']} ({summary['fallen_at_end']})", summary["moved_boxes"], summary["tilted_boxes"],
                      most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"], 100 * results.limits["move_threshold"]), told,
                      ", ".join(filter(None, [*caveats, html.escape(results.status_text[world])]))])
@@ -275,13 +312,13 @@ def note(results, explained):
     return f"<p class=note>{' '.join(sentence[0].upper() + sentence[1:] + '.' for sentence in sentences)}</p>"
 
 
-def departures(results, worlds):
+def departures(results, layout, worlds):
     """How boxes leave the container under each acceleration, as sentences."""
     sentences = []
     for world in worlds:
-        ways = {box: results.openings.way(side) for box, side in results.sides_left(world).items()}
+        ways = {box: results.loads.openings(layout).way(side) for box, side in results.sides_left(world).items()}
         first = first_box(results, world)
-        told = [f"box {first + 1}, which goes first, leaves {ways.pop(first)}"] if first in ways else []
+        told = [f"{results.box_text(layout, first)}, which goes first, leaves {ways.pop(first)}"] if first in ways else []
         more = " more" if told else ""
         told += [f"{number}{more} {'leaves' if number == 1 else 'leave'} {way}" for way, number in Counter(ways.values()).items()]
         if told:
@@ -308,12 +345,13 @@ def margins_table(results, layout):
         in_place, margin, box = (results.margins[name][layout, i] for name in ("margin", f"margin{judged}", f"critical_box{judged}"))
         needed = results.needed[i]
         stands = f"<span class=bad>{size(margin)}</span>" if margin + ROUNDING < needed else size(margin)
-        rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", f"box {box}" if box else "-"])
+        rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", results.box_text(layout, int(box) - 1) if box else "-"])
+    named = any(results.loads.name(row) for row in range(results.span_of(layout).start, results.span_of(layout).stop))
     heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "first"]
-    return "<div><h3>How many g it stands</h3>" + table(heads, rows) + "</div>"
+    return "<div><h3>How many g it stands</h3>" + table(heads, rows, text=(len(heads) - 1,) if named else ()) + "</div>"
 
 
-def walls_table(results, worlds):
+def walls_table(results, layout, worlds):
     if results.wall_force is None:
         return ""
     force = results.wall_force[worlds]
@@ -321,7 +359,7 @@ def walls_table(results, worlds):
         return ""
     rows = []
     for i, side in enumerate(SIDES):
-        if results.openings.walls[side] == 0:
+        if results.loads.openings(layout).walls[side] == 0:
             continue
         world = worlds[np.nanargmax(force[:, i])]
         most, limit = results.wall_force[world, i], results.wall_limit[world, i]
@@ -344,27 +382,29 @@ def boxes_table(results, layout, worlds):
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
     order = sorted(found, key=lambda box: -found[box][0])
-    lines, leave = [], False
+    loads, span = results.loads, results.span_of(layout)
+    limits = [results.limits[f"{name}_threshold"] for name in ("move", "drop", "tilt")]
+    lines = []
     for box in order[:MOST_BOXES]:
-        peak, world = found[box]
-        row = results.rows_of(world).start + box
-        mass = results.box_mass[row]
-        size = results.high[results.begin[layout] + box] - results.low[results.begin[layout] + box]
+        _, world = found[box]
+        row, own = results.rows_of(world).start + box, span.start + box
+        size = results.high[own] - results.low[own]
         unstable = results.world_summary["verdict"][world] == UNSTABLE
         under = "gravity alone" if unstable else html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
-        limits = [results.limits[f"{name}_threshold"] for name in ("move", "drop", "tilt")]
         excursion = [most_and_last(unit * most, unit * last, unit * limit)
                      for unit, most, last, limit in zip((100, 100, 1), results.box_peak[row], results.box_end[row], limits)]
         side = results.sides_left(world).get(box)
-        leave |= side is not None
-        lines.append([box + 1, " × ".join(f"{round(100 * part, 1):g}" for part in size), fixed(mass, 0 if mass >= 100 else 1), *excursion,
+        lines.append([box + 1, html.escape(loads.short_name(own)), " × ".join(f"{round(100 * part, 1):g}" for part in size),
+                      weight(results.box_mass[row]), weight(loads.bearing_limit[own]), *excursion,
                       when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
     more = f"<p>and {counted(len(order) - MOST_BOXES, 'more box')}</p>" if len(order) > MOST_BOXES else ""
-    heads = ["box", "size, cm", "mass, kg", "farthest, cm", "drop, cm", "tilt, °", "beyond from", "under", "leaves at"]
-    if not leave:
-        for row in [heads, *lines]:
-            row.pop()
-    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=(7, 8)) + more
+    columns = {"box": True, "name": any(map(loads.name, range(span.start, span.stop))), "size, cm": True, "mass, kg": True,
+               "may bear, kg": np.isfinite(loads.bearing_limit[span]).any(), "farthest, cm": True, "drop, cm": True, "tilt, °": True,
+               "beyond from": True, "under": True, "leaves at": any(line[-1] for line in lines)}
+    heads = [head for head, shown in columns.items() if shown]
+    lines = [[cell for cell, shown in zip(line, columns.values()) if shown] for line in lines]
+    text = {i: "name" if head == "name" else "" for i, head in enumerate(heads) if head in ("name", "under", "leaves at")}
+    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=text, kind="many" if len(heads) > FEW_COLUMNS else "") + more
 
 
 def colour_key(meanings, any_fixed):
@@ -382,14 +422,14 @@ def end_views(results, layout, worlds):
     if not left.get(world) or np.isnan(results.end_turn[results.rows_of(world)]).any():
         return ""
     rows = results.rows_of(world)
-    span = slice(int(results.begin[layout]), int(results.begin[layout]) + rows.stop - rows.start)
-    fixed = results.is_fixed[span]
+    span = results.span_of(layout)
+    openings, fixed = results.loads.openings(layout), results.loads.is_fixed[span]
     states = np.where(results.is_beyond(world), "later", np.where(fixed, "fixed", "still")).astype(object)
     if (first := first_box(results, world)) is not None:
         states[first] = "first"
     loaded = results.initial[rows]
     boxes = list(zip(results.low[span] - loaded, results.high[span] - loaded, results.end_turn[rows], results.end[rows]))
-    top, corner = (f"<figure>{draw(turned_faces(boxes, view), states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
+    top, corner = (f"<figure>{draw(turned_faces(boxes, view), states, openings, view, width)}<figcaption>{caption}</figcaption></figure>"
                    for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("corner", 360, "from the corner")))
     name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
     key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, fixed.any())
@@ -400,9 +440,9 @@ def page(results, layout):
     worlds = results.worlds_of(layout)
     failing = [world for world in worlds if results.fails(world)]
     simulated = [world for world in worlds if results.worlds["box_count"][world] > 0]
-    span = slice(int(results.begin[layout]), int(results.begin[layout]) + int(results.count[layout]))
+    span, openings = results.span_of(layout), results.loads.openings(layout)
     boxes = list(zip(results.low[span], results.high[span]))
-    fixed = results.is_fixed[span]
+    fixed = results.loads.is_fixed[span]
     states = ["fixed" if of_container else "still" for of_container in fixed]
     for world in simulated:
         for box in np.flatnonzero(results.is_beyond(world)):
@@ -410,23 +450,37 @@ def page(results, layout):
     for world in simulated:
         if (first := first_box(results, world)) is not None:
             states[first] = "first"
-    size = sum(np.prod(high - low) for (low, high), of_container in zip(boxes, fixed) if not of_container) / np.prod(results.container)
+    size = sum(np.prod(high - low) for (low, high), of_container in zip(boxes, fixed) if not of_container) / np.prod(openings.container)
     views = ""
     if boxes:
         top, side, corner = (
-            f"<figure>{draw(packed_faces(boxes, view), states, results.openings, view, width)}<figcaption>{caption}</figcaption></figure>"
+            f"<figure>{draw(packed_faces(boxes, view), states, openings, view, width)}<figcaption>{caption}</figcaption></figure>"
             for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("side", 300, "from the left side"),
-                                         ("corner", 360, f"from above the {'door' if results.openings.is_full('rear') else 'rear'}")))
+                                         ("corner", 360, f"from above the {'door' if openings.is_full('rear') else 'rear'}")))
         views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
     key = colour_key({"first": "first to go under some acceleration", "later": "beyond a limit", "still": "stayed under all"}, fixed.any())
-    if not results.openings.is_closed:
-        key += f"<p class=note>{results.openings.text().capitalize()}. The floor is dashed where no wall stands on it.</p>"
+    if text := mats_text(results, layout):
+        key += f"<p class=note>{text}</p>"
+    if not openings.is_closed:
+        text = openings.text()
+        key += f"<p class=note>{text[0].upper() + text[1:]}. The floor is dashed where no wall stands on it.</p>"
     also = f", and {fixed.sum()} fixed" if fixed.any() else ""
     moved = boxes_table(results, layout, simulated) if simulated and any(state in ("first", "later") for state in states) else ""
-    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}, {percent(size)} of the "
-            f"container's volume{also}; fails under {len(failing)} of {counted(len(worlds), 'acceleration')}.</p>{views}"
-            f"{key if boxes else ''}{worlds_table(results, worlds)}{departures(results, simulated)}{end_views(results, layout, simulated)}<div class=beside>{margins_table(results, layout)}"
-            f"{walls_table(results, worlds) if simulated else ''}</div>{moved}</section>")
+    mass = "" if np.isnan(results.mass_of(layout)) else f" of {weight(results.mass_of(layout))} kg"
+    return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}{mass}, {percent(size)} of the "
+            f"container's volume{also}; fails under {len(failing)} of {counted(len(worlds), 'acceleration')}.{html.escape(results.loads.own_container_text(layout))}</p>{views}"
+            f"{key if boxes else ''}{worlds_table(results, layout, worlds)}{departures(results, layout, simulated)}{end_views(results, layout, simulated)}<div class=beside>{margins_table(results, layout)}"
+            f"{walls_table(results, layout, worlds) if simulated else ''}</div>{moved}</section>")
+
+
+def mats_text(results, layout):
+    """Which boxes stand on anti-slip mats, as a sentence; nothing where none does."""
+    mats = results.loads.mat[results.span_of(layout)]
+    told = []
+    for mat in np.unique(mats[np.isfinite(mats)]):
+        boxes = np.flatnonzero(mats == mat)
+        told.append(f"on a mat of {number(mat)}: {'box' if len(boxes) == 1 else 'boxes'} {listed([str(box + 1) for box in boxes], MOST_ON_MATS)}")
+    return f"{'; '.join(told).capitalize()}." if told else ""
 
 
 def limits_of(results):
@@ -438,17 +492,26 @@ def friction_text(settings):
     """The coefficients of friction that act, in the words of the program."""
     if settings.get("Contact/FrictionModel") == "pairs":
         box, floor, walls = (float(settings.get(f"Contact/Box{other}", "nan")) for other in ("Box", "Floor", "Wall"))
-        rows = sum(key.startswith("Friction/") for key in settings)
-        own = {0: "", 1: "; one pair of materials has its own"}.get(rows, f"; {rows} pairs of materials have their own")
-        return f"box on box {box:.3g}, on the floor {floor:.3g}, on walls {walls:.3g}{own}"
+        return f"box on box {box:.3g}, on the floor {floor:.3g}, on walls {walls:.3g}"
     box, container = (float(settings.get(f"Simulation Settings/{name}Friction", "nan")) for name in ("Box", "Container"))
-    own = any(re.fullmatch(r"Material .+/Friction", key) and str(value) for key, value in settings.items())
-    return f"box on box {box * box:.3g}, on floor and walls {box * container:.3g}" + (", others where a material has its own" if own else "")
+    return f"box on box {box * box:.3g}, on floor and walls {box * container:.3g}"
+
+
+def friction_of_materials(settings):
+    """The coefficients of materials that have their own; nothing where none has."""
+    if settings.get("Contact/FrictionModel") == "pairs":
+        return listed([f"{key.removeprefix('Friction/')} {float(value):.3g}" for key, value in settings.items() if key.startswith("Friction/")],
+                      between="; ")
+    container = float(settings.get("Simulation Settings/ContainerFriction", "nan"))
+    own = {match[1]: float(value) for key, value in settings.items() if (match := re.fullmatch(r"Material (.+)/Friction", key)) and str(value)}
+    return listed([f"{name} on {name} {factor * factor:.3g}, on floor and walls {factor * container:.3g}" for name, factor in own.items()],
+                  between="; ")
 
 
 def front_page(results, order, shown):
     names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
-             "norm": str(results.settings.get("Screening/Norm", "")), "friction": friction_text(results.settings), "limits": limits_of(results), "sides": results.openings.text(), "software": str(results.attributes["software"]),
+             "norm": str(results.settings.get("Screening/Norm", "")), "friction": friction_text(results.settings),
+             "of materials": friction_of_materials(results.settings), "limits": limits_of(results), "container": results.loads.run_text(), "software": str(results.attributes["software"]),
              "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
     if names["engine"] != "native":
         del names["accuracy"]

@@ -9,6 +9,10 @@ import numpy as np
 from cli import SOURCE, CliTest, datasets
 
 LAYOUTS = SOURCE / "configs/layouts"
+TRAILER = SOURCE / "configs/loads/trailer.csv"
+PLANNER = SOURCE / "tests/io/loads/formats/planner_export.csv"
+OF_LOADS = ("material_name", "box_name", "mass", "mat", "fixed", "order", "bearing_limit", "container_type", "container_size", "open_sides",
+            "drop_sides", "bed_height")  # what layouts have since loads say more than places and sizes
 SVG = "{http://www.w3.org/2000/svg}"
 NOT_MODELLED = "Straps, air bags and stretch film are not modelled."
 
@@ -170,8 +174,8 @@ class Report(CliTest):
 
     def test_boxes_that_leave_are_told_with_their_way(self):
         text = self.trailer()
-        self.assertIn("<td class=text>rear, roof open; left 60 cm high; right 60 cm high; floor 120 cm above the ground</td>", text)
-        self.assertIn("<p>2 boxes, 6% of the container's volume, and 1 fixed; fails under 1 of 1 acceleration.</p>", text)
+        self.assertIn("<td class=text>5.87 × 2.33 × 2.2 m; rear, roof open; left 60 cm high; right 60 cm high; floor 120 cm above the ground</td>", text)
+        self.assertIn("<p>2 boxes of 450 kg, 6% of the container's volume, and 1 fixed; fails under 1 of 1 acceleration.</p>", text)
         self.assertIn("<p>Under front.txt, box 1, which goes first, leaves through the open rear and 1 more leaves over the low left "
                       "side.</p>", text)
         rows = re.findall(r"<td class=text>front.txt</td><td class=text>(.*?)</td>", text)
@@ -256,7 +260,7 @@ class Report(CliTest):
         told, text = self.report()
         self.assertEqual(told, "report.html: 1 layout that does not hold\n")
         self.assertIn("1 of 1 layout does not hold.", text)
-        self.assertIn("<p>1 box, 3% of the container's volume; fails under 1 of 1 acceleration.</p>", text)
+        self.assertIn("<p>1 box of 251 kg, 3% of the container's volume; fails under 1 of 1 acceleration.</p>", text)
         self.assertNotRegex(text, r"\b1 (layouts|boxes|accelerations|more boxes)\b")
         self.assertNotIn(">-0", text)
         self.assertIn("<td>0 (0)</td><td>10.04 (0)</td>", text)
@@ -267,6 +271,15 @@ class Report(CliTest):
             for key, value in (("Contact/FrictionModel", "pairs"), ("Contact/BoxFloor", "0.3")):
                 file["inputs/settings"].attrs[key] = value
         self.assertIn("<td class=text>box on box 0.5, on the floor 0.3, on walls 0.5</td>", self.report()[1])
+        self.assertNotIn("of materials", self.report()[1])
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            for key, value in (("Friction/carton, pallet", "0.5"), ("Friction/pallet, floor", "0.45")):
+                file["inputs/settings"].attrs[key] = value
+        self.assertIn("<td>of materials</td><td class=text>carton, pallet 0.5; pallet, floor 0.45</td>", self.report()[1])
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            for key, value in (("Contact/FrictionModel", "product"), ("Material pallet/Friction", "0.4")):
+                file["inputs/settings"].attrs[key] = value
+        self.assertIn("<td class=text>pallet on pallet 0.16, on floor and walls 0.283</td>", self.report()[1])
         self.assertIn("<span class=bad>100.2%</span>", text)
 
     def test_a_margin_is_told_rounded_down_and_compared_with_what_is_needed(self):
@@ -312,6 +325,66 @@ class Report(CliTest):
         told, text = self.report()
         self.assertEqual(told, "report.html: 0 layouts that do not hold\n")
         self.assertNotIn("<section>", text)
+
+    def of_load(self, load, *arguments):
+        """A report of a load whose boxes slide to the right."""
+        self.write("left.txt", "0 2 0 -9 0\n")
+        self.assert_exit(self.run_here("screen", "--quiet", "--layouts", load, "--accelerations", "left.txt", "--overwrite", *arguments), 0)
+        return self.report()[1]
+
+    def test_a_load_is_told_with_its_container_names_masses_and_mats(self):
+        text = self.of_load(TRAILER, "--margins")
+        self.assertIn("<td>container</td><td class=text>each layout has its own</td>", text)
+        self.assertRegex(text, r"<p>20 boxes of 12690 kg, \d+% of the container's volume; fails under 1 of 1 acceleration. "
+                               r"The container is of type trailer-curtain, 13.6\d* × 2.4\d* × 2.\d+ m.</p>")
+        self.assertIn("<p class=note>On a mat of 0.6: boxes 7, 8, 11, 12, 15, 16.</p>", text)
+        self.assertRegex(text, "<p class=note>Left, right.* open; floor 120 cm above the ground.")
+        first = int(datasets(self.folder / "results.h5")["/summary/worlds/critical_box"][0])
+        name = TRAILER.read_text().splitlines()[first].split(",")[0]
+        self.assertRegex(text, rf"<td class=text>box {first}, {name}, \d\.\d\d s</td>")
+        self.assertIn(f"<p>Under left.txt, box {first}, {name}, which goes first, leaves through the open right side", text)
+        self.assertRegex(text, r"<td>right</td>.*?<td class=text>box \d+, \w+ \d</td>")
+        self.assertRegex(text, r"<td>1?\d</td><td class=\"text name\">\w+ \d</td><td>80 × 120 × \d+</td><td>\d\d\d</td><td>\d+ \(")
+        self.assertNotIn("may bear", text)
+        # Drawn to the size of its own container: boxes are 0.8 m of 13.6 m wide.
+        top = views(text)[0]
+        width = [max(x for x, _ in corners) - min(x for x, _ in corners) for _, corners in top]
+        self.assertAlmostEqual(width[-1] / max(width), 0.8 / 13.6, delta=0.002)
+
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            names = file["inputs/layouts/box_name"][:]
+            names[first - 1] = "<b>“Pumpe”</b> & more of it than a line of the page has".encode()
+            names[first] = ("x" + "é" * 60).encode()[:120]  # cut within a letter
+            file["inputs/layouts/box_name"][:] = names
+            file["inputs/layouts/bearing_limit"][:] = [np.nan, 1200.0, *[40.25] * 18]
+            file["inputs/layouts/fixed"][19] = 1
+        text = self.report()[1]
+        self.assertIn(f"box {first}, &lt;b&gt;“Pumpe”&lt;/b&gt; &amp; more of it than a line…, ", text)
+        self.assertNotIn("<b>", text)
+        self.assertIn("<th>may bear, kg</th>", text)
+        self.assertIn("<td>40.2</td>", text)
+        self.assertIn("<p>19 boxes of 12175 kg", text)
+        self.assertIn(", and 1 fixed;", text)
+
+    def test_loads_of_a_planner_have_a_page_each_in_a_container_of_its_type(self):
+        text = self.of_load(PLANNER, "--format", "planner")
+        self.assertEqual(set(re.findall(r"<h2>(.*?)</h2>", text)), {"planner_export.csv#Unit 1", "planner_export.csv#Unit 2"})
+        self.assertEqual(len(re.findall(r"The container is of type 40hc, 12.0\d* × 2.3\d* × 2.\d+ m.</p>", text)), 2)
+        self.assertIn("<p>1 box of 905 kg, ", text)
+        self.assertRegex(text, r"<td class=text>box 1, Reel, large(, \d\.\d\d s)?</td>")
+
+    def test_a_file_that_has_nothing_of_loads_is_told_as_ever(self):
+        text = self.of_load(TRAILER)
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            for name in OF_LOADS:
+                del file[f"inputs/layouts/{name}"]
+            for name in ("Length", "Width", "Height"):
+                file["inputs/settings"].attrs[f"Container/{name}"] = {"Length": "1362", "Width": "248", "Height": "270"}[name]
+        text = self.report()[1]
+        self.assertIn("<td>container</td><td class=text>13.62 × 2.48 × 2.7 m</td>", text)
+        self.assertNotIn("The container is", text)
+        self.assertNotIn("Paper", text)
+        self.assertIn("<tr><th>box</th><th>size, cm</th><th>mass, kg</th><th>farthest, cm</th>", text)
 
     def test_a_pdf_has_a_page_per_layout(self):
         self.screen("--layouts", LAYOUTS / "seed_example.txt", LAYOUTS / "BR8_009_ep.txt", "--margins")
