@@ -88,27 +88,103 @@ class HOLDFAST_API Error : public std::exception {
   std::string text_;
 };
 
-/// A box of a layout as it is loaded, its edges along the axes of the container.
+/// Unit of the lengths of layouts.
+enum class LengthUnit : std::uint8_t { metre, centimetre };
+
+/// A box of a layout as it is loaded, its edges along the axes of the container. What is absent is as its material and
+/// the settings say (docs/loads.md). Lengths are in the unit of its layout.
 struct Box {
-  std::array<double, 3> corner_min = {};  ///< corner with the smallest coordinates, in `ScreenOptions::unit`
-  std::array<double, 3> corner_max = {};  ///< corner with the largest coordinates, in `ScreenOptions::unit`
+  std::array<double, 3> corner_min = {};  ///< corner with the smallest coordinates
+  std::array<double, 3> corner_max = {};  ///< corner with the largest coordinates
   int material = 0;                       ///< id, from 0; `[Material N]` of the settings says what it means
+  std::string material_name = {};         ///< in place of the id where it is not empty: `[Material pallet]`
+  std::string name = {};                  ///< shown in messages and results; up to 120 bytes of UTF-8 are kept
+  std::optional<double> mass = {};        ///< kg, from 1e-6 to 1e6
+  std::optional<std::array<double, 3>> centre_of_mass = {};  ///< offset from the middle of the box
+  /// Coefficient of friction on whatever the box stands on, of an anti-slip mat beneath it, from 0.
+  std::optional<double> mat = {};
+  bool fixed = false;                        ///< part of the container
+  std::optional<std::int64_t> order = {};    ///< when it is loaded; absent: in the order of the boxes
+  std::optional<double> bearing_limit = {};  ///< most that may rest on it, kg
+};
+
+/// A wall that is lower than the container: a drop side, over which boxes may tip.
+struct DropSide {
+  std::string side;     ///< "front", "rear", "left" or "right"
+  double height = 0.0;  ///< above the floor, in the unit of the layout
+};
+
+/// The container of a layout. What is absent is as the type says, or, without a type, as the settings do. Lengths are
+/// in the unit of the layout.
+struct Container {
+  std::string type = {};  ///< name of one of `container_types`, such as "40hc"; empty: none of them
+  std::optional<std::array<double, 3>> size = {};  ///< inner length, width and height
+  std::optional<std::vector<std::string>> open_sides =
+      {};                                                ///< without a wall: "front", "rear", "left", "right", "roof"
+  std::optional<std::vector<DropSide>> drop_sides = {};  ///< walls that are lower than the container
+  std::optional<double> bed_height = {};                 ///< of the floor above the ground; 0: a floor without end
 };
 
 /// A candidate loading. Boxes may touch; they overlap each other, or protrude from the container, by 0.1 mm at most.
 struct Layout {
   std::string name;  ///< labels results and messages; need not be unique; empty: `layout` and its index in the call
   std::vector<Box> boxes;
+  std::optional<Container> container = {};  ///< its own; absent: that of the settings
+  std::optional<LengthUnit> unit = {};      ///< of all its lengths; absent: that of the screen or world
 };
 
-/// The same in memory of the caller: rows of seven numbers, one row per box. They are x, y, z of the corner with the
-/// smallest coordinates, x, y, z of that with the largest, and the material, a whole number.
+/// The same in memory of the caller, which is read where it is: rows of seven numbers, one row per box. They are x, y,
+/// z of the corner with the smallest coordinates, x, y, z of that with the largest, and the material, a whole number.
 struct LayoutView {
   std::string_view name;            ///< as in `Layout`
   std::span<const double> numbers;  ///< seven times as many as there are boxes
   /// What is wrong with the layout, if no numbers could be had for it; it is then a bad one, see `BadLayouts`.
   const Problem* problem = nullptr;
+  std::span<const double> masses = {};          ///< kg, one per box; not a number: by its material; or empty
+  std::span<const double> mats = {};            ///< as `Box::mat`, one per box; not a number: none; or empty
+  std::span<const char* const> box_names = {};  ///< one per box, ends with a zero byte; null: none; or empty
+  std::string_view container = {};              ///< type, as `Container::type`; empty: that of the settings
+  std::optional<LengthUnit> unit = {};          ///< as in `Layout`
+  /// A layout to take in place of all that is above but the name, so that a call may mix both; or null.
+  const Layout* layout = nullptr;
 };
+
+/// A type of container, vehicle body or pallet (docs/containers.md).
+struct ContainerType {
+  std::string name;                     ///< as `Container::type` takes it
+  std::string sentence;                 ///< what it is
+  std::array<double, 3> size = {};      ///< inner length, width and height, m
+  double payload = 0.0;                 ///< kg
+  std::vector<std::string> open_sides;  ///< as `Container::open_sides`
+  double bed_height = 0.0;              ///< of the floor above the ground, m
+};
+
+/// The types of containers that are known by name. May be called from any thread.
+HOLDFAST_API std::vector<ContainerType> container_types();
+
+/// How a file of loads is read, where it does not say it itself; as the options of `holdfast check` (docs/loads.md).
+struct LoadFileOptions {
+  std::optional<std::string> unit = {};       ///< of lengths: "m", "dm", "cm", "mm", "in" or "ft"
+  std::optional<std::string> axes = {};       ///< such as "-z x y": those of the file that are length, width, height
+  std::optional<std::string> format = {};     ///< a known format of tables, such as "planner"
+  std::optional<std::string> columns = {};    ///< words of a header and what they mean, such as "Artikel = name"
+  std::optional<std::string> container = {};  ///< type that all loads get, whatever the file says
+  std::string config = {};                    ///< text of a config.ini: [Loads], [Container], materials; may be empty
+};
+
+/// Reads all loads of a file: StableCargo's text, a table, or JSON. Lengths of the layouts are metres. A load without a
+/// container of its own is checked in that of `options.config`. Throws `Error` with everything that is wrong with any
+/// load. May be called from any thread.
+/// @param notes gets what is to be known though all can be used: items without a place, overlaps that were trimmed; or
+///              null
+HOLDFAST_API std::vector<Layout> read_loads(const std::string& path, const LoadFileOptions& options = {},
+                                            std::vector<Problem>* notes = nullptr);
+
+/// The same of the text of a file.
+/// @param name of the file, for messages and names of the loads
+HOLDFAST_API std::vector<Layout> parse_loads(const std::string& text, const std::string& name,
+                                             const LoadFileOptions& options = {},
+                                             std::vector<Problem>* notes = nullptr);
 
 /// A stretch of time in which the container has one acceleration.
 struct Segment {
@@ -132,9 +208,6 @@ HOLDFAST_API Acceleration read_acceleration(const std::string& path);
 /// The accelerations of a norm, such as "road" or "eumos-40509:0.5" (docs/norms.md). Throws `Error`, which says what is
 /// accepted. May be called from any thread.
 HOLDFAST_API std::vector<Acceleration> norm_accelerations(const std::string& name);
-
-/// Unit of the corners of boxes.
-enum class LengthUnit : std::uint8_t { metre, centimetre };
 
 /// What `evaluate` and `record` do with a layout that cannot be used.
 enum class BadLayouts : std::uint8_t {
@@ -169,7 +242,7 @@ struct ScreenOptions {
   /// `Verdict::not_needed`. In a call the accelerations that failed most layouts come first; a layout that is submitted
   /// takes them in their order.
   std::optional<bool> first_failure = {};
-  LengthUnit unit = LengthUnit::metre;  ///< of the corners of boxes; layout files have centimetres
+  LengthUnit unit = LengthUnit::metre;  ///< of layouts that have none of their own; layout files have centimetres
   BadLayouts bad_layouts = BadLayouts::raise;
   bool keep_boxes = false;         ///< fill `WorldOutcome::box_outcomes`
   bool keep_series = false;        ///< fill `WorldOutcome::series`
@@ -327,7 +400,7 @@ struct Velocity {
 class HOLDFAST_API World {
  public:
   /// Throws `Error` when a setting, the layout or the acceleration cannot be used.
-  /// @param layout corners in `unit`
+  /// @param unit of a layout that has none of its own
   World(const Layout& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},
         LengthUnit unit = LengthUnit::metre);
   World(const LayoutView& layout, const Acceleration& acceleration, std::span<const Setting> settings = {},

@@ -13,6 +13,7 @@
 #include "analyses/damage/damage.hpp"
 #include "analyses/replicas/replica_verdict.hpp"
 #include "analyses/walls/wall_forces.hpp"
+#include "api/given_parts.hpp"
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
 #include "core/model/acceleration_check.hpp"
@@ -23,11 +24,6 @@ namespace holdfast::internal {
 
 namespace {
 
-double metres(double length, holdfast::LengthUnit unit) {
-  // Divided as the reader of layout files does it, so that equal numbers give equal bits.
-  return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;
-}
-
 Vec3 corner(const std::array<double, 3>& numbers, holdfast::LengthUnit unit) {
   return {metres(numbers[0], unit), metres(numbers[1], unit), metres(numbers[2], unit)};
 }
@@ -36,7 +32,7 @@ Vec3 corner(const std::array<double, 3>& numbers, holdfast::LengthUnit unit) {
 bool looks_like_centimetres(const Layout& layout, const Settings& settings) {
   Vec3 largest = Vec3::Zero();
   for (const Box& box : layout.boxes) largest = largest.cwiseMax(box.corner_max);
-  const Vec3& size = settings.container.size;
+  const Vec3 size = container_of(settings, layout).size;
   return (largest.array() > 10.0 * size.array()).any() &&
          (largest.array() / 100.0 <= size.array() + kLayoutTolerance).all();
 }
@@ -72,7 +68,8 @@ void add_bad_material(ErrorList& errors, std::size_t box, std::string value) {
 std::vector<Error> check_numbers(const Layout& layout, holdfast::LengthUnit unit, const Settings& settings) {
   ErrorList errors(layout.name);
   for (std::size_t i = 0; i < layout.boxes.size(); ++i)
-    if (layout.boxes[i].material < 0) add_bad_material(errors, i, std::to_string(layout.boxes[i].material));
+    if (layout.boxes[i].material.is_number() && layout.boxes[i].material.id() < 0)
+      add_bad_material(errors, i, layout.boxes[i].material.text());
   if (unit == holdfast::LengthUnit::metre && looks_like_centimetres(layout, settings))
     errors.add({.what = "the numbers seem to be centimetres, and metres are expected",
                 .accepted = "set the unit to centimetres for numbers as in layout files"});
@@ -175,19 +172,28 @@ holdfast::Error exception_of(const std::vector<Error>& errors) {
 
 ReadLayout read_layout(const holdfast::Layout& layout, const std::string& name, holdfast::LengthUnit unit,
                        const Settings& settings, std::vector<Error>& all) {
+  unit = layout.unit.value_or(unit);
   ReadLayout read;
   read.layout.name = name;
   std::vector<Error> errors = check_count(layout.boxes.size(), name);
   if (errors.empty()) {
+    ErrorList wrong_parts(name);
+    if (layout.container) read.layout.container = shape_of(*layout.container, unit, settings, wrong_parts);
     read.layout.boxes.reserve(layout.boxes.size());
-    for (const holdfast::Box& box : layout.boxes)
+    for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
+      const holdfast::Box& box = layout.boxes[i];
       read.layout.boxes.push_back({corner(box.corner_min, unit), corner(box.corner_max, unit), box.material});
+      take_parts(box, i, unit, read.layout.boxes.back(), wrong_parts);
+    }
+    errors = wrong_parts.take();
   }
   return checked(std::move(read), std::move(errors), unit, settings, all);
 }
 
 ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& name, holdfast::LengthUnit unit,
                        const Settings& settings, std::vector<Error>& all) {
+  if (layout.layout != nullptr) return read_layout(*layout.layout, name, unit, settings, all);
+  unit = layout.unit.value_or(unit);
   ReadLayout read;
   read.layout.name = name;
   const std::span<const double> numbers = layout.numbers;
@@ -203,16 +209,20 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
   else
     errors = check_count(count, name);
   if (errors.empty()) {
+    ErrorList wrong(name);
+    if (!layout.container.empty()) read.layout.container = shape_of_type(layout.container, wrong);
+    check_counts(layout, count, wrong);
+    const bool more = has_parts(layout) && wrong.empty();
     read.layout.boxes.reserve(count);
-    ErrorList not_ids(name);
     for (std::size_t i = 0; i < count; ++i) {
       const double* const row = &numbers[i * kNumbersPerBox];
       const std::optional<int> material = whole_number(row[6]);
-      if (!material) add_bad_material(not_ids, i, rounded_text(row[6]));
+      if (!material) add_bad_material(wrong, i, rounded_text(row[6]));
       read.layout.boxes.push_back(
           {corner({row[0], row[1], row[2]}, unit), corner({row[3], row[4], row[5]}, unit), material.value_or(0)});
+      if (more) take_parts(layout, i, read.layout.boxes.back(), wrong);
     }
-    errors = not_ids.take();
+    errors = wrong.take();
   }
   return checked(std::move(read), std::move(errors), unit, settings, all);
 }
@@ -239,13 +249,35 @@ Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleratio
 }
 
 holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) {
-  holdfast::Layout converted{.name = layout.name};
+  holdfast::Layout converted{.name = layout.name, .boxes = {}};
   const auto number = [&](double length) {
     return unit == holdfast::LengthUnit::centimetre ? setting_kinds::centimetres(length) : length;
   };
   const auto numbers = [&](const Vec3& v) { return std::array{number(v.x()), number(v.y()), number(v.z())}; };
-  for (const Box& box : layout.boxes)
-    converted.boxes.push_back({numbers(box.corner_min), numbers(box.corner_max), box.material});
+  converted.boxes.reserve(layout.boxes.size());
+  for (const Box& box : layout.boxes) {
+    holdfast::Box& to = converted.boxes.emplace_back();
+    to.corner_min = numbers(box.corner_min);
+    to.corner_max = numbers(box.corner_max);
+    to.material = box.material.is_number() ? box.material.id() : 0;
+    if (!box.material.is_number()) to.material_name = box.material.text();
+    to.name = box.name;
+    to.mass = box.mass;
+    if (box.centre_of_mass) to.centre_of_mass = numbers(*box.centre_of_mass);
+    to.mat = box.mat;
+    to.fixed = box.fixed;
+    to.order = box.order;
+    to.bearing_limit = box.bearing_limit;
+  }
+  if (!layout.container) return converted;
+  const ContainerShape& shape = *layout.container;
+  std::vector<holdfast::DropSide> drops;
+  for (const DropSide& drop : shape.drop_sides) drops.push_back({drop.side, number(drop.height)});
+  converted.container = {.type = shape.type,
+                         .size = numbers(shape.size),
+                         .open_sides = shape.open_sides,
+                         .drop_sides = std::move(drops),
+                         .bed_height = number(shape.bed_height)};
   return converted;
 }
 

@@ -41,6 +41,7 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
 /// An acceleration of the caller, checked as an acceleration file is.
 Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration);
 
+/// The layout with everything that it has, its lengths in a unit.
 holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit);
 holdfast::Acceleration public_acceleration(const Acceleration& acceleration);
 

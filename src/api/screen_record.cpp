@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,20 +11,31 @@
 #include "api/screen_state.hpp"
 #include "holdfast/holdfast.hpp"
 #include "io/input/text_file.hpp"
+#include "io/loads/load_json.hpp"
 #include "io/results/output_lock.hpp"
 
 namespace holdfast {
 
 namespace {
 
-/// SHA-256 of the numbers of a layout, which a file of its own would have.
+/// Whether a layout has more than corners and numbers of materials.
+bool has_more(const internal::Layout& layout) {
+  return layout.container || std::any_of(layout.boxes.begin(), layout.boxes.end(), [](const internal::Box& box) {
+           return !box.material.is_number() || !box.name.empty() || box.mass || box.centre_of_mass || box.mat ||
+                  box.fixed || box.order || box.bearing_limit;
+         });
+}
+
+/// SHA-256 of a layout: of its canonical JSON, as of a load of a file, or of its numbers where it has nothing else.
 std::string hash_of(const internal::Layout& layout) {
+  if (has_more(layout)) return internal::sha256_of(internal::canonical_json(layout));
   std::string bytes;
   const auto append = [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); };
   for (const internal::Box& box : layout.boxes) {
     append(box.corner_min.data(), 3 * sizeof(double));
     append(box.corner_max.data(), 3 * sizeof(double));
-    append(&box.material, sizeof box.material);
+    const int material = box.material.id();
+    append(&material, sizeof material);
   }
   return internal::sha256_of(bytes);
 }

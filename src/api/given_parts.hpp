@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "core/base/error_list.hpp"
+#include "core/model/container_shape.hpp"
+#include "core/model/layout.hpp"
+#include "core/model/settings.hpp"
+#include "holdfast/holdfast.hpp"
+
+/// What a layout of the caller says of its boxes and its container beside corners and materials.
+namespace holdfast::internal {
+
+/// Least mass of a box, kg.
+inline constexpr double kLeastMass = 1e-6;
+
+/// Largest mass, coefficient or length of a layout: more is a mistake, as in files of loads.
+inline constexpr double kMostOfBox = 1e6;
+
+/// A length of the caller in metres. Divided as the readers of files do it, so that equal numbers give equal bits.
+inline double metres(double length, holdfast::LengthUnit unit) {
+  return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;
+}
+
+/// Takes what a box has beside its corners and its number of a material.
+/// @param index  of the box, from 0
+/// @param errors get what cannot be used
+void take_parts(const holdfast::Box& given, std::size_t index, holdfast::LengthUnit unit, Box& box, ErrorList& errors);
+
+/// The same of the arrays of a view, which have entries for every box or none.
+void take_parts(const holdfast::LayoutView& given, std::size_t index, Box& box, ErrorList& errors);
+
+/// Whether a view has more than rows of seven numbers.
+bool has_parts(const holdfast::LayoutView& layout);
+
+/// Adds an error for each array of a view that does not have as many entries as there are boxes.
+void check_counts(const holdfast::LayoutView& layout, std::size_t boxes, ErrorList& errors);
+
+/// The container that the caller means; what it does not say is as its type or the settings say.
+ContainerShape shape_of(const holdfast::Container& given, holdfast::LengthUnit unit, const Settings& settings,
+                        ErrorList& errors);
+
+/// The container of that type; nothing, and an error, where there is none.
+std::optional<ContainerShape> shape_of_type(std::string_view type, ErrorList& errors);
+
+}  // namespace holdfast::internal
