@@ -144,7 +144,7 @@ test("a saved layout is read by the engine as the same boxes, with either axis u
     const { boxes, header } = reader.world(index).loaded!;
     for (const up of ["z", "y"]) {
       const settings = [["Container", "UpAxis", up] as const];
-      const read = engine.readLayout(layoutText(header, boxes, up, results.container[1]), { settings });
+      const read = engine.readLayout(layoutText(header, boxes, up, results.container.size[1]), { settings });
       near(read, boxes, up === "z" ? 0 : 1e-12, `${results.layouts[results.worlds.layout[index]]}, ${up} up`);
     }
   }

@@ -15,7 +15,7 @@ test("a file opens as the fleet, and its table is saved", async () => {
     .trim()
     .split("\n");
   assert.equal(lines.length, 17);
-  assert.match(lines[0], /^layout,acceleration,verdict,judged_at,.*,peak_displacement_m,/);
+  assert.match(lines[0], /^layout,acceleration,container,verdict,judged_at,.*,critical_box,critical_box_name,peak_displacement_m,/);
   await page.close();
 });
 
@@ -57,6 +57,25 @@ test("the page of `holdfast view` has its results in it", async () => {
   const page = await openPage({ address: `file://${RESULTS}/demo.html#world=5&time=1` });
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
   assert.match(await page.innerText("header"), /demo\.h5\s+BR15_077_ep\.txt · road-front-0g8/);
+  await page.close();
+});
+
+test("the table has names of critical boxes, and of containers", async () => {
+  const page = await openPage({ file: "loads.h5" });
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(".tools button:has-text('CSV')")]);
+  const [head, ...lines] = readFileSync(await download.path(), "utf8")
+    .trim()
+    .split("\n");
+  const fields = (line: string) => Object.fromEntries(line.split(",").map((field, i) => [head.split(",")[i], field]));
+  const table = lines.map(fields);
+  assert.equal(table.length, 12);
+  const of = (layout: string) => table.filter((line) => line.layout === layout);
+  assert.ok(of("trailer.csv").every((line) => line.container === "trailer-curtain"));
+  assert.ok(of("wheels.json").every((line) => line.container === "4 x 2.2 x 2 m"));
+  assert.ok(of("seed_example.txt").every((line) => line.container === "" && line.critical_box_name === ""));
+  assert.ok(of("trailer.csv").some((line) => line.critical_box === "1" && line.critical_box_name === "Drinks 1"));
+  await page.hover("canvas", { position: { x: 400, y: 50 } });
+  assert.match(await page.innerText(".detail"), /container\s+trailer-curtain, 13\.60/);
   await page.close();
 });
 

@@ -259,6 +259,39 @@ test("a trailer says how boxes left it, and which are fixed", async () => {
   await page.close();
 });
 
+test("a load shows its own container, and the names, mats and friction of its boxes", async () => {
+  const page = await openWorld("loads.h5", 3, "&time=1&box=7");
+  const panel = await page.innerText(".panel");
+  assert.match(
+    panel,
+    /In a container of its own: trailer-curtain, 13\.60 × 2\.48 × 2\.70 m; left, right open; floor 120 cm/,
+  );
+  assert.match(panel, /Box 1, Drinks 1 and \d+ more were beyond a limit first/);
+  assert.match(panel, /The push of 0\.50 g is more than friction holds \(0\.30 g\)\./);
+  assert.match(panel, /It left through the open left side/);
+  assert.match(
+    await page.innerText(".panel .box"),
+    /box 7, tiles 1[\s\S]*material\s+pallet\s+mat beneath it\s+friction 0\.6/i,
+  );
+  assert.match(await page.innerText(".row.head"), /box\s+name\s+first\s+moved/);
+  await page.click(".row.head button:has-text('name')");
+  await page.waitForFunction(() => /Castings 1/.test(document.querySelector(".rows .row")?.textContent ?? ""));
+  assert.equal(await page.getAttribute(".rows .name", "title"), "Castings 1");
+  await page.keyboard.press("l");
+  await page.waitForFunction(() =>
+    /This load has a container of its own, masses of its own, materials with names and anti-slip mats, which the engine/.test(
+      document.querySelector("header")?.textContent ?? "",
+    ),
+  );
+  await page.evaluate(() => {
+    location.hash = "world=9";
+  });
+  await page.waitForFunction(() => /seed_example/.test(document.querySelector("header")?.textContent ?? ""));
+  assert.doesNotMatch(await page.innerText(".panel"), /container of its own/);
+  assert.match(await page.innerText(".row.head"), /box\s+first/, "a load without names has no column for them");
+  await page.close();
+});
+
 test("boxes on the ground are in the picture, from every side", async () => {
   const page = await openWorld("trailer.h5", 1, "&time=3");
   for (const key of ["1", "2", "3", "4", "5", "6"]) {

@@ -45,7 +45,7 @@ test("the summary has one world per layout and acceleration", async () => {
   assert.equal(accelerations[0], "road-front-0g8");
   assert.equal(worlds.layout.length, 16);
   assert.deepEqual(thresholds, { drop: 0.05, move: 0.1, tilt: 10 });
-  assert.deepEqual(container, [5.87, 2.33, 2.2]);
+  assert.deepEqual(container.size, [5.87, 2.33, 2.2]);
   assert.ok(complete);
   assert.ok(worlds.verdict.includes(1), "a box moves somewhere");
 });
@@ -150,14 +150,14 @@ test("a file of an earlier version is judged by where boxes are at the end", asy
   for (const column of [boxes.peak.drop, boxes.peak.tilt, boxes.firstBeyond]) assert.ok(column.every(Number.isNaN));
 });
 
-for (const name of ["demo.h5", "early.h5", "rich.h5", "earlier.h5"])
+for (const name of ["demo.h5", "early.h5", "rich.h5", "earlier.h5", "loads.h5"])
   test(`the table of ${name} is that of the program`, async () => {
     const { reader } = await open(name);
     const folder = mkdtempSync(path.join(tmpdir(), "holdfast-page-"));
     try {
       execFileSync(PROGRAM, ["summary", `${RESULTS}/${name}`, "--csv", folder]);
       const program = readTable(readFileSync(path.join(folder, "worlds.csv"), "utf8"));
-      const page = readTable(fleetCsv(reader.results, rowsOf(reader.results)));
+      const page = readTable(fleetCsv(reader.results, rowsOf(reader.results), reader.criticalNames()));
       assert.equal(page.length, program.length);
       for (const [index, world] of page.entries())
         for (const heading of Object.keys(world).filter((of) => of in program[index])) {
@@ -176,12 +176,62 @@ for (const name of ["demo.h5", "early.h5", "rich.h5", "earlier.h5"])
     }
   });
 
-/** Lines of a table whose fields have no commas. */
+/** Lines of a table, whose fields have no line breaks. */
 function readTable(text: string): Record<string, string>[] {
+  const fields = (line: string) => Array.from(line.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^",]*)/g), ([, field]) => field);
   const [head, ...lines] = text.trim().split(/\r?\n/);
-  const headings = head.split(",");
-  return lines.map((line) => Object.fromEntries(line.split(",").map((field, i) => [headings[i], field])));
+  const headings = fields(head);
+  return lines.map((line) => Object.fromEntries(fields(line).map((field, i) => [headings[i], field])));
 }
+
+test("loads have names, mats, masses, fixed boxes and containers of their own, where they say so", async () => {
+  const { reader } = await open("loads.h5");
+  const { results } = reader;
+  const of = (name: string) =>
+    reader.world(results.worlds.layout.findIndex((l) => results.layouts[l].startsWith(name)));
+  assert.deepEqual(results.container.size, [5.87, 2.33, 2.2]);
+  assert.equal(results.ownContainers.size, results.layouts.length - 1);
+  const trailer = of("trailer.csv");
+  const { boxes, container } = trailer;
+  assert.equal(container.type, "trailer-curtain");
+  assert.ok(container.size[0] > 13 && container.openings.walls[2] === 0 && container.openings.bedHeight === 1.2);
+  assert.deepEqual([boxes.name[0], boxes.name[19], boxes.material[0]], ["Drinks 1", "Parts 2", "pallet"]);
+  assert.deepEqual([...boxes.mass.subarray(0, 3)], [620, 635, 840]);
+  assert.deepEqual([...boxes.mat.subarray(5, 8)], [Number.NaN, 0.6, 0.6]);
+  assert.deepEqual([...boxes.fixed].indexOf(1), -1);
+  assert.deepEqual(trailer.loaded?.more, [
+    "a container of its own",
+    "masses of its own",
+    "materials with names",
+    "anti-slip mats",
+  ]);
+  const json = of("wheels.json");
+  assert.deepEqual([...json.boxes.fixed], [1, 0]);
+  assert.equal(json.boxes.bearingLimit[1], 250);
+  assert.deepEqual(json.loaded?.more.slice(-2), ["fixed boxes of its own", "centres of mass of its own"]);
+  const plain = of("seed_example.txt");
+  assert.deepEqual(plain.container, results.container);
+  assert.deepEqual([plain.boxes.name, plain.loaded?.more], [["", "", ""], []]);
+  for (const name of ["trailer.h5", "demo.h5", "earlier.h5"])
+    assert.deepEqual((await open(name)).reader.world(0).loaded?.more, [], name);
+});
+
+test("a file that has nothing of loads has their boxes", async () => {
+  const { reader } = await open("without-loads.h5");
+  assert.equal(reader.results.ownContainers.size, 0);
+  const { boxes, container, loaded } = reader.world(0);
+  assert.equal(container, reader.results.container);
+  assert.deepEqual(
+    [boxes.name, boxes.material],
+    [
+      ["", "", ""],
+      ["1", "1", "1"],
+    ],
+  );
+  assert.ok(boxes.mat.every(Number.isNaN) && boxes.bearingLimit.every(Number.isNaN));
+  assert.deepEqual(loaded?.more, []);
+  assert.ok(reader.criticalNames().every((name) => name === ""));
+});
 
 test("boxes stand where the layout has them", async () => {
   const { reader } = await open("demo.h5");

@@ -237,7 +237,49 @@ function onTrailer(name) {
   screen(name, at("open.ini"), "--layouts", `${root}/configs/layouts/BR8_009_layer.txt`, "--norm", "road");
 }
 
+/** Two boxes in JSON: a wheel arch of which nothing has to be known, and one that says all of itself. */
+const WHEELS = {
+  holdfast: 1,
+  loads: [
+    {
+      container: { size: [4, 2.2, 2], open_sides: ["rear"] },
+      boxes: [
+        { corner_min: [0, 0, 0], corner_max: [1, 0.4, 0.5], fixed: true },
+        {
+          corner_min: [1, 0, 0],
+          corner_max: [1.8, 1.2, 1],
+          name: "Pump",
+          mass: 180,
+          bearing_limit: 250,
+          centre_of_mass: [0.05, 0, -0.1],
+        },
+      ],
+    },
+  ],
+};
+
+/** Loads that say of themselves what there is to say, beside one that says nothing. */
+function loads(name) {
+  writeFileSync(at("wheels.json"), JSON.stringify(WHEELS));
+  writeFileSync(at("pairs.ini"), "[Friction]\npallet, floor = 0.3\ncarton, pallet = 0.5\n");
+  const files = [`${root}/configs/loads/trailer.csv`, at("wheels.json"), layouts[0]];
+  screen(name, at("pairs.ini"), "--layouts", ...files, "--norm", "road");
+}
+
+/** A file from before loads said more than places, sizes and materials. */
+async function withoutLoads(name, from) {
+  const hdf5 = await library();
+  const source = new hdf5.File(at(from), "r");
+  const file = new hdf5.File(at(name), "w");
+  const since =
+    /^\/inputs\/layouts\/(material_name|box_name|mass|mat|fixed|order|bearing_limit|container_\w+|\w+_sides|bed_height)$/;
+  copy(hdf5, source, file, (path) => since.test(path));
+  source.close();
+  file.close();
+}
+
 mkdirSync(folder, { recursive: true });
+loads("loads.h5");
 screen("demo.h5", DEMO, "--layouts", ...layouts, "--norm", "road");
 const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27"];
 // Boxes slide sooner than on the mats of the demo: more of them fall, and the 0.5 g of the road just move them.
@@ -246,6 +288,7 @@ writeFileSync(cardboard, readFileSync(DEMO, "utf8").replaceAll("= anti-slip", "=
 screen("rich.h5", cardboard, "--layouts", ...layouts.slice(0, 2), "--norm", "road", ...analyses);
 screen("early.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--stop-when", "moved");
 await earlier("earlier.h5", "rich.h5");
+await withoutLoads("without-loads.h5", "demo.h5");
 await trailer("trailer.h5");
 onTrailer("open.h5");
 screen("no-series.h5", DEMO, "--layouts", ...layouts, "--norm", "road", "--no-series");

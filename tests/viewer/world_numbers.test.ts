@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { boxText } from "../../viewer/src/box/box_text";
 import { beginOfMotion, freeWay, frictionBelow, frictionSentence, supported } from "../../viewer/src/box/cause";
 import { departureOf, departureSentences, sideBeyond } from "../../viewer/src/box/departure";
 import { criticalBox, excursionsTo } from "../../viewer/src/data/excursions";
@@ -86,8 +87,13 @@ test("settings say what is open, how high walls and floor are, and which materia
     { walls: [2.2, 2.2, 2.2, 2.2], roof: true, bedHeight: 0 },
     "a wall is no higher than the roof",
   );
-  const settings = { "Material 2/Fixed": "true", "Material 3/Fixed": "false", "Material 4/Mass": "1" };
-  assert.deepEqual([...fixedMaterials(settings)], [2]);
+  const settings = {
+    "Material 2/Fixed": "true",
+    "Material 3/Fixed": "false",
+    "Material 4/Mass": "1",
+    "Material wheel arch/Fixed": "yes",
+  };
+  assert.deepEqual([...fixedMaterials(settings)], ["2", "wheel arch"]);
 });
 
 test("a container is drawn with the walls that it has, and its floor as a block where one is open or low", () => {
@@ -120,9 +126,10 @@ test("a point is beyond a side that lets it out", () => {
 test("a box leaves through an open side or over a low one, and falls to the ground where there is one", () => {
   const boxes = boxesOf([{ at: [2, 0, 0], size: [1, 1, 1] }]);
   const left = (endDisplacement: number[], tilt: number, series: Series | null = null, openings = TRAILER) => {
-    const results = { container: SIZE, openings, thresholds: LIMITS } as unknown as Results;
+    const results = { thresholds: LIMITS } as unknown as Results;
     const end = excursionsTo(Float32Array.from(endDisplacement), Float32Array.of(tilt));
-    const world = { boxes: { ...boxes, end, endDisplacement: Float32Array.from(endDisplacement) }, series };
+    const moved = { ...boxes, end, endDisplacement: Float32Array.from(endDisplacement) };
+    const world = { boxes: moved, series, container: { size: SIZE, openings } };
     return departureSentences(results, world as unknown as World, 0).join();
   };
   assert.equal(left([0.5, 0, 0], 0), "");
@@ -140,9 +147,10 @@ test("a box leaves through an open side or over a low one, and falls to the grou
   assert.equal(left([4, -1, -1.2], 0, series), "It tipped over the low left side by 0.10 s, and fell to the ground.");
   const outside = boxesOf([{ at: [5.8, 0, 0], size: [1, 1, 1] }]);
   const still = { ...outside, end: excursionsTo(new Float32Array(3), new Float32Array(1)) };
-  const world = { boxes: { ...still, endDisplacement: new Float32Array(3) }, series: null } as unknown as World;
-  const results = { container: SIZE, openings: TRAILER, thresholds: LIMITS } as unknown as Results;
-  assert.equal(departureOf(results, world, 0), null, "loaded outside, it leaves through nothing");
+  const container = { size: SIZE, openings: TRAILER };
+  const world = { boxes: { ...still, endDisplacement: new Float32Array(3) }, series: null, container };
+  const results = { thresholds: LIMITS } as unknown as Results;
+  assert.equal(departureOf(results, world as unknown as World, 0), null, "loaded outside, it leaves through nothing");
 });
 
 test("a base is supported by what it stands on", () => {
@@ -293,19 +301,63 @@ test("friction is that of the keys that act", () => {
   assert.equal(frictionText(rows), `${frictionText(pairs)}; 2 pairs of materials have their own`);
   assert.equal(frictionText({ ...PRODUCT, "Material pallet/Friction": "0.2" }), frictionText(own));
   assert.ok(Math.abs(onFloor(PRODUCT) - 0.4) < 1e-12);
-  assert.ok(Math.abs(onFloor(own, 2) - 0.1) < 1e-12);
-  assert.ok(Math.abs(betweenBoxes(own, 1, 2) - 0.16) < 1e-12);
-  assert.equal(onFloor(pairs, 2), 0.3);
-  assert.equal(betweenBoxes(pairs, 1, 2), 0.5);
+  assert.ok(Math.abs(onFloor(own, "2") - 0.1) < 1e-12);
+  assert.ok(Math.abs(betweenBoxes(own, "1", "2") - 0.16) < 1e-12);
+  assert.equal(onFloor(pairs, "2"), 0.3);
+  assert.equal(betweenBoxes(pairs, "1", "2"), 0.5);
   assert.ok(Number.isNaN(onFloor({})));
 });
 
+test("of rows of pairs the one that says most holds, whatever the order of its names", () => {
+  const settings = {
+    ...PRODUCT,
+    "Contact/FrictionModel": "pairs",
+    "Friction/carton, pallet": "0.41",
+    "Friction/carton, floor": "0.42",
+    "Friction/carton, any": "0.43",
+    "Friction/steel, any": "0.2",
+  };
+  const cases: [string, string, number][] = [
+    ["carton", "pallet", 0.41],
+    ["pallet", "carton", 0.41],
+    ["carton", "carton", 0.43],
+    ["7", "carton", 0.43],
+    ["pallet", "pallet", 0.5],
+    ["steel", "pallet", 0.2],
+  ];
+  for (const [a, b, friction] of cases) assert.equal(betweenBoxes(settings, a, b), friction, `${a} on ${b}`);
+  const floors: [string, number][] = [
+    ["carton", 0.42],
+    ["steel", 0.2],
+    ["pallet", 0.5],
+  ];
+  for (const [material, friction] of floors) assert.equal(onFloor(settings, material), friction, material);
+  assert.equal(onFloor(settings), 0.5);
+  assert.ok(
+    Math.abs(betweenBoxes({ ...settings, "Contact/FrictionModel": "product" }, "carton", "pallet") - 0.64) < 1e-12,
+  );
+});
+
+test("a box is called by its number, and by its name where it has another one", () => {
+  const boxes = { id: Uint32Array.of(1, 2, 3), name: ["Paper 1", "", "3"] };
+  assert.deepEqual(
+    [0, 1, 2].map((box) => boxText(boxes, box)),
+    ["box 1, Paper 1", "box 2", "box 3"],
+  );
+  assert.equal(boxText(boxes, 0, "Box"), "Box 1, Paper 1");
+});
+
 test("a push is compared with the friction of what is below the box, and reads as more where it is more", () => {
-  const boxes = { ...pile, material: Int32Array.of(1, 2, 1) };
+  const boxes = { ...pile, material: ["1", "2", "1"], mat: new Float64Array(3).fill(Number.NaN) };
   const settings = { ...PRODUCT, "Material 2/Friction": "0.4" };
   assert.ok(Math.abs(frictionBelow(settings, boxes, 1) - 0.2) < 1e-12);
   assert.ok(Number.isNaN(frictionBelow(settings, boxes, 2)), "it stands on two materials");
   assert.ok(Math.abs(frictionBelow(PRODUCT, boxes, 2) - 0.64) < 1e-12);
+  const onMat = { ...boxes, mat: Float64Array.of(Number.NaN, 0.6, 0.7) };
+  assert.deepEqual(
+    [1, 2].map((box) => frictionBelow(settings, onMat, box)),
+    [0.6, 0.7],
+  );
   assert.equal(frictionSentence(0.8, 0.5), "The push of 0.80 g is more than friction holds (0.50 g).");
   assert.equal(frictionSentence(0.104, 0.1), "The push of 0.104 g is more than friction holds (0.100 g).");
   assert.match(frictionSentence(0.505, 0.5) ?? "", /just holds, or just does not/);

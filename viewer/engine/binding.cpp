@@ -104,7 +104,7 @@ EXPORTED int page_read_layout(const holdfast_settings* settings, const char* nam
     for (const Box& box : layout.boxes) {
       append(box.corner_min);
       append(box.corner_max);
-      rows.push_back(box.material);
+      rows.push_back(box.material.id());
     }
   });
 }

@@ -157,7 +157,7 @@ class App {
     try {
       this.results = await (await this.client).open(place);
       if (afresh) this.store.update({ ...START, colouring: this.store.state.colouring });
-      this.fleet = new FleetView(this.results, this.store);
+      this.fleet = new FleetView(this.results, this.store, async () => (await this.client).criticalNames());
       this.closeWorld();
       await this.show();
     } catch (error) {

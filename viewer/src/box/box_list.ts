@@ -5,15 +5,16 @@ import { degrees, metres, seconds } from "../ui/text";
 
 const ROW = 24;
 
-type Order = "id" | "first" | "moved" | "tilt" | "drop";
+type Order = "id" | "name" | "first" | "moved" | "tilt" | "drop";
 
-const COLUMNS: { order: Order; name: string; title: string; titleAtEnd: string }[] = [
+const COLUMNS: readonly { order: Order; name: string; title: string; titleAtEnd: string }[] = [
   {
     order: "id",
     name: "box",
     title: "Position in the layout file, from 1",
     titleAtEnd: "Position in the layout file, from 1",
   },
+  { order: "name", name: "name", title: "Name of the box in the load", titleAtEnd: "Name of the box in the load" },
   {
     order: "first",
     name: "first",
@@ -39,6 +40,7 @@ export class BoxList {
   private sorted: number[] = [];
   private selected: number | null = null;
   private order: Order = "moved";
+  private readonly named: boolean;
   private readonly redraw = oncePerFrame(() => this.draw());
 
   constructor(
@@ -47,6 +49,7 @@ export class BoxList {
     private readonly choose: (box: number) => void,
     private readonly hover: (box: number | null) => void,
   ) {
+    this.named = world.boxes.name.some((name) => name !== "");
     this.scroller = element(
       "div",
       {
@@ -59,7 +62,7 @@ export class BoxList {
       },
       this.body,
     );
-    this.node = element("section", { class: "boxes" }, this.head, this.scroller);
+    this.node = element("section", { class: this.named ? "boxes named" : "boxes" }, this.head, this.scroller);
     new ResizeObserver(this.redraw).observe(this.scroller);
     this.sort("moved");
   }
@@ -88,8 +91,10 @@ export class BoxList {
     const { boxes } = this.world;
     const { displacement, tilt, drop } = boxes.judged;
     const { firstBeyond } = boxes;
+    const places = order === "name" ? placesOf(boxes.name) : null;
     const key: Record<Order, (box: number) => number> = {
       id: (box) => boxes.id[box],
+      name: (box) => places?.[box] ?? box,
       first: (box) => (Number.isNaN(firstBeyond[box]) ? Number.MAX_SAFE_INTEGER : firstBeyond[box]),
       moved: (box) => -displacement[box],
       tilt: (box) => -tilt[box],
@@ -97,7 +102,7 @@ export class BoxList {
     };
     this.sorted = [...boxes.id.keys()].sort((a, b) => key[order](a) - key[order](b) || a - b);
     this.head.replaceChildren(
-      ...COLUMNS.map((column) =>
+      ...COLUMNS.filter(({ order: of }) => this.named || of !== "name").map((column) =>
         element(
           "button",
           {
@@ -147,6 +152,7 @@ export class BoxList {
             onpointerleave: () => this.hover(null),
           },
           element("span", {}, element("i", { class: `dot verdict-${boxVerdict(boxes, box)}` }), String(boxes.id[box])),
+          this.named ? element("span", { class: "name", title: boxes.name[box] }, boxes.name[box]) : null,
           element("span", {}, boxes.fixed[box] ? "fixed" : firstText(firstBeyond[box])),
           element("span", {}, short(displacement[box], metres)),
           element("span", {}, tilt[box] < 0.05 ? "" : degrees(tilt[box])),
@@ -156,6 +162,16 @@ export class BoxList {
     }
     this.body.replaceChildren(...rows);
   }
+}
+
+const collator = new Intl.Collator("en", { numeric: true });
+
+/** The place of each name in their order. */
+function placesOf(names: readonly string[]): number[] {
+  const places: number[] = [];
+  for (const [place, box] of [...names.keys()].sort((a, b) => collator.compare(names[a], names[b])).entries())
+    places[box] = place;
+  return places;
 }
 
 const firstText = (time: number) => (Number.isNaN(time) ? "" : seconds(time).replace(" s", ""));

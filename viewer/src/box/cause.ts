@@ -63,11 +63,12 @@ export function supported(boxes: BoxColumns, box: number): number {
 }
 
 /**
- * The coefficient of friction of a box and what it stands on, as loaded; NaN where the settings do not say it, or say different ones
- * of the boxes below.
+ * The coefficient of friction of a box and what it stands on, as loaded: that of its mat, else of its pair. NaN where the settings do
+ * not say it, or say different ones of the boxes below.
  */
 export function frictionBelow(settings: Results["settings"], boxes: BoxColumns, box: number): number {
-  const { material } = boxes;
+  const { material, mat } = boxes;
+  if (Number.isFinite(mat[box])) return mat[box];
   if (standsOnFloor(boxes, box)) return onFloor(settings, material[box]);
   const all = new Set(
     boxesBelow(boxes, box).map(({ below }) => betweenBoxes(settings, material[box], material[below])),
@@ -111,8 +112,9 @@ export function causeOf(results: Results, world: World, box: number): string[] {
   // Turning by the tilt moves an edge so far; what is more than sliding tips.
   const turned = ((tilt * Math.PI) / 180) * boxes.size[3 * box + 2];
   const side = UPRIGHT.findIndex((of) => of.axis === axis && of.far === up);
-  const wall = results.openings.walls[side];
-  const full = wall >= results.container[2];
+  const { size: container, openings } = world.container;
+  const wall = openings.walls[side];
+  const full = wall >= container[2];
   const sinks = -z > way && -z > turned / 2;
   const tips = !sinks && turned > way;
   const sentences = [
@@ -138,8 +140,8 @@ export function causeOf(results: Results, world: World, box: number): string[] {
       );
   }
   if (!sinks) {
-    const free = freeWay(boxes, results.container, box, axis, up);
-    const toEnd = up ? results.container[axis] - high(boxes, box, axis) : low(boxes, box, axis);
+    const free = freeWay(boxes, container, box, axis, up);
+    const toEnd = up ? container[axis] - high(boxes, box, axis) : low(boxes, box, axis);
     if (!full && free >= toEnd) sentences.push(endSentence(free, side, wall, low(boxes, box, 2)));
     else
       sentences.push(

@@ -37,8 +37,9 @@ export function sideBeyond(container: readonly number[], openings: Openings, poi
 
 /** How a box left; null: its centre of mass is in the container at the end, or was outside as loaded. */
 export function departureOf(results: Results, world: World, box: number): Departure | null {
-  const { container, openings, thresholds } = results;
+  const { thresholds } = results;
   const { boxes, series } = world;
+  const { size: container, openings } = world.container;
   const centre = (displacement: Float32Array, at: number) =>
     [0, 1, 2].map((axis) => boxes.reference[3 * box + axis] + displacement[at + axis]);
   const end = centre(boxes.endDisplacement, 3 * box);
@@ -68,7 +69,9 @@ export function departureSentences(results: Results, world: World, box: number):
   const { way, time, tipped, fell } = departure;
   const verb = way.startsWith("through") ? "left" : tipped ? "tipped" : "went";
   const when = Number.isNaN(time) ? "" : ` by ${seconds(time)}`;
-  return [`It ${verb} ${way}${when}${fell && results.openings.bedHeight > 0 ? ", and fell to the ground" : ""}.`];
+  return [
+    `It ${verb} ${way}${when}${fell && world.container.openings.bedHeight > 0 ? ", and fell to the ground" : ""}.`,
+  ];
 }
 
 /** How many boxes left which way, as a sentence; null: none. */

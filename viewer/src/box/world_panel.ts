@@ -1,7 +1,7 @@
 import { isBeyond, shareOfLimits } from "../data/excursions";
 import { UPRIGHT } from "../data/openings";
 import { VERDICT_CODES } from "../data/outcome";
-import { type Margins, NOT_COUNTED, PRESSED, type Results, type World } from "../data/results";
+import { type Container, type Margins, NOT_COUNTED, PRESSED, type Results, type World } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
@@ -11,7 +11,9 @@ import { element } from "../ui/dom";
 import type { Store } from "../ui/state";
 import { compared, degrees, fixed, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
 import { BoxList } from "./box_list";
+import { boxText } from "./box_text";
 import { causeOf } from "./cause";
+import { containerFactsOf } from "./container_facts";
 import { departureSentences, departuresSentence } from "./departure";
 
 const soft = (text: string) => element("p", { class: "soft" }, text);
@@ -74,7 +76,8 @@ export class WorldPanel {
             `The largest displacement, drop and tilt are of the time before, up to ${seconds(worlds.statusTime[index])}.`,
           ),
       ...caveatsOf(worlds.caveats[index]).map((caveat) => element("p", { class: "notable" }, caveat.meaning)),
-      ...(margins ? marginSentences(margins, worlds.layout[index]).map(soft) : []),
+      ...(results.ownContainers.has(worlds.layout[index]) ? [soft(containerSentence(world.container))] : []),
+      ...(margins ? marginSentences(margins, worlds.layout[index], world).map(soft) : []),
       replicas && replicas.count[index] > 0
         ? soft(
             `Fails in ${replicas.failed[index]} of ${plural(replicas.count[index], "replica")} with friction that is not known exactly.`,
@@ -138,7 +141,7 @@ export class WorldPanel {
                 this.focus(box);
               },
             },
-            `Box ${boxes.id[box]}`,
+            boxText(boxes, box, "Box"),
           ),
           this.whyCritical(box),
         ),
@@ -194,8 +197,11 @@ export class WorldPanel {
     const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => fixed(100 * part, 1));
     const facts: [string, string][] = [
       ["size, cm", size.join(" × ")],
-      ["material", String(boxes.material[box])],
+      ["material", boxes.material[box]],
     ];
+    if (Number.isFinite(boxes.mat[box]))
+      facts.push(["mat beneath it", `friction ${Number(boxes.mat[box].toPrecision(3))}`]);
+    if (Number.isFinite(boxes.bearingLimit[box])) facts.push(["may bear", kilograms(boxes.bearingLimit[box])]);
     const way: [string, string][] = [
       ["mass", kilograms(boxes.mass[box])],
       ["largest displacement", metres(boxes.peak.displacement[box])],
@@ -215,7 +221,7 @@ export class WorldPanel {
       ]);
     if (!isFixed) facts.push(...way);
     this.box.replaceChildren(
-      element("h2", {}, `Box ${boxes.id[box]}`),
+      element("h2", {}, boxText(boxes, box, "Box")),
       element(
         "p",
         { class: "title" },
@@ -238,7 +244,7 @@ export class WorldPanel {
     const { sample } = between(times(this.world), time);
     const limited = walls.limit.some((limit) => limit > 0);
     // An open side is nothing that is pressed, and not every container has ground and fixed boxes.
-    const { openings } = this.results;
+    const { openings } = this.world.container;
     const there = (i: number) => {
       const side = UPRIGHT.findIndex(({ name }) => name === PRESSED[i]);
       if (side >= 0) return openings.walls[side] > 0;
@@ -277,25 +283,31 @@ export class WorldPanel {
     const { boxes, series } = this.world;
     const { sample } = between(times(this.world), time);
     const count = boxes.id.length;
-    if (boxes.fixed[box]) return `box ${boxes.id[box]} · fixed`;
-    if (!series) return `box ${boxes.id[box]} · ${metres(boxes.end.displacement[box])} at the end`;
+    if (boxes.fixed[box]) return `${boxText(boxes, box)} · fixed`;
+    if (!series) return `${boxText(boxes, box)} · ${metres(boxes.end.displacement[box])} at the end`;
     const at = 3 * (sample * count + box);
     const far = Math.hypot(...series.displacement.subarray(at, at + 3));
     const tilt = tiltOf(series.orientation, 4 * box, 4 * (sample * count + box));
-    return `box ${boxes.id[box]} · ${metres(far)} · ${degrees(tilt)}`;
+    return `${boxText(boxes, box)} · ${metres(far)} · ${degrees(tilt)}`;
   }
 }
+
+/** The container that a load has of its own. */
+const containerSentence = (container: Container) =>
+  `In a container of its own: ${containerFactsOf(container)
+    .map(([, text]) => text)
+    .join("; ")}.`;
 
 /** In percent. What is more than 100 % reads as more. */
 const shareText = (share: number) => compared(100 * share, 100, (value, more) => `${fixed(value, more)} %`)[0];
 
 /** What a layout stands in each direction, as sentences. */
-function marginSentences(margins: Margins, layout: number): string[] {
+function marginSentences(margins: Margins, layout: number, { boxes }: World): string[] {
   const own = (all: ArrayLike<number>) => DIRECTIONS.map((_, i) => all[4 * layout + i]);
   const { margin: judged, criticalBox } = judgedMargins(margins);
   // Of a layout that is unstable it is minus what moves it, in all directions.
   if (own(judged)[0] < 0)
-    return [`Stands in no direction: box ${own(criticalBox)[0]} is unstable under gravity alone.`];
+    return [`Stands in no direction: ${boxText(boxes, own(criticalBox)[0] - 1)} is unstable under gravity alone.`];
   const list = (all: Float64Array) =>
     own(all)
       .map((value, i) => `${margin(value)} ${DIRECTIONS[i]}`)

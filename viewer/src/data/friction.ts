@@ -7,19 +7,39 @@ const number = (settings: Settings, key: string) => Number(settings[key] || Numb
 const container = (settings: Settings) => number(settings, "Simulation Settings/ContainerFriction");
 
 /** A material's factor of a product: its own, or that of all boxes. */
-const factor = (settings: Settings, material?: number) =>
+const factor = (settings: Settings, material?: string) =>
   number(
     settings,
     settings[`Material ${material}/Friction`] ? `Material ${material}/Friction` : "Simulation Settings/BoxFriction",
   );
 
-/** The coefficient of two boxes, by their materials; NaN where the settings do not say it. */
-export const betweenBoxes = (settings: Settings, a: number, b: number) =>
-  ofPairs(settings) ? number(settings, "Contact/BoxBox") : factor(settings, a) * factor(settings, b);
+/** The first of some rows of [Friction] that the settings have. */
+const firstRow = (settings: Settings, rows: readonly (readonly [string | undefined, string])[]) => {
+  const found = rows.find(([material, other]) => settings[`Friction/${material}, ${other}`]);
+  return found && number(settings, `Friction/${found[0]}, ${found[1]}`);
+};
+
+/** The coefficient of two boxes without a mat, by their materials; NaN where the settings do not say it. */
+export function betweenBoxes(settings: Settings, a: string, b: string): number {
+  if (!ofPairs(settings)) return factor(settings, a) * factor(settings, b);
+  const rows = [
+    [a, b],
+    [b, a],
+    [a, "any"],
+    [b, "any"],
+  ] as const;
+  return firstRow(settings, rows) ?? number(settings, "Contact/BoxBox");
+}
 
 /** The coefficient of a box and the floor, of a material without one of its own where none is named; NaN as above. */
-export const onFloor = (settings: Settings, material?: number) =>
-  ofPairs(settings) ? number(settings, "Contact/BoxFloor") : factor(settings, material) * container(settings);
+export function onFloor(settings: Settings, material?: string): number {
+  if (!ofPairs(settings)) return factor(settings, material) * container(settings);
+  const rows = [
+    [material, "floor"],
+    [material, "any"],
+  ] as const;
+  return firstRow(settings, rows) ?? number(settings, "Contact/BoxFloor");
+}
 
 /** The coefficients that act, in the words of the program. */
 export function frictionText(settings: Settings): string {

@@ -7,5 +7,9 @@ export type Place =
   | { kind: "address"; name: string; url: string };
 
 /** What page and worker say to each other. */
-export type Request = { id: number } & ({ kind: "open"; place: Place } | { kind: "world"; index: number });
-export type Reply = { id: number } & ({ value: Results | World } | { error: string });
+export type Request = { id: number } & (
+  | { kind: "open"; place: Place }
+  | { kind: "world"; index: number }
+  | { kind: "names" }
+);
+export type Reply = { id: number } & ({ value: Results | World | string[] } | { error: string });

@@ -48,12 +48,12 @@ export const isFull = (openings: Openings, side: number, height: number) => open
 export const isClosed = (openings: Openings, height: number) =>
   openings.roof && openings.walls.every((wall) => wall >= height);
 
-/** The materials whose boxes are part of the container. */
-export function fixedMaterials(settings: Settings): Set<number> {
-  const fixed = new Set<number>();
+/** The materials whose boxes are part of the container: numbers as texts, and names. */
+export function fixedMaterials(settings: Settings): Set<string> {
+  const fixed = new Set<string>();
   for (const [key, value] of Object.entries(settings)) {
-    const material = /^Material (-?\d+)\/Fixed$/.exec(key);
-    if (material && /^(true|yes|1)$/i.test(value)) fixed.add(Number(material[1]));
+    const material = /^Material (.+)\/Fixed$/.exec(key);
+    if (material && /^(true|yes|1)$/i.test(value)) fixed.add(material[1]);
   }
   return fixed;
 }

@@ -1,11 +1,11 @@
 import { criticalBox, excursionsTo } from "./excursions";
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
-import { fixedMaterials, readOpenings } from "./openings";
+import { fixedMaterials } from "./openings";
 import { VERDICT_CODES } from "./outcome";
+import { LoadInputs, readContainers } from "./read_loads";
 import {
   type BoxColumns,
   type Excursions,
-  type LoadedLayout,
   type MarginColumns,
   type Margins,
   NOT_COUNTED,
@@ -29,11 +29,15 @@ const uint32 = (numbers: Numbers) => (numbers instanceof Uint32Array ? numbers :
 
 /** Reads a results file: its summary at once, a world when it is asked for. */
 export class ResultsReader {
+  private readonly loads: LoadInputs;
+
   private constructor(
     private readonly file: Hdf5File,
     readonly results: Results,
     private readonly offsets: Record<"boxes" | "samples" | "rows" | "layoutBoxes", number>,
-  ) {}
+  ) {
+    this.loads = new LoadInputs(file, results, offsets.layoutBoxes);
+  }
 
   static read(file: Hdf5File, name: string, size: number): ResultsReader {
     const root = file.attributes("/");
@@ -63,6 +67,7 @@ export class ResultsReader {
     return {
       index,
       layout: results.layouts[layout] ?? "",
+      container: results.ownContainers.get(layout) ?? results.container,
       acceleration: results.accelerations[acceleration] ?? "",
       segments: results.segments[acceleration] ?? [],
       engine: file.texts("worlds/engine", index, index + 1)[0],
@@ -78,8 +83,21 @@ export class ResultsReader {
       series: this.series(index),
       walls: this.walls(index),
       stateHash: file.hashes("worlds/state_hash", index, index + 1)[0],
-      loaded: this.loaded(layout),
+      loaded: this.loads.layout(layout, boxes),
     };
+  }
+
+  /** Names of the boxes that are critical, per world; empty where there is none, or it has no name. */
+  criticalNames(): string[] {
+    const { worlds } = this.results;
+    const ofLayouts = new Map<number, string[]>();
+    return Array.from(worlds.layout, (layout, world) => {
+      const box = worlds.criticalBox[world];
+      if (box === 0 || box === NOT_COUNTED) return "";
+      const names = ofLayouts.get(layout) ?? this.loads.names(layout);
+      ofLayouts.set(layout, names);
+      return names[box - 1] ?? "";
+    });
   }
 
   close(): void {
@@ -93,7 +111,8 @@ export class ResultsReader {
     const column = (name: string) => file.numbers(name, begin, end);
     const float = (name: string) => column(name) as Float32Array;
     const flags = (name: string) => column(`summary/boxes/${name}`) as Uint8Array;
-    const reference = Float32Array.from(column("boxes/initial_position"));
+    const initial = Float32Array.from(column("boxes/initial_position"));
+    const reference = initial.slice();
     const settling = float("boxes/settling_displacement");
     if (accelerated && results.settings["Screening/ReferencePose"] === "settled")
       for (let i = 0; i < reference.length; ++i) reference[i] += settling[i];
@@ -107,16 +126,20 @@ export class ResultsReader {
     });
     const earlier = results.judgedAtEnd;
     const fixed = fixedMaterials(results.settings);
-    const material = column("boxes/material") as Int32Array;
+    const load = this.loads.boxes(results.worlds.layout[index], column("boxes/material"));
     const peak = earlier
       ? { displacement: float("boxes/peak_displacement"), drop: unknown(), tilt: unknown() }
       : peaks("peak");
     return {
       id: column("boxes/id") as Uint32Array,
-      material,
-      fixed: Uint8Array.from(material, (id) => (fixed.has(id) ? 1 : 0)),
+      name: load.name,
+      material: load.material,
+      mat: load.mat,
+      bearingLimit: load.bearingLimit,
+      fixed: Uint8Array.from(load.material, (name, box) => (load.fixed[box] || fixed.has(name) ? 1 : 0)),
       mass: float("boxes/mass"),
       size: float("boxes/size"),
+      initial,
       reference,
       endDisplacement,
       end: atEnd,
@@ -137,20 +160,6 @@ export class ResultsReader {
     const { worlds, thresholds } = this.results;
     if (firstBeyond.length === 0) return NOT_COUNTED;
     return criticalBox(firstBeyond, worlds.unstable[index] > 0 ? settling : end, thresholds);
-  }
-
-  private loaded(layout: number): LoadedLayout | null {
-    const { file, results } = this;
-    if (layout < 0 || layout >= results.layouts.length || results.layoutBoxes[layout] === 0) return null;
-    const begin = file.numbers("inputs/layouts/box_begin", layout, layout + 1)[0] - this.offsets.layoutBoxes;
-    const count = results.layoutBoxes[layout];
-    const rows = new Float64Array(7 * count);
-    const lower = file.numbers("inputs/layouts/corner_min", begin, begin + count);
-    const upper = file.numbers("inputs/layouts/corner_max", begin, begin + count);
-    const material = file.numbers("inputs/layouts/material", begin, begin + count);
-    for (let box = 0; box < count; ++box)
-      rows.set([...lower.slice(3 * box, 3 * box + 3), ...upper.slice(3 * box, 3 * box + 3), material[box]], 7 * box);
-    return { header: file.texts("inputs/layouts/header", layout, layout + 1)[0], boxes: rows };
   }
 
   private series(index: number): Series | null {
@@ -192,8 +201,6 @@ export class ResultsReader {
 function readSummary(file: Hdf5File, root: Record<string, string | number>, name: string, size: number): Results {
   const settings: Record<string, string> = {};
   for (const [key, value] of Object.entries(file.attributes("inputs/settings"))) settings[key] = String(value);
-  const metres = (key: string) => Number(settings[`Container/${key}`]) / 100;
-  const container: Results["container"] = [metres("Length"), metres("Width"), metres("Height")];
   const thresholds = file.attributes("summary");
   const judgedAtEnd = Number(root.format_version) < PEAKS_SINCE;
   return {
@@ -211,8 +218,7 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
       tilt: Number(thresholds.tilt_threshold),
     },
     judgedAtEnd,
-    container,
-    openings: readOpenings(settings, container[2]),
+    ...readContainers(file, settings),
     layouts: file.texts("inputs/layouts/name"),
     layoutBoxes: uint32(file.numbers("inputs/layouts/box_count")),
     accelerations: file.texts("inputs/accelerations/name"),

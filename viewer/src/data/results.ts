@@ -80,6 +80,17 @@ export interface Replicas {
   high: Float64Array;
 }
 
+/** m: length, width, height */
+export type Size = [number, number, number];
+
+/** What boxes stand in. */
+export interface Container {
+  /** name in the program's catalogue; empty: none of them */
+  type: string;
+  size: Size;
+  openings: Openings;
+}
+
 /** The summary of a file: everything but boxes and series. */
 export interface Results {
   name: string;
@@ -93,9 +104,10 @@ export interface Results {
   thresholds: Thresholds;
   /** The file is of an earlier version: worlds are judged by where boxes are at the end, not by all that they did. */
   judgedAtEnd: boolean;
-  /** m: length, width, height */
-  container: [number, number, number];
-  openings: Openings;
+  /** that of the run */
+  container: Container;
+  /** containers of layouts that have their own */
+  ownContainers: Map<number, Container>;
   layouts: string[];
   layoutBoxes: Uint32Array;
   accelerations: string[];
@@ -120,11 +132,20 @@ export interface Excursions {
 /** One entry per box, in the order of the layout file; tables of three lie one after the other. */
 export interface BoxColumns {
   id: Uint32Array;
-  material: Int32Array;
+  /** empty: it has none */
+  name: string[];
+  /** a number or a name */
+  material: string[];
+  /** coefficient of friction of the anti-slip mat beneath it; NaN: there is none */
+  mat: Float64Array;
+  /** kg, most that may rest on it; NaN: not known */
+  bearingLimit: Float64Array;
   mass: Float32Array;
   /** part of the container: it never moves, and counts in no verdict */
   fixed: Uint8Array;
   size: Float32Array;
+  /** m, as loaded */
+  initial: Float32Array;
   /** m, from where displacement counts: as settled, at t = 0, or as loaded */
   reference: Float32Array;
   endDisplacement: Float32Array;
@@ -171,11 +192,14 @@ export interface LoadedLayout {
   header: string;
   /** rows of seven numbers: corner with the smallest coordinates, corner with the largest (m), material */
   boxes: Float64Array;
+  /** what the load says that such rows do not have, in words */
+  more: string[];
 }
 
 export interface World {
   index: number;
   layout: string;
+  container: Container;
   acceleration: string;
   segments: Segment[];
   engine: string;

@@ -8,6 +8,9 @@ const KEPT = 8;
 /** Milliseconds for an answer. Files of gigabytes take a few seconds; with wrong bytes in a file HDF5 may never end. */
 const PATIENCE = 20_000;
 
+/** A request without its number. */
+type Asked = { [K in Request["kind"]]: Omit<Extract<Request, { kind: K }>, "id"> }[Request["kind"]];
+
 interface Waiting {
   resolve: (value: never) => void;
   reject: (error: Error) => void;
@@ -72,9 +75,12 @@ export class ResultsClient {
     return known;
   }
 
-  private ask<T>(
-    request: Omit<Extract<Request, { kind: "open" }>, "id"> | Omit<Extract<Request, { kind: "world" }>, "id">,
-  ) {
+  /** Names of the critical boxes of all worlds. */
+  criticalNames(): Promise<string[]> {
+    return this.ask<string[]>({ kind: "names" });
+  }
+
+  private ask<T>(request: Asked) {
     const id = this.next++;
     return new Promise<T>((resolve, reject) => {
       const timer = window.setTimeout(() => this.giveUp(), PATIENCE);

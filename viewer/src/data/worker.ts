@@ -15,6 +15,7 @@ function sourceOf(place: Place): ByteSource {
 
 async function answer(request: Request) {
   if (request.kind === "world") return reader!.world(request.index);
+  if (request.kind === "names") return reader!.criticalNames();
   reader?.close();
   reader = null;
   const source = sourceOf(request.place);

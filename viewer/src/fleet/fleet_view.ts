@@ -1,5 +1,5 @@
+import { containerFactsOf } from "../box/container_facts";
 import { frictionText } from "../data/friction";
-import { openingsText } from "../data/openings";
 import { CAVEAT_BITS } from "../data/outcome";
 import type { Results } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
@@ -7,12 +7,21 @@ import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictTex
 import { choice, download, element } from "../ui/dom";
 import { legendItems } from "../ui/legend";
 import type { Store } from "../ui/state";
-import { count, degrees, fixed, margin, metres, plural, seconds } from "../ui/text";
+import { count, degrees, margin, metres, plural, seconds } from "../ui/text";
 import { onTheme } from "../ui/theme";
 import { fleetCsv } from "./csv";
 import { type CellAt, Matrix } from "./matrix";
 import { arranged, DIRECTIONS, ORDERS, type Row, rowsOf, type Scale, type Sort, verdictCounts } from "./rows";
 import { isOfMargins, scaleLegend, scalesOf } from "./scales";
+
+/** The container of the run, or that layouts have their own. */
+function containerFacts({ container, ownContainers, layouts }: Results): [string, string][] {
+  const own = ownContainers.size;
+  if (own > 0 && own === layouts.length) return [["container", "each layout has its own"]];
+  const facts = containerFactsOf(container);
+  if (own > 0) facts.push(["other containers", `${own} of ${plural(layouts.length, "layout")} have their own`]);
+  return facts;
+}
 
 /** The landing page of a file: which loadings fail under what. */
 export class FleetView {
@@ -29,6 +38,7 @@ export class FleetView {
   constructor(
     private readonly results: Results,
     private readonly store: Store,
+    private readonly criticalNames: () => Promise<string[]>,
   ) {
     this.all = rowsOf(results);
     this.matrix = new Matrix(
@@ -191,6 +201,8 @@ export class FleetView {
       ["largest tilt", degrees(worlds.peakTilt[world])],
       ["ends at", seconds(worlds.endTime[world])],
     ];
+    const own = this.results.ownContainers.get(layout);
+    if (own) facts.push(...containerFactsOf(own));
     if (replicas && replicas.count[world] > 0)
       facts.push(["replicas that fail", `${replicas.failed[world]} of ${replicas.count[world]}`]);
     const marginsOf = (all: Float64Array) =>
@@ -216,13 +228,11 @@ export class FleetView {
 
   private facts(): HTMLElement {
     const { results } = this;
-    const { settings, thresholds, container } = results;
-    const openings = openingsText(results.openings, container[2]);
+    const { settings, thresholds } = results;
     const facts: [string, string][] = [
       ["engine", `${results.engine} ${settings["Native/Accuracy"] ?? ""}`],
       ["friction", frictionText(settings)],
-      ["container", `${container.map((side) => fixed(side, 2)).join(" × ")} m`],
-      ...(openings ? [["sides", openings] as [string, string]] : []),
+      ...containerFacts(results),
       ["limits", `drop ${metres(thresholds.drop)}, move ${metres(thresholds.move)}, tilt ${degrees(thresholds.tilt)}`],
       ["made", `${results.created.replace("T", " ").replace("Z", "")} by ${results.software}`],
     ];
@@ -235,8 +245,9 @@ export class FleetView {
     );
   }
 
-  private save(): void {
+  private async save(): Promise<void> {
+    const names = await this.criticalNames().catch(() => []);
     const name = this.results.name.replace(/\.\w+$/, "");
-    download(`${name}.csv`, new Blob([fleetCsv(this.results, this.rows)], { type: "text/csv" }));
+    download(`${name}.csv`, new Blob([fleetCsv(this.results, this.rows, names)], { type: "text/csv" }));
   }
 }

@@ -1,3 +1,4 @@
+import { boxText } from "../box/box_text";
 import { onFloor } from "../data/friction";
 import type { Results, World } from "../data/results";
 import { choice, element } from "../ui/dom";
@@ -235,7 +236,7 @@ export class LivePanel {
     const placing = driver.atStart && driver.mode === "drive";
     const boxes = driver.choices.boxes;
     const some = box !== null && 7 * box < boxes.length;
-    this.boxName.textContent = some ? `Box ${this.of.boxes.id[box]}` : "Box";
+    this.boxName.textContent = some ? boxText(this.of.boxes, box, "Box") : "Box";
     for (const [axis, input] of this.corner.entries()) {
       input.disabled = !some || !placing;
       if (document.activeElement !== input || input.disabled)

@@ -56,7 +56,7 @@ export class LiveView {
     );
     const { record } = this.driver;
     this.rig = new CameraRig(() => this.scene?.redraw());
-    this.rig.setContainer(file.container);
+    this.rig.setContainer(of.container.size);
     this.scene = new LoadScene(record.results, record.world, this.rig, store.state, new LivePoses(this.driver));
     this.panel = new WorldPanel(
       record.results,

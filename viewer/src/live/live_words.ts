@@ -7,8 +7,14 @@ export function whyNotLive(world: World): string | null {
   if (!engineCarried()) return "This page has no engine in it: make viewer-engine, and then make viewer, put it in.";
   if (world.boxes.id.length === 0) return "This world was not simulated: there is nothing to drive.";
   if (!world.loaded) return "The layout of this world is in another part of the run.";
+  const { more } = world.loaded;
+  if (more.length > 0)
+    return `This load has ${listed(more)}, which the engine of this page does not take: holdfast screen simulates it.`;
   return null;
 }
+
+const listed = (words: readonly string[]) =>
+  words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}` : words[0];
 
 /** What a world that was replayed to its end says of the file. */
 export function bitsSentence(

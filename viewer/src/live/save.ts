@@ -19,7 +19,7 @@ export async function saveFile(
   const segments = driver.segments(end);
   if (kind !== "layout" && segments.length === 0) return "Nothing has been driven yet.";
   const settings = driver.settings(driver.mode, true);
-  const layout = layoutText(of.loaded!.header, boxes, file.settings["Container/UpAxis"] ?? "z", file.container[1]);
+  const layout = layoutText(of.loaded!.header, boxes, file.settings["Container/UpAxis"] ?? "z", of.container.size[1]);
   const acceleration = accelerationText(segments, `driven in the page, from ${of.layout} of ${file.name}`);
   const name = of.layout.replace(/\.\w+$/, "");
   const texts = {

@@ -1,3 +1,4 @@
+import { boxText } from "../box/box_text";
 import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { VERDICTS } from "../data/verdict";
@@ -116,10 +117,11 @@ function paintLoad(
       return paintScale(boxes.mass, most, { from: "0 kg", to: kilograms(most) }, false);
     }
     case "material": {
-      const ids = [...new Set(boxes.material.filter((_, box) => !boxes.fixed[box]))].sort((a, b) => a - b);
-      const fill = (id: number) => MATERIALS[ids.indexOf(id) % MATERIALS.length];
+      const order = new Intl.Collator("en", { numeric: true });
+      const ids = [...new Set(boxes.material.filter((_, box) => !boxes.fixed[box]))].sort(order.compare);
+      const fill = (id: string) => MATERIALS[Math.max(0, ids.indexOf(id)) % MATERIALS.length];
       return {
-        fills: Array.from(boxes.material, fill),
+        fills: boxes.material.map(fill),
         legend: ids.map((id) => ({ fill: fill(id), label: `material ${id}` })),
         moving: false,
       };
@@ -162,7 +164,7 @@ function paintCritical(results: Results, world: World): Painted {
   }
   const legend: LegendEntry[] = [...directions].map(([box, texts], i) => {
     fills[box] = MATERIALS[[1, 0, 2, 3][i]];
-    return { fill: fills[box], label: `box ${world.boxes.id[box]}: ${texts.join(", ")}` };
+    return { fill: fills[box], label: `${boxText(world.boxes, box)}: ${texts.join(", ")}` };
   });
   const none = without.length > 0 ? `no box: ${without.join(", ")}` : "other boxes";
   return { fills, legend: [...legend, { fill: calm(), label: none }], moving: false };

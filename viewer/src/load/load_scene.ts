@@ -69,8 +69,9 @@ export class LoadScene {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(devicePixelRatio);
     this.canvas = this.renderer.domElement;
-    this.frame = new ContainerFrame(results.container, results.openings);
-    this.arrow = new PushArrow(results.container);
+    const { size, openings } = world.container;
+    this.frame = new ContainerFrame(size, openings);
+    this.arrow = new PushArrow(size);
     this.geometry = new BoxGeometry(boxes);
     this.ghostGeometry = new BoxGeometry(boxes);
     this.geometry.size.copyArray(world.boxes.size);
@@ -87,8 +88,8 @@ export class LoadScene {
     this.centre.frustumCulled = false;
     this.centre.renderOrder = 3;
     this.scene.add(this.frame, mesh, this.ghosts, this.traces, this.arrow, this.centre);
-    const hasDoor = isFull(results.openings, REAR, results.container[2]);
-    this.labels = new Labels(results.container, hasDoor ? "door" : "rear");
+    const hasDoor = isFull(openings, REAR, size[2]);
+    this.labels = new Labels(size, hasDoor ? "door" : "rear");
     this.node = element("div", { class: "scene" }, this.canvas, this.labels.node);
     this.recolour();
     this.show(state);
@@ -113,7 +114,7 @@ export class LoadScene {
 
   /** m: length, width, height */
   get container(): readonly [number, number, number] {
-    return this.results.container;
+    return this.world.container.size;
   }
 
   /** Shows more than the load. */
@@ -157,7 +158,7 @@ export class LoadScene {
     const { boxes } = this.world;
     const count = boxes.id.length;
     this.poses.set(state.time);
-    const [length, width] = this.results.container;
+    const [length, width] = this.container;
     const place = this.geometry.place.array as Float32Array;
     const ghost = this.ghostGeometry.place.array as Float32Array;
     const ghostSize = this.ghostGeometry.size.array as Float32Array;
@@ -210,7 +211,7 @@ export class LoadScene {
   }
 
   private clipAt(): number {
-    return this.state.clip > 0 ? this.results.container[0] * (1 - this.state.clip) : 1e9;
+    return this.state.clip > 0 ? this.container[0] * (1 - this.state.clip) : 1e9;
   }
 
   private paint(): void {

@@ -4,7 +4,7 @@ import type { Results, World } from "../data/results";
 
 /** Corners around the boxes that end outside the container, but no farther from it than two of its lengths, and not below the ground. */
 export function outside(results: Results, world: World): THREE.Vector3[] {
-  const { container, openings } = results;
+  const { size: container, openings } = world.container;
   const { boxes } = world;
   const places: THREE.Vector3[] = [];
   const far = 2 * container[0];

@@ -1,3 +1,4 @@
+import { boxText } from "../box/box_text";
 import { compareTable, type Shown } from "../box/compare_table";
 import { WorldPanel } from "../box/world_panel";
 import type { World } from "../data/results";
@@ -43,7 +44,8 @@ export class WorldView {
     this.rig = new CameraRig(() => {
       for (const scene of this.scenes ?? []) scene.redraw();
     });
-    this.rig.setContainer(results.container);
+    const most = (axis: number) => Math.max(...worlds.map(({ container }) => container.size[axis]));
+    this.rig.setContainer([most(0), most(1), most(2)]);
     const spans = worlds.map(times);
     this.clock = new Clock(
       store,
@@ -143,7 +145,7 @@ export class WorldView {
     if (box === null || !event) return;
     const home = this.hint.parentElement!.getBoundingClientRect();
     const panel = scene === this.scenes[0] ? this.panel : null;
-    this.hint.textContent = panel?.hint(box, this.store.state.time) ?? `box ${scene.world.boxes.id[box]}`;
+    this.hint.textContent = panel?.hint(box, this.store.state.time) ?? boxText(scene.world.boxes, box);
     this.hint.style.transform = `translate(${event.clientX - home.left + 14}px, ${event.clientY - home.top + 14}px)`;
   }
 
