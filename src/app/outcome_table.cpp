@@ -11,6 +11,7 @@
 
 #include "analyses/analysis.hpp"
 #include "core/engine/simulate.hpp"
+#include "io/results/load_names.hpp"
 #include "io/results/summary.hpp"
 
 namespace holdfast::internal {
@@ -48,11 +49,12 @@ struct UnstableLine {
 
 class Tally {
  public:
-  Tally(const ResultsInfo& info, const Thresholds& thresholds, std::span<const double> planned_ends)
-      : info_(info),
-        is_judged_again_(thresholds != info.thresholds),
+  Tally(ResultsReader& results, const Thresholds& thresholds, std::span<const double> planned_ends)
+      : info_(results.info()),
+        names_(results),
+        is_judged_again_(thresholds != info_.thresholds),
         planned_ends_(planned_ends),
-        accelerations_(info.accelerations.size()) {}
+        accelerations_(info_.accelerations.size()) {}
 
   /// False when a world names an acceleration that the file does not have.
   bool add(const SummarySlice& slice) {
@@ -63,7 +65,7 @@ class Tally {
     return true;
   }
 
-  OutcomeTable table() const {
+  OutcomeTable table() {
     constexpr const char* kLine = "{:<{}}  {:>6}  {:>6}  {:>6}{}  {:>8}  {:>6}  {}\n";
     std::string text =
         "\n" + fmt::format(kLine, "layouts that", name_width(), "stayed", "moved", "fell",
@@ -130,15 +132,15 @@ class Tally {
     return width;
   }
 
-  std::string worst_lines() const {
+  std::string worst_lines() {
     if (worst_.empty()) return "";
     std::string text = "\nworst worlds\n";
     for (const WorldLine& world : worst_) {
-      text += fmt::format("  {} under {}: of {} boxes{} {} fell, {} moved, {} tilted; farthest {:.2f} m{}\n",
-                          name_of_layout(world.layout), printable(info_.accelerations[world.acceleration]), world.boxes,
-                          world.is_at_least ? " at least" : "", world.fallen, world.moved, world.tilted,
-                          world.peak_displacement,
-                          world.critical_box > 0 ? fmt::format("; box {} first", world.critical_box) : "");
+      text += fmt::format(
+          "  {} under {}: of {} boxes{} {} fell, {} moved, {} tilted; farthest {:.2f} m{}\n",
+          name_of_layout(world.layout), printable(info_.accelerations[world.acceleration]), world.boxes,
+          world.is_at_least ? " at least" : "", world.fallen, world.moved, world.tilted, world.peak_displacement,
+          world.critical_box > 0 ? fmt::format("; {} first", names_.box_text(world.layout, world.critical_box)) : "");
     }
     return text;
   }
@@ -201,6 +203,7 @@ class Tally {
   }
 
   const ResultsInfo& info_;
+  LoadNames names_;
   bool is_judged_again_ = false;  ///< by other limits than those of the run
   std::span<const double> planned_ends_;
   std::vector<AccelerationLine> accelerations_;
@@ -219,7 +222,7 @@ class Tally {
 
 Result<OutcomeTable> outcome_table(ResultsReader& results, const Thresholds& thresholds,
                                    std::span<const double> planned_ends) {
-  Tally tally(results.info(), thresholds, planned_ends);
+  Tally tally(results, thresholds, planned_ends);
   const auto add = [&](const SummarySlice& slice) -> std::optional<Error> {
     if (tally.add(slice)) return std::nullopt;
     return Error{.file = results.info().path,

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 import pandas as pd
 
-from cli import CONFIG, CliTest, datasets, same_bits
+from cli import CONFIG, SOURCE, CliTest, datasets, same_bits
 
 
 NOT_COUNTED = 2**32 - 1  # in place of a count of boxes, of a world that was not simulated
@@ -219,6 +219,50 @@ class Summary(CliTest):
         for name in ("truncated.h5", "stub.h5", "empty.h5", "text.h5", "foreign.h5", "tables.h5", "missing.h5", "."):
             with self.subTest(name=name):
                 self.assert_refused(self.run_here("summary", name), name)
+
+
+class NamesOfLoads(CliTest):
+    """Names of boxes, materials and containers, where loads have them."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("named.csv", "name,material,container length (m),container width (m),container height (m),"
+                                "x (m),y (m),z (m),length (m),width (m),height (m),weight (kg)\n"
+                                "=1+1,3,6,2.4,2.5,2,0,0,1,1,1,100\n\"Pump, left\",crate,6,2.4,2.5,2,1,0,1,1,1,90\n4,crate,6,2.4,2.5,2,0,1,1,1,1,80\n")
+        self.write("left.txt", "0 2 0 -9 0\n")
+        self.assert_exit(self.run_here("screen", "--quiet", "--layouts", "named.csv", SOURCE / "configs/loads/trailer.csv",
+                                       SOURCE / "configs/layouts/seed_example.txt", "--accelerations", "left.txt", "--margins", "--damage"), 0)
+
+    def tables(self, file="results.h5"):
+        done = self.run_here("summary", file, "--csv", "tables")
+        self.assert_exit(done, 0)
+        return done.stdout, *(pd.read_csv(self.folder / f"tables/{name}.csv", dtype=str, keep_default_na=False) for name in ("worlds", "boxes"))
+
+    def test_tables_have_them(self):
+        text, worlds, boxes = self.tables()
+        self.assertEqual(list(boxes.columns[:7]), ["world", "layout", "acceleration", "id", "name", "material", "mass_kg"])
+        self.assertEqual(list(worlds["container"]), ["6 x 2.4 x 2.5 m", "trailer-curtain", ""])
+        named = boxes[boxes["layout"] == "named.csv"]
+        self.assertEqual(list(named["name"]), ["'=1+1", "Pump, left", "4"])
+        self.assertEqual(list(named["material"]), ["3", "crate", "crate"])
+        self.assertEqual(list(named["mass_kg"]), ["100", "90", "80"])
+        self.assertEqual(set(boxes[boxes["layout"] == "seed_example.txt"]["name"]), {""})
+        critical = [int(box) for box in worlds["critical_box"]]
+        names = {layout: list(of["name"]) for layout, of in boxes.groupby("layout")}
+        expected = [names[layout][box - 1] if box else "" for layout, box in zip(worlds["layout"], critical)]
+        self.assertEqual(list(worlds["critical_box_name"]), expected)
+        self.assertRegex(text, rf"trailer.csv under left.txt: .*; box {critical[1]} \({expected[1]}\) first")
+        self.assertRegex(text, r"trailer.csv +\d.*, box \d+ \(\w+ \d\)\n")
+        self.assertNotRegex(text, r"seed_example.*\(")
+
+    def test_a_file_from_before_loads_said_more_has_none(self):
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            for name in set(file["inputs/layouts"]) - {"name", "sha256", "header", "box_begin", "box_count", "corner_min", "corner_max", "material"}:
+                del file[f"inputs/layouts/{name}"]
+        text, worlds, boxes = self.tables()
+        self.assertEqual({*worlds["container"], *worlds["critical_box_name"], *boxes["name"]}, {""})
+        self.assertEqual(set(boxes["material"]), {"3", "-1", "1"})
+        self.assertRegex(text, r"trailer.csv under left.txt: .*; box \d+ first")
 
 
 if __name__ == "__main__":

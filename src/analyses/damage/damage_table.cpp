@@ -9,6 +9,7 @@
 #include "analyses/layouts_shown.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/found_tables.hpp"
+#include "io/results/load_names.hpp"
 
 namespace holdfast::internal {
 
@@ -19,6 +20,7 @@ struct LayoutDamage {
   std::uint32_t boxes_beyond = 0;  ///< in the world with the most
   double peak_acceleration = 0.0;  ///< of any box, m/s²
   double velocity_change = 0.0;    ///< of any box, m/s
+  std::uint64_t layout = 0;        ///< its number in the run
   std::uint32_t box = 0;           ///< with that velocity change: position in the layout file, from 1
   std::uint64_t acceleration = 0;  ///< in the world with that velocity change
 
@@ -32,6 +34,7 @@ struct LayoutDamage {
       const auto change = static_cast<double>(damage.velocity_change[i]);
       if (change <= velocity_change) continue;
       velocity_change = change;
+      layout = row.layout;
       box = static_cast<std::uint32_t>(i + 1);
       acceleration = row.acceleration;
     }
@@ -64,7 +67,9 @@ Result<DamageLines> read_lines(ResultsReader& results) {
   return lines;
 }
 
-std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
+std::string text_of(const DamageLines& lines, ResultsReader& results) {
+  const ResultsInfo& info = results.info();
+  LoadNames names(results);
   const auto shown = shown_layouts(lines.layouts, info, [](const LayoutDamage& line) { return line.rank(); });
   std::string text = "\ndamage: boxes beyond the boundary, and the hardest impact\n";
   text += fmt::format("  {:<{}}  boxes  peak (g)  impact (m/s)\n", "layout", shown.width);
@@ -72,7 +77,8 @@ std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
     text += fmt::format("  {:<{}}  {:>5}  {:>8.1f}  {:>12.2f}", name, shown.width, line.boxes_beyond,
                         line.peak_acceleration / kStandardGravity, line.velocity_change);
     if (line.box > 0)
-      text += fmt::format("  box {}, {}", line.box, printable(info.acceleration_name(line.acceleration)));
+      text += fmt::format("  {}, {}", names.box_text(line.layout, line.box),
+                          printable(info.acceleration_name(line.acceleration)));
     text += "\n";
   }
   if (shown.hidden > 0) text += fmt::format("  and {} more; `holdfast summary --csv` writes all\n", shown.hidden);
@@ -84,7 +90,7 @@ std::string text_of(const DamageLines& lines, const ResultsInfo& info) {
 Result<std::string> damage_table(ResultsReader& results) {
   const Result<DamageLines> lines = read_lines(results);
   if (!lines) return lines.errors();
-  return text_of(*lines, results.info());
+  return text_of(*lines, results);
 }
 
 }  // namespace holdfast::internal

@@ -15,6 +15,7 @@
 #include "core/model/norms.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/results/found_tables.hpp"
+#include "io/results/load_names.hpp"
 
 namespace holdfast::internal {
 
@@ -66,10 +67,11 @@ std::string cell_of(const Judged& layout, std::size_t direction) {
   return layout.has_limits ? fmt::format("{} / {:>5}", in_place, size_text(layout.margin(direction))) : in_place;
 }
 
-std::string verdict_of(const Judged& layout) {
+/// @param number of the layout in the run
+std::string verdict_of(const Judged& layout, std::uint64_t number, LoadNames& names) {
   const std::size_t direction = layout.weakest();
   const std::uint32_t box = layout.critical_box(direction);
-  if (layout.margin(direction) < 0.0) return fmt::format("unstable, box {}", box);
+  if (layout.margin(direction) < 0.0) return "unstable, " + names.box_text(number, box);
   if (box == 0) return "-";
   const std::string range = std::isnan(layout.spread.low.at(direction))
                                 ? ""
@@ -77,7 +79,7 @@ std::string verdict_of(const Judged& layout) {
                                               size_text(layout.spread.high.at(direction)));
   const double need = layout.needed.at(direction);
   const std::string lack = need > layout.margin(direction) ? fmt::format("; needs {} g", number_text(need)) : "";
-  return fmt::format("{}, box {}{}{}", kMarginDirections.at(direction).name, box, range, lack);
+  return fmt::format("{}, {}{}{}", kMarginDirections.at(direction).name, names.box_text(number, box), range, lack);
 }
 
 constexpr int kCellWidth = 15;
@@ -119,11 +121,12 @@ Result<std::string> margin_table(ResultsReader& results) {
     for (const double need : needed) text += fmt::format("{:>{}}", size_text(need), kCellWidth);
     text += '\n';
   }
+  LoadNames names(results);
   for (std::size_t i = 0; i < shown; ++i) {
     text += fmt::format("  {:<{}}", printable(info.layouts[order[i]]), width);
     for (std::size_t direction = 0; direction < kDirectionCount; ++direction)
       text += fmt::format("{:>{}}", cell_of(judged(order[i]), direction), kCellWidth);
-    text += "  " + verdict_of(judged(order[i])) + '\n';
+    text += "  " + verdict_of(judged(order[i]), info.layout_begin + order[i], names) + '\n';
   }
   if (order.size() > shown) text += fmt::format("  and {} more that stand better\n", order.size() - shown);
   return text;

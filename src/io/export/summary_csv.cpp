@@ -7,6 +7,7 @@
 
 #include "io/export/csv_field.hpp"
 #include "io/export/output_file.hpp"
+#include "io/results/load_names.hpp"
 #include "io/results/summary.hpp"
 
 namespace holdfast::internal {
@@ -16,16 +17,20 @@ namespace {
 /// Fields that CSV has: all that are shown, but hashes, which readers take for numbers.
 bool in_csv(const OutcomeField& field) { return !field.label.empty() && field.type != "hash"; }
 
+/// The field that the name of its box stands behind.
+constexpr std::string_view kNamedBox = "critical_box";
+
 std::string world_header() {
-  std::string header = "world,layout,acceleration";
+  std::string header = "world,layout,acceleration,container";
   visit_outcome<holdfast::WorldOutcome>([&](const OutcomeField& field, auto) {
     if (in_csv(field)) header += ',' + csv_heading(field);
+    if (field.label == kNamedBox) header += ",critical_box_name";
   });
   return header;
 }
 
 std::string box_header() {
-  std::string header = "world,layout,acceleration,id,material,mass_kg";
+  std::string header = "world,layout,acceleration,id,name,material,mass_kg";
   const auto append = [&](const OutcomeField& field, auto) {
     if (in_csv(field)) header += ',' + csv_heading(field);
   };
@@ -52,12 +57,15 @@ std::vector<CsvFields> analysis_fields(ResultsReader& results, const SummarySlic
   return all;
 }
 
-std::string world_lines(const ResultsInfo& info, const SummarySlice& slice, const std::vector<CsvFields>& added) {
+std::string world_lines(const ResultsInfo& info, const SummarySlice& slice, LoadNames& names,
+                        const std::vector<CsvFields>& added) {
   std::string text;
   for (std::size_t i = 0; i < slice.rows.size(); ++i) {
-    text += naming(info, slice.world_begin + i, slice.rows[i]);
+    const std::uint64_t layout = slice.rows[i].layout;
+    text += naming(info, slice.world_begin + i, slice.rows[i]) + ',' + csv_field(names.container(layout));
     visit_world_values(slice.rows[i], slice.worlds[i], [&](const OutcomeField& field, const auto& value, auto) {
       if (in_csv(field)) text += ',' + csv_value(value);
+      if (field.label == kNamedBox) text += ',' + csv_field(names.box_name(layout, slice.worlds[i].critical_box));
     });
     for (const CsvFields& fields : added) text += fields.worlds[i];
     text += "\r\n";
@@ -65,15 +73,20 @@ std::string world_lines(const ResultsInfo& info, const SummarySlice& slice, cons
   return text;
 }
 
-std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const BoxTable& boxes,
+/// Names stand where the file has them: of materials in the place of their numbers.
+std::string box_lines(const ResultsInfo& info, const SummarySlice& slice, const BoxTable& boxes, LoadNames& names,
                       const std::vector<CsvFields>& added) {
   std::string text;
   for (std::size_t world = 0; world < slice.rows.size(); ++world) {
     const WorldRow& row = slice.rows[world];
-    const std::string names = naming(info, slice.world_begin + world, row);
+    const std::string inputs = naming(info, slice.world_begin + world, row);
     const std::size_t begin = row.box_begin - slice.box_begin;
     for (std::size_t i = begin; i < begin + row.boxes; ++i) {
-      text += fmt::format("{},{},{},{}", names, boxes.id[i], boxes.material[i], csv_number(boxes.mass[i]));
+      const std::uint64_t box = i - begin + 1;
+      const std::string material = names.material_name(row.layout, box);
+      text += fmt::format("{},{},{},{},{}", inputs, boxes.id[i], csv_field(names.box_name(row.layout, box)),
+                          material.empty() ? std::to_string(boxes.material[i]) : csv_field(material),
+                          csv_number(boxes.mass[i]));
       visit_box_verdict<BoxVerdict>([&](const OutcomeField& field, auto member) {
         if (in_csv(field)) text += ',' + csv_value(slice.boxes[i].*member);
       });
@@ -117,13 +130,14 @@ std::optional<Error> write_summary_csv(const std::string& results_path, const Th
     }
     worlds.write(world_headings + "\r\n");
     boxes.write(box_headings + "\r\n");
+    LoadNames names(*results);
     const auto error = derive_summary(*results, thresholds, [&](const SummarySlice& slice) -> std::optional<Error> {
       const Result<BoxTable> table = results->boxes(slice.box_begin, slice.boxes.size());
       if (!table) return table.error();
       return h5::caught(folder, [&] {
         const std::vector<CsvFields> added = analysis_fields(*results, slice);
-        worlds.write(world_lines(results->info(), slice, added));
-        boxes.write(box_lines(results->info(), slice, *table, added));
+        worlds.write(world_lines(results->info(), slice, names, added));
+        boxes.write(box_lines(results->info(), slice, *table, names, added));
       });
     });
     if (error) throw h5::Failure(*error);

@@ -182,6 +182,8 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
   });
 }
 
+bool ResultsReader::has(std::string_view path) const { return h5::exists(*state_->file, std::string(path)); }
+
 Result<std::vector<std::byte>> ResultsReader::stored(std::string_view path, std::uint64_t begin, std::uint64_t count) {
   return h5::caught_result(state_->file->path(), [&] { return state_->dataset(path).read(begin, count); });
 }

@@ -87,6 +87,9 @@ class ResultsReader {
   /// version 1 the residual is a ratio, whose scale is 1.
   Result<std::vector<WorldRow>> worlds(std::uint64_t begin, std::uint64_t count);
 
+  /// Whether the file has a dataset of the schema; those of earlier versions do not have all.
+  bool has(std::string_view path) const;
+
   /// Entries [begin, begin + count) of a dataset of the schema, in their stored form.
   Result<std::vector<std::byte>> stored(std::string_view path, std::uint64_t begin, std::uint64_t count);
 
