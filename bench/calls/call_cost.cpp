@@ -75,6 +75,7 @@ Call call_of_c(const holdfast::Acceleration& acceleration, int threads, const st
   return [screen, boxes = std::move(boxes), offsets = std::move(offsets),
           outcomes = std::vector<holdfast_outcome>(layouts.size())](std::size_t first, std::size_t count) mutable {
     const holdfast_layouts part = {sizeof part, boxes.data(), boxes.size() / 7, &offsets[first], count, nullptr};
+    outcomes.front().size = sizeof(holdfast_outcome);
     require(holdfast_screen_evaluate(screen.get(), &part, outcomes.data(), outcomes.size()), screen.get());
     double simulated = 0.0;
     for (std::size_t i = 0; i < count; ++i) simulated += outcomes[i].cpu_seconds;

@@ -14,7 +14,8 @@ static int evaluate(void) {
       [HOLDFAST_STAYED] = "stayed",     [HOLDFAST_MOVED] = "moved",   [HOLDFAST_FELL] = "fell",
       [HOLDFAST_UNSTABLE] = "unstable", [HOLDFAST_FAILED] = "failed", [HOLDFAST_NOT_ASKED] = "not_needed"};
   const size_t offsets[] = {0, 1};
-  const holdfast_layouts layouts = {sizeof layouts, kBox, 1, offsets, 1, NULL};
+  const holdfast_layouts layouts = {
+      .size = sizeof layouts, .boxes = kBox, .box_count = 1, .offsets = offsets, .layout_count = 1};
   holdfast_outcome outcomes[2] = {{.size = sizeof outcomes[0]}};
   holdfast_screen* screen;
   const int failed = holdfast_screen_new(NULL, NULL, &screen) ||

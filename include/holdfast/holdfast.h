@@ -10,7 +10,8 @@
  *     const double brake[] = {0.5, 1.0, 7.848, 0.0, 0.0};
  *     const double boxes[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0};
  *     const size_t offsets[] = {0, 1};
- *     const holdfast_layouts layouts = {sizeof layouts, boxes, 1, offsets, 1, NULL};
+ *     const holdfast_layouts layouts = {
+ *         .size = sizeof layouts, .boxes = boxes, .box_count = 1, .offsets = offsets, .layout_count = 1};
  *     holdfast_outcome outcome = {.size = sizeof outcome};
  *     holdfast_screen* screen;
  *     if (holdfast_screen_new(NULL, NULL, &screen) != HOLDFAST_OK ||
@@ -101,7 +102,7 @@ HOLDFAST_API const char* holdfast_settings_message(const holdfast_settings* sett
 
 typedef struct holdfast_screen holdfast_screen;
 
-/* Unit of the corners of boxes. */
+/* Unit of the lengths of layouts. */
 enum { HOLDFAST_METRE = 0, HOLDFAST_CENTIMETRE = 1 };
 
 /* How a screen works. */
@@ -148,6 +149,12 @@ typedef struct holdfast_layouts {
   const size_t* offsets; /* layout_count + 1 numbers that do not fall, box_count at most */
   size_t layout_count;
   const char* const* names; /* one per layout, label results and messages; NULL, also of one: "layout" and its index */
+  const double* masses;     /* kg, one per row; not a number: by the material of the box; NULL: all of them */
+  const double* mats;       /* coefficients of friction of anti-slip mats beneath boxes, on whatever these stand on, one
+                               per row; not a number: none; NULL: all of them */
+  const char* const* box_names;  /* one per row, shown in messages; NULL, also of one: its number */
+  const char* const* containers; /* types of containers, such as "40hc", one per layout; NULL, also of one: that of the
+                                    settings */
 } holdfast_layouts;
 
 /* The names and members below are made of the rows of outcome_fields.h, which say what each one means. */
@@ -207,6 +214,12 @@ HOLDFAST_API int holdfast_screen_holds(holdfast_screen* screen, const holdfast_l
  * Returns HOLDFAST_FULL, and takes no layout, when the options' most_in_flight are in flight. */
 HOLDFAST_API int holdfast_screen_submit(holdfast_screen* screen, const double* boxes, size_t box_count,
                                         uint64_t* ticket);
+
+/* The same of a layout that has more than rows of numbers.
+ * layout: one layout; its name is not used
+ * ticket: as of holdfast_screen_submit */
+HOLDFAST_API int holdfast_screen_submit_layout(holdfast_screen* screen, const holdfast_layouts* layout,
+                                               uint64_t* ticket);
 
 /* Gives back a layout that was handed over and is finished.
  * seconds:  how long to wait for one, at most
@@ -353,6 +366,12 @@ typedef struct holdfast_world holdfast_world;
  * world:    set to the new world, as holdfast_screen_new sets a screen */
 HOLDFAST_API int holdfast_world_new(const holdfast_settings* settings, const double* boxes, size_t box_count, int unit,
                                     const double* segments, size_t segment_count, holdfast_world** world);
+
+/* The same of a layout that has more than rows of numbers.
+ * layout: one layout */
+HOLDFAST_API int holdfast_world_new_of_layout(const holdfast_settings* settings, const holdfast_layouts* layout,
+                                              int unit, const double* segments, size_t segment_count,
+                                              holdfast_world** world);
 HOLDFAST_API void holdfast_world_free(holdfast_world* world);
 
 /* Takes the world forward until it has reached a time, s, or its end. A time that has passed changes nothing. */

@@ -77,4 +77,36 @@ holdfast::LayoutView layout_of(std::string_view name, const double* boxes, std::
   return {name, {rows_of(boxes, count, "boxes"), count * kNumbersPerBox}};
 }
 
+std::vector<holdfast::LayoutView> layouts_of(const holdfast_layouts* given) {
+  const auto layouts = options_of(required(given, "layouts"), "layouts");
+  std::vector<holdfast::LayoutView> views;
+  if (layouts.layout_count == 0) return views;
+  const std::size_t* const offsets = required(layouts.offsets, "layouts.offsets");
+  const holdfast::LayoutView all = layout_of("", layouts.boxes, layouts.box_count);
+  for (std::size_t i = 0; i < layouts.layout_count; ++i) {
+    const std::size_t first = offsets[i];
+    if (first > offsets[i + 1] || offsets[i + 1] > layouts.box_count)
+      throw BadArgument{"layout " + std::to_string(i) + " has the boxes " + std::to_string(first) + " to " +
+                        std::to_string(offsets[i + 1]) + " of " + std::to_string(layouts.box_count)};
+    const std::size_t count = offsets[i + 1] - first;
+    holdfast::LayoutView& view = views.emplace_back();
+    view.numbers = all.numbers.subspan(first * kNumbersPerBox, count * kNumbersPerBox);
+    if (layouts.names != nullptr && layouts.names[i] != nullptr) view.name = layouts.names[i];
+    if (layouts.masses != nullptr) view.masses = {layouts.masses + first, count};
+    if (layouts.mats != nullptr) view.mats = {layouts.mats + first, count};
+    if (layouts.box_names != nullptr) view.box_names = {layouts.box_names + first, count};
+    if (layouts.containers != nullptr && layouts.containers[i] != nullptr) view.container = layouts.containers[i];
+  }
+  return views;
+}
+
+holdfast::LayoutView only_layout_of(const holdfast_layouts* given, std::string_view name) {
+  const std::vector<holdfast::LayoutView> views = layouts_of(given);
+  if (views.size() != 1)
+    throw BadArgument{"layout has " + std::to_string(views.size()) + " layouts, and one is needed"};
+  holdfast::LayoutView view = views.front();
+  if (view.name.empty()) view.name = name;
+  return view;
+}
+
 }  // namespace holdfast::internal

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "holdfast/holdfast.h"
 #include "holdfast/holdfast.hpp"
 
 /// Arguments of the C interface, checked and turned into those of the library.
@@ -81,5 +84,12 @@ holdfast::Acceleration acceleration_of(std::string_view name, const double* segm
 
 /// The caller's rows of boxes.
 holdfast::LayoutView layout_of(std::string_view name, const double* boxes, std::size_t count);
+
+/// The caller's layouts, in the caller's memory.
+std::vector<holdfast::LayoutView> layouts_of(const holdfast_layouts* given);
+
+/// The same of an argument that is to have exactly one.
+/// @param name of the layout where the caller gives none
+holdfast::LayoutView only_layout_of(const holdfast_layouts* given, std::string_view name);
 
 }  // namespace holdfast::internal

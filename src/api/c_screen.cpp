@@ -42,28 +42,21 @@ void keep_problems(CScreen& object) {
   object.problems.assign(object.made().problems().begin(), object.made().problems().end());
 }
 
+int submit(CScreen& object, const holdfast::LayoutView& layout, std::uint64_t* ticket) {
+  object.accelerations();
+  const std::optional<std::uint64_t> given = object.made().submit(layout);
+  if (!given) return HOLDFAST_FULL;
+  keep_problems(object);
+  if (ticket != nullptr) *ticket = *given;
+  return HOLDFAST_OK;
+}
+
 }  // namespace
 
 std::size_t CScreen::accelerations() {
   const std::size_t count = made().accelerations().size();
   if (count == 0) throw BadArgument{"the screen has no acceleration: holdfast_screen_add_acceleration comes before"};
   return count;
-}
-
-CLayouts::CLayouts(const holdfast_layouts* given) {
-  const auto layouts = options_of(required(given, "layouts"), "layouts");
-  if (layouts.layout_count == 0) return;
-  const std::size_t* const offsets = required(layouts.offsets, "layouts.offsets");
-  const holdfast::LayoutView all = layout_of("", layouts.boxes, layouts.box_count);
-  for (std::size_t i = 0; i < layouts.layout_count; ++i) {
-    if (offsets[i] > offsets[i + 1] || offsets[i + 1] > layouts.box_count)
-      throw BadArgument{"layout " + std::to_string(i) + " has the boxes " + std::to_string(offsets[i]) + " to " +
-                        std::to_string(offsets[i + 1]) + " of " + std::to_string(layouts.box_count)};
-    const char* const name = layouts.names == nullptr ? nullptr : layouts.names[i];
-    views_.push_back(
-        {name == nullptr ? "" : name,
-         all.numbers.subspan(offsets[i] * kNumbersPerBox, (offsets[i + 1] - offsets[i]) * kNumbersPerBox)});
-  }
 }
 
 void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes) {
@@ -107,8 +100,8 @@ int holdfast_screen_add_acceleration(holdfast_screen* screen, const char* name, 
 int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* layouts, holdfast_outcome* outcomes,
                              size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
-    const CLayouts given(layouts);
-    const std::size_t count = given.views().size();
+    const std::vector<holdfast::LayoutView> given = layouts_of(layouts);
+    const std::size_t count = given.size();
     const std::size_t accelerations = object.accelerations();
     if (count > std::numeric_limits<std::size_t>::max() / accelerations)
       throw BadArgument{"there are too many layouts"};
@@ -116,7 +109,7 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
     if (count > 0) FilledEntries(outcomes, "outcomes");
     object.last = &object.evaluated;
     object.evaluated.clear();
-    object.made().evaluate(given.views(), object.evaluated);
+    object.made().evaluate(given, object.evaluated);
     keep_problems(object);
     copy_outcomes(object.evaluated, outcomes);
     const bool cancelled = std::any_of(object.evaluated.begin(), object.evaluated.end(), [](const auto& world) {
@@ -129,11 +122,11 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
 
 int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layouts, uint8_t* holds, size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
-    const CLayouts given(layouts);
+    const std::vector<holdfast::LayoutView> given = layouts_of(layouts);
     object.accelerations();
-    require_room(capacity, given.views().size(), "holds");
-    if (!given.views().empty()) required(holds, "holds");
-    const std::vector<bool> found = object.made().holds(given.views());
+    require_room(capacity, given.size(), "holds");
+    if (!given.empty()) required(holds, "holds");
+    const std::vector<bool> found = object.made().holds(given);
     keep_problems(object);
     std::copy(found.begin(), found.end(), holds);
     return HOLDFAST_OK;
@@ -143,10 +136,10 @@ int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layou
 int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* layouts, holdfast_margins* margins,
                             size_t capacity) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
-    const CLayouts given(layouts);
-    require_room(capacity, given.views().size(), "margins");
-    if (!given.views().empty()) FilledEntries(margins, "margins");
-    const std::vector<holdfast::LayoutMargins> found = object.made().margins(given.views());
+    const std::vector<holdfast::LayoutView> given = layouts_of(layouts);
+    require_room(capacity, given.size(), "margins");
+    if (!given.empty()) FilledEntries(margins, "margins");
+    const std::vector<holdfast::LayoutMargins> found = object.made().margins(given);
     keep_problems(object);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const holdfast::LayoutMargins& layout = found[i];
@@ -165,9 +158,9 @@ int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* lay
 int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layouts, const char* path,
                            const holdfast_record_options* options) {
   return call_object<CScreen>(screen, [&](CScreen& object) {
-    const CLayouts given(layouts);
+    const std::vector<holdfast::LayoutView> given = layouts_of(layouts);
     object.accelerations();
-    const bool complete = object.made().record(given.views(), required(path, "path"), record_options(options));
+    const bool complete = object.made().record(given, required(path, "path"), record_options(options));
     keep_problems(object);
     if (!complete) object.message = "cancelled";
     return complete ? HOLDFAST_OK : HOLDFAST_CANCELLED;
@@ -175,14 +168,13 @@ int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layo
 }
 
 int holdfast_screen_submit(holdfast_screen* screen, const double* boxes, size_t box_count, uint64_t* ticket) {
-  return call_object<CScreen>(screen, [&](CScreen& object) {
-    object.accelerations();
-    const std::optional<std::uint64_t> given = object.made().submit(layout_of("", boxes, box_count));
-    if (!given) return HOLDFAST_FULL;
-    keep_problems(object);
-    if (ticket != nullptr) *ticket = *given;
-    return HOLDFAST_OK;
-  });
+  return call_object<CScreen>(screen,
+                              [&](CScreen& object) { return submit(object, layout_of("", boxes, box_count), ticket); });
+}
+
+int holdfast_screen_submit_layout(holdfast_screen* screen, const holdfast_layouts* layout, uint64_t* ticket) {
+  return call_object<CScreen>(screen,
+                              [&](CScreen& object) { return submit(object, only_layout_of(layout, ""), ticket); });
 }
 
 int holdfast_screen_poll(holdfast_screen* screen, double seconds, int in_order, uint64_t* ticket,

@@ -37,17 +37,6 @@ struct CScreen : CObject {
   std::size_t accelerations();
 };
 
-/// Layouts of the caller.
-class CLayouts {
- public:
-  explicit CLayouts(const holdfast_layouts* layouts);
-
-  std::span<const holdfast::LayoutView> views() const { return views_; }
-
- private:
-  std::vector<holdfast::LayoutView> views_;
-};
-
 /// Writes what became of worlds to an array of the caller, which has room.
 void copy_outcomes(std::span<const holdfast::WorldOutcome> worlds, holdfast_outcome* outcomes);
 

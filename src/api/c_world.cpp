@@ -39,6 +39,18 @@ int holdfast_world_new(const holdfast_settings* settings, const double* boxes, s
   });
 }
 
+int holdfast_world_new_of_layout(const holdfast_settings* settings, const holdfast_layouts* layout, int unit,
+                                 const double* segments, size_t segment_count, holdfast_world** world) {
+  if (world != nullptr) *world = nullptr;
+  return with_settings(settings, [&](const std::vector<holdfast::Setting>& given) {
+    return make_object<CWorld>(world, [&](CWorld& object) {
+      object.world.emplace(only_layout_of(layout, "the layout"),
+                           acceleration_of("the acceleration", segments, segment_count), given, unit_of(unit));
+      return HOLDFAST_OK;
+    });
+  });
+}
+
 void holdfast_world_free(holdfast_world* world) { Handles<holdfast_world, CWorld>::all().remove(world); }
 
 int holdfast_world_advance(holdfast_world* world, double time) {

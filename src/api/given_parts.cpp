@@ -34,8 +34,7 @@ std::optional<double> within(std::optional<double> number, double least, const c
   const std::string name = box.name.empty() ? "" : " (" + box.name + ')';
   errors.add({.what = std::string(what) + " of box " + std::to_string(index + 1) + name + " is not possible",
               .value = number_text(*number),
-              .accepted = std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to " +
-                          number_text(kMostOfBox),
+              .accepted = std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to 1000000",
               .box = static_cast<long>(index) + 1});
   return std::nullopt;
 }

