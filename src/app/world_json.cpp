@@ -34,8 +34,8 @@ Json json_value(const OutcomeField& field, const Value& value) {
 
 }  // namespace
 
-void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world,
-                    const std::string& acceleration) {
+void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world, const std::string& acceleration,
+                    std::span<const std::string> box_names) {
   const bool was_run = world.stop_reason != holdfast::StopReason::not_run;
   json["acceleration"] = acceleration;
   visit_outcome<holdfast::WorldOutcome>([&](const OutcomeField& field, auto member) {
@@ -43,6 +43,10 @@ void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& 
     // What is not known is null; numbers that are not finite become it by themselves.
     const bool known = was_run || field.scope != FieldScope::derived || field.type == "verdict";
     json[std::string(field.label)] = known ? json_value(field, world.*member) : Json();
+    if (field.name != "critical_box") return;
+    const std::size_t box = world.critical_box;
+    if (box > 0 && box <= box_names.size() && !box_names[box - 1].empty())
+      json["critical_box_name"] = box_names[box - 1];
   });
   std::size_t next = 0;  // of the numbers of all analyses
   for (const Analysis* analysis : all_analyses()) {
@@ -70,14 +74,15 @@ std::string one_line(const nlohmann::ordered_json& json) {
 }
 
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
-                       std::size_t index, const Thresholds& thresholds, double time_saved) {
+                       std::size_t index, const Thresholds& thresholds, double time_saved,
+                       std::span<const std::string> box_names) {
   holdfast::WorldOutcome outcome;
   fill_world(world, thresholds, false, outcome);
   outcome.numbers = numbers_of(world.found);
   nlohmann::ordered_json json;
   json["world"] = index;
   json["layout"] = layout;
-  append_outcome(json, outcome, acceleration);
+  append_outcome(json, outcome, acceleration, box_names);
   json["time_saved_s"] = time_saved;
   return one_line(json);
 }

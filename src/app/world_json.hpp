@@ -14,7 +14,9 @@ namespace holdfast::internal {
 
 /// Appends what became of a world to an object of JSON, from its acceleration and verdict to its hash. Units are in the
 /// names, in SI. Values that a world has only when it was simulated are null otherwise.
-void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world, const std::string& acceleration);
+/// @param box_names of the layout's boxes, or none: the critical box is named where it has a name
+void append_outcome(nlohmann::ordered_json& json, const holdfast::WorldOutcome& world, const std::string& acceleration,
+                    std::span<const std::string> box_names = {});
 
 /// Appends how a box ended.
 void append_box(nlohmann::ordered_json& json, const holdfast::BoxOutcome& box);
@@ -24,8 +26,10 @@ std::string one_line(const nlohmann::ordered_json& json);
 
 /// One finished world as one line of JSON.
 /// @param time_saved as in `simulate.hpp`, s
+/// @param box_names  as of `append_outcome`
 std::string world_json(const WorldRecord& world, const std::string& layout, const std::string& acceleration,
-                       std::size_t index, const Thresholds& thresholds, double time_saved);
+                       std::size_t index, const Thresholds& thresholds, double time_saved,
+                       std::span<const std::string> box_names = {});
 
 /// What analyses of layouts have found of one layout as one line of JSON; null where something is not known.
 std::string layout_json(const LayoutRecord& layout, std::span<const Analysis* const> analyses);

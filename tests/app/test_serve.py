@@ -14,6 +14,7 @@ from cli import HOLDFAST, PATIENCE, SANITIZED, SEED, TOWER, CliTest, wait_for
 
 ACCELERATION = "0 0.25 0 0 0\n0.25 0.5 8 0 0\n"
 ONE_BOX = [[1.0, 1.0, 0.0, 1.5, 1.5, 0.5, 1]]
+PUMP = {"corner_min": [1.0, 1.0, 0.0], "corner_max": [1.5, 1.5, 0.5], "name": "Pump"}
 CONFIG = "[Native]\nAccuracy = screening\n"
 
 
@@ -137,6 +138,29 @@ class Answers(Service):
             self.assertEqual(len(series[name][0][0]), numbers)
         self.assertEqual(series["displacement_m"][-1][0], box["end_displacement_m"])
 
+    def test_boxes_as_objects_and_a_container(self):
+        """Lines of a file of loads are lines of the service, with the bits of `screen`."""
+        loads = [{"name": "a", "boxes": [{**PUMP, "mass": 80.5}, {"corner_min": [2, 1, 0], "corner_max": [2.5, 1.5, 0.5],
+                                                                  "material": 3, "mat": 0.9, "order": 2, "bearing_limit": 500}]},
+                 {"name": "b", "container": "trailer-curtain", "boxes": [PUMP, [2, 1, 0, 2.5, 1.5, 0.5, 1]]},
+                 {"name": "c", "container": {"size": [3000, 2000, 2100], "open_sides": ["rear"], "drop_sides": {"left": 600},
+                                             "bed_height": 900}, "unit": "mm",
+                  "boxes": [[1000, 1000, 0, 1500, 1500, 500, 1]]}]
+        self.write("loads.json", json.dumps({"holdfast": 1, "loads": [loads[0], loads[1]]}))
+        done = self.run_here("screen", "-c", "config.ini", "--layouts", "loads.json", "--accelerations", "shove.txt", "rest.txt",
+                             "--json", "--quiet")
+        self.assert_exit(done, 0)
+        expected = [json.loads(world) for world in done.stdout.splitlines()]
+        self.assertEqual([world.get("critical_box_name") for world in expected], ["Pump", None, "Pump", None])
+        in_metres = {**loads[2], "unit": "m", "boxes": ONE_BOX, "container": {
+            "size": [3, 2, 2.1], "open_sides": ["rear"], "drop_sides": {"left": 0.6}, "bed_height": 0.9}}
+        answers = self.serve("".join(line(**load) for load in [*loads, in_metres]) + line(boxes=[PUMP], per_box=True), "--ordered")
+        worlds = [world for answer in answers for world in answer["verdicts"]]
+        self.assertEqual([world["state_hash"] for world in worlds[:4]], [world["state_hash"] for world in expected])
+        self.assertEqual([world.get("critical_box_name") for world in worlds[:4]], ["Pump", None, "Pump", None])
+        self.assertEqual(worlds[4]["state_hash"], worlds[6]["state_hash"])
+        self.assertEqual([box["name"] for box in worlds[8]["per_box"]], ["Pump"])
+
     def test_no_input(self):
         for text in ("", "\n", " \r\n\t\n"):
             self.assertEqual(self.serve(text), [])
@@ -156,13 +180,30 @@ class Mistakes(Service):
             (line(id=5, boxes=[[0, 0, 0, 1, "1", 1, 1]]), {"id": 5, "box": 0, "number": 4, "value": '"1"'}),
             (line(boxes=ONE_BOX, bxes=1, id=6), {"id": 6, "value": "bxes", "accepted": "did you mean 'boxes'?"}),
             (line(id=7), {"id": 7, "error": "boxes are missing"}),
-            (line(id=8, boxes=ONE_BOX, unit="inch"), {"id": 8, "accepted": '"m" or "cm"'}),
+            (line(id=8, boxes=ONE_BOX, unit="yd"), {"id": 8, "accepted": '"m", "dm", "cm", "mm", "in" or "ft"'}),
             (line(id=9, boxes=ONE_BOX, accelerations=["rest"]), {"id": 9, "accepted": "a list of some of shove.txt, rest.txt"}),
             (line(id=10, boxes=rows(TOWER)), {"id": 10, "error": "the numbers seem to be centimetres, and metres are expected"}),
             (line(id=11, boxes=[ONE_BOX[0], ONE_BOX[0]]), {"id": 11, "box": 1}),
             (line(id=12, boxes=[ONE_BOX[0][:6] + [1.5]]), {"id": 12, "box": 0, "number": 6, "value": "1.5"}),
             ("[1, 2]\n", {"error": "the line is not an object"}),
             ('{"id": 14, "boxes": [[\n', {"id": 14, "error": "the line ends within its JSON"}),
+            (line(id=15, boxes=[{**PUMP, "mass": -1}]), {"id": 15, "box": 0, "number": None, "column": 109, "value": "-1",
+                                                         "error": "mass of box 1 is not possible"}),
+            (line(id=16, boxes=[{**PUMP, "mas": 1}]), {"id": 16, "box": 0, "value": "mas", "accepted": "did you mean 'mass'?"}),
+            (line(id=17, boxes=[{"corner_min": [0, 0, 0]}]), {"id": 17, "box": 0, "column": 22,
+                                                              "error": "box 1 has no corner_max"}),
+            (line(id=18, boxes=[{"corner_min": [0, 0], "corner_max": [1, 1, 1]}]),
+             {"id": 18, "box": 0, "error": "corner_min of box 1 does not have three numbers"}),
+            (line(id=19, boxes=[{"corner_max": [1, 1, -1], "corner_min": [0, 0, 0]}]),
+             {"id": 19, "box": 0, "number": 5, "column": 44, "value": "-100 cm"}),
+            (line(id=20, boxes=ONE_BOX, container="barn"), {"id": 20, "box": None, "error": "no container", "value": '"barn"'}),
+            (line(id=21, boxes=ONE_BOX, container={"size": [1, 2]}), {"id": 21, "error":
+                                                                      "the size of the container does not have three numbers"}),
+            (line(id=22, boxes=ONE_BOX, container={"open_sides": ["floor"]}), {"id": 22, "error": "an open side that is none"}),
+            (line(id=23, boxes=ONE_BOX, container={"drop_sides": {"roof": 1}}), {"id": 23, "error": "a drop side that is no wall"}),
+            (line(id=24, boxes=[PUMP, [0, 0, 0, 1, 1, 1, 1.5]]), {"id": 24, "box": 1, "number": 6, "value": "1.5"}),
+            ('{"id": 25, "boxes": [{"corner_min": {"x": 1}}], "container": {"size": {"x": 1}}}\n',
+             {"id": 25, "error": "corner_min of box 1 is not a list"}),
         ]
         answers = self.serve("".join(broken + line(id="good", boxes=ONE_BOX) for broken, _ in cases), "--ordered")
         self.assertEqual(len(answers), 2 * len(cases))

@@ -66,8 +66,14 @@ void check_box(const Box& box) {
 void check_columns(std::string_view line, const LayoutRequest& request) {
   const auto boxes = static_cast<std::ptrdiff_t>(request.places.size());
   for (std::ptrdiff_t box = 0; box < boxes; ++box) {
+    const bool is_object = request.number_places.contains(static_cast<std::size_t>(box));
     long before = 0;
     for (int number = -1; number < kNumbersPerBox; ++number) {
+      if (is_object) {
+        const long place = column_of(line, request, box, number);
+        require(place >= 1 && place <= static_cast<long>(line.size()), "a number is not in the line");
+        continue;
+      }
       const long column = column_of(line, request, box, number);
       require(column > before && column <= static_cast<long>(line.size()), "a number has no column of its own");
       before = column;
@@ -87,7 +93,11 @@ void check_request(std::string_view line) {
     require(error->box >= 0 && error->box_number >= 0, "a mistake is in no box");
     return;
   }
-  require(request.numbers.size() == kNumbersPerBox * request.places.size(), "a box has not seven numbers");
+  if (request.layout)
+    require(request.layout->boxes.size() == request.places.size() && request.numbers.empty(), "a box is lost");
+  else
+    require(request.numbers.size() == kNumbersPerBox * request.places.size(), "a box has not seven numbers");
+  for (const std::string& name : request.box_names()) require(name.size() <= 120, "a name is too long");
   for (const double number : request.numbers) require(std::isfinite(number), "a number is not finite");
   for (const std::size_t index : request.options.accelerations)
     require(index < accelerations.size(), "an acceleration is none of those that are there");
@@ -142,7 +152,8 @@ void read_load_file(std::string_view text) {
       const std::string text_again = "{\"holdfast\": 1}\n" + load_line(load.layout) + '\n';
       const Result<LoadsOfFile> again = read_loads(file_of(text_again), settings);
       require(bool(again) && again->loads.size() == 1 && again->loads[0].errors.empty(), "what is written is not read");
-      require(canonical_json(again->loads[0].layout) == canonical_json(load.layout), "a load changes when it is written");
+      require(canonical_json(again->loads[0].layout) == canonical_json(load.layout),
+              "a load changes when it is written");
     }
   }
 }

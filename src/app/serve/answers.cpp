@@ -46,10 +46,14 @@ std::string verdicts_text(const AnsweredLine& line, std::span<const holdfast::Wo
   Json verdicts = Json::array();
   for (const holdfast::WorldOutcome& world : worlds) {
     Json& json = verdicts.emplace_back(Json::object());
-    append_outcome(json, world, accelerations[world.acceleration]);
+    append_outcome(json, world, accelerations[world.acceleration], line.box_names);
     if (options.per_box) {
       Json& boxes = json["per_box"] = Json::array();
-      for (const holdfast::BoxOutcome& box : world.box_outcomes) append_box(boxes.emplace_back(Json::object()), box);
+      for (std::size_t i = 0; i < world.box_outcomes.size(); ++i) {
+        Json& box = boxes.emplace_back(Json::object());
+        if (i < line.box_names.size() && !line.box_names[i].empty()) box["name"] = line.box_names[i];
+        append_box(box, world.box_outcomes[i]);
+      }
     }
     if (options.series) json["series"] = json_of(world.series);
   }

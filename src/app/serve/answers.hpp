@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/serve/layout_request.hpp"
 #include "core/base/result.hpp"
@@ -15,9 +16,10 @@ namespace holdfast::internal {
 
 /// The line that an answer is about.
 struct AnsweredLine {
-  std::string id = "null";   ///< text of JSON
-  std::uint64_t layout = 0;  ///< index among the lines that are not empty
-  long line = 0;             ///< number among all lines, from 1
+  std::string id = "null";                  ///< text of JSON
+  std::uint64_t layout = 0;                 ///< index among the lines that are not empty
+  long line = 0;                            ///< number among all lines, from 1
+  std::vector<std::string> box_names = {};  ///< of its boxes; empty where none has one
 };
 
 /// What became of a layout, as one line of JSON with its end.

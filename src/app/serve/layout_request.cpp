@@ -4,24 +4,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/serve/load_parts.hpp"
 #include "core/base/closest_word.hpp"
+#include "core/base/number_text.hpp"
+#include "core/base/utf8.hpp"
+#include "core/model/length_unit.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
 constexpr std::array<const char*, 7> kNumbers = {"x1", "y1", "z1", "x2", "y2", "z2", "material"};
-constexpr std::array<std::string_view, 6> kKeys = {"id", "boxes", "unit", "accelerations", "per_box", "series"};
-enum class Key : std::size_t { id, boxes, unit, accelerations, per_box, series, unknown };
+constexpr std::array<std::string_view, 8> kKeys = {"id",      "boxes",  "unit", "accelerations",
+                                                   "per_box", "series", "name", "container"};
+enum class Key : std::size_t { id, boxes, unit, accelerations, per_box, series, name, container, unknown };
 
-constexpr const char* kBoxesShape = "a list of boxes, each a list of seven numbers: two corners and a material";
-
-/// What the parser reports, one after the other. A key and the ends of lists and objects are among them.
-enum class Token { null, boolean, number, text, object_begins, object_ends, list_begins, list_ends, key };
+constexpr const char* kBoxesShape =
+    "a list of boxes, each a list of seven numbers: two corners and a material; or an object with corner_min and "
+    "corner_max";
 
 /// An iterator over the line that tells how far the parser has come.
 class Cursor {
@@ -82,6 +88,7 @@ class RequestReader {
     // The parser takes a zero byte for the end.
     if (complete && line_.find('\0') != std::string_view::npos) wrong("the line has a zero byte", "", "text");
     if (complete && !given(Key::boxes)) wrong("boxes are missing", "", kBoxesShape);
+    if (!error_) finish_layout();
     return {std::move(request_), std::move(error_)};
   }
 
@@ -125,9 +132,10 @@ class RequestReader {
     if (token == Token::number) end_ = end_of_number(line_, begin_);
     if (token == Token::object_ends || token == Token::list_ends) {
       --depth_;
-      end_of_container();
+      end_of_group();
     } else if (token == Token::key) {
       if (depth_ == 1 && is_object_) take_key();
+      if (depth_ > 1 && is_object_) take_inner_key();
     } else {
       take_value(token);
       if (token == Token::object_begins || token == Token::list_begins) ++depth_;
@@ -145,6 +153,14 @@ class RequestReader {
     } else if (std::exchange(given_[static_cast<std::size_t>(key_)], true)) {
       wrong("a key that is given twice", text_, "each key once");
     }
+  }
+
+  /// A key of an object within the line's.
+  void take_inner_key() {
+    if (error_) return;
+    if (key_ == Key::boxes && depth_ == 3 && box_is_object_) note_in_box(0, box_reader_.key(text_));
+    if (key_ == Key::container && depth_ == 2) note_if(container_reader_.key(text_));
+    if (key_ == Key::container && depth_ == 3) note_if(container_reader_.side(text_));
   }
 
   void take_value(Token token) {
@@ -167,6 +183,10 @@ class RequestReader {
         return take_flag(token, request_.options.per_box);
       case Key::series:
         return take_flag(token, request_.options.series);
+      case Key::name:
+        return take_name(token);
+      case Key::container:
+        return take_container(token);
       case Key::unknown:
         return;
     }
@@ -188,32 +208,122 @@ class RequestReader {
     if (depth_ == 1) {
       if (token != Token::list_begins) wrong("boxes are not a list", shown(), kBoxesShape);
     } else if (depth_ == 2) {
-      request_.places.push_back(begin_);
-      if (token != Token::list_begins) wrong_in_box(0, box_name() + " is not a list", shown());
-      numbers_before_ = request_.numbers.size();
+      begin_box(token);
+    } else if (depth_ == 3 && !box_is_object_) {
+      take_box_number(token);
+    } else if (error_) {
+      return;
     } else if (depth_ == 3) {
-      const std::size_t index = request_.numbers.size() - numbers_before_;
-      if (token != Token::number) {
-        const std::string name = index < kNumbers.size() ? kNumbers.at(index) : "a number";
-        wrong_in_box(static_cast<long>(index) + 1, name + " of " + box_name() + " is not a number", shown());
-      }
-      request_.numbers.push_back(number_);
+      note_in_box(0, box_reader_.value(value_of(token)));
+    } else if (depth_ == 4 && box_is_object_) {
+      note_in_box(0, box_reader_.element(value_of(token)));
     }
+  }
+
+  void begin_box(Token token) {
+    request_.places.push_back(begin_);
+    box_is_object_ = token == Token::object_begins;
+    if (box_is_object_)
+      box_reader_.begin(box_name());
+    else if (token != Token::list_begins)
+      wrong_in_box(0, box_name() + " is neither a list nor an object", shown());
+    // From the first object on, boxes are boxes of a layout.
+    if (box_is_object_ && !request_.layout) take_rows();
+    numbers_before_ = request_.numbers.size();
+  }
+
+  void take_box_number(Token token) {
+    const std::size_t index = request_.numbers.size() - numbers_before_;
+    if (token != Token::number) {
+      const std::string name = index < kNumbers.size() ? kNumbers.at(index) : "a number";
+      wrong_in_box(static_cast<long>(index) + 1, name + " of " + box_name() + " is not a number", shown());
+    }
+    request_.numbers.push_back(number_);
   }
 
   void end_of_box() {
+    if (box_is_object_) {
+      if (error_) return;
+      begin_ = request_.places.back();
+      note_in_box(0, box_reader_.box_ends());
+      request_.number_places.emplace(request_.places.size() - 1, box_reader_.places());
+      request_.layout->boxes.push_back(box_reader_.box());
+      return;
+    }
     const std::size_t count = request_.numbers.size() - numbers_before_;
-    if (count == kNumbers.size()) return;
-    begin_ = request_.places.back();
-    wrong_in_box(0, box_name() + " does not have seven numbers", fmt::format("{} numbers", count));
+    if (count != kNumbers.size()) {
+      begin_ = request_.places.back();
+      return wrong_in_box(0, box_name() + " does not have seven numbers", fmt::format("{} numbers", count));
+    }
+    if (request_.layout) take_rows();
+  }
+
+  /// Makes boxes of the layout of the rows that have been read. After a mistake only the id matters.
+  void take_rows() {
+    if (!request_.layout) request_.layout.emplace();
+    std::vector<holdfast::Box>& boxes = request_.layout->boxes;
+    const std::vector<double> numbers = std::exchange(request_.numbers, {});
+    for (std::size_t i = 0; !error_ && i + kNumbers.size() <= numbers.size(); i += kNumbers.size()) {
+      const double* const row = &numbers[i];
+      const double material = row[kNumbers.size() - 1];
+      if (!(material >= 0.0 && material <= std::numeric_limits<int>::max() && material == std::floor(material))) {
+        const std::size_t box = boxes.size();
+        note({.what = fmt::format("the material of box {} is not an id", box + 1),
+              .value = rounded_text(material),
+              .accepted = "a whole number from 0",
+              .box = static_cast<long>(box) + 1,
+              .box_number = static_cast<long>(kNumbers.size())});
+        error_->column = column_of(line_, request_, static_cast<std::ptrdiff_t>(box), kNumbers.size() - 1);
+        return;
+      }
+      boxes.push_back({{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, static_cast<int>(material)});
+    }
+  }
+
+  void take_name(Token token) {
+    if (token != Token::text) wrong("the name is not a text", shown(), "a text");
+  }
+
+  void take_container(Token token) {
+    if (error_) return;
+    if (depth_ == 1) note_if(container_reader_.whole(value_of(token)));
+    if (depth_ == 2) note_if(container_reader_.value(value_of(token)));
+    if (depth_ == 3) note_if(container_reader_.element(value_of(token)));
+  }
+
+  /// What needs the whole line: the container, and units that a screen does not have.
+  void finish_layout() {
+    if (given(Key::container)) {
+      if (!request_.layout) take_rows();
+      if (error_) return;
+      request_.layout->container = container_reader_.container();
+    }
+    if (unit_factor_ == 0.01) request_.options.unit = holdfast::LengthUnit::centimetre;
+    if (unit_factor_ == 1.0 || unit_factor_ == 0.01) return;
+    const auto turn = [&](auto& lengths) {
+      for (double& length : lengths) length = in_metres(length, unit_factor_);
+    };
+    for (std::size_t i = 0; i < request_.numbers.size(); ++i)
+      if (i % kNumbers.size() != kNumbers.size() - 1)
+        request_.numbers[i] = in_metres(request_.numbers[i], unit_factor_);
+    if (!request_.layout) return;
+    for (holdfast::Box& box : request_.layout->boxes) {
+      turn(box.corner_min);
+      turn(box.corner_max);
+      if (box.centre_of_mass) turn(*box.centre_of_mass);
+    }
+    if (!request_.layout->container) return;
+    holdfast::Container& container = *request_.layout->container;
+    if (container.size) turn(*container.size);
+    if (container.bed_height) container.bed_height = in_metres(*container.bed_height, unit_factor_);
+    if (container.drop_sides)
+      for (holdfast::DropSide& drop : *container.drop_sides) drop.height = in_metres(drop.height, unit_factor_);
   }
 
   void take_unit(Token token) {
-    if (token == Token::text && text_ == "cm") {
-      request_.options.unit = holdfast::LengthUnit::centimetre;
-    } else if (token != Token::text || text_ != "m") {
-      wrong("unknown unit", shown(), R"("m" or "cm")");
-    }
+    const std::optional<double> factor = token == Token::text ? length_unit(text_) : std::nullopt;
+    if (!factor) return wrong("unknown unit", shown(), R"("m", "dm", "cm", "mm", "in" or "ft")");
+    unit_factor_ = *factor;
   }
 
   void take_acceleration(Token token) {
@@ -239,10 +349,13 @@ class RequestReader {
   }
 
   /// The list or object that has just ended was that deep.
-  void end_of_container() {
+  void end_of_group() {
     if (!is_object_) return;
     if (depth_ == 1 && key_ == Key::id) end_of_id();
     if (depth_ == 2 && key_ == Key::boxes) end_of_box();
+    if (error_) return;
+    if (depth_ == 3 && key_ == Key::boxes && box_is_object_) note_in_box(0, box_reader_.list_ends());
+    if (depth_ == 2 && key_ == Key::container) note_if(container_reader_.list_ends());
     if (depth_ == 1 && key_ == Key::accelerations && request_.options.accelerations.empty())
       wrong("no acceleration", "", "at least one, or leave the key out");
   }
@@ -251,7 +364,7 @@ class RequestReader {
   void note_syntax(std::size_t position, std::string_view reason) {
     begin_ = std::min({begin_of_next(), position - 1, line_.size()});
     end_ = std::min(line_.find_first_of(" \t\r,:[]{}", begin_ + 1), line_.size());
-    const bool in_box = is_object_ && key_ == Key::boxes && depth_ == 3;
+    const bool in_box = is_object_ && key_ == Key::boxes && depth_ == 3 && !box_is_object_;
     Error error = {.box = in_box ? static_cast<long>(request_.places.size()) : 0,
                    .box_number = in_box ? static_cast<long>(request_.numbers.size() - numbers_before_) + 1 : 0};
     constexpr std::array<std::string_view, 5> kNotFinite = {"NaN", "nan", "Infinity", "-Infinity", "inf"};
@@ -297,6 +410,27 @@ class RequestReader {
           .box_number = number});
   }
 
+  LineValue value_of(Token token) const {
+    constexpr std::size_t kMost = 60;
+    return {.token = token,
+            .truth = truth_,
+            .number = number_,
+            .text = text_,
+            .written = line_.substr(begin_, std::min(kMost, end_ - begin_)),
+            .place = begin_};
+  }
+
+  void note_if(Mistake mistake) {
+    if (mistake) note(std::move(*mistake));
+  }
+
+  void note_in_box(long number, Mistake mistake) {
+    if (!mistake) return;
+    mistake->box = static_cast<long>(request_.places.size());
+    mistake->box_number = number;
+    note(std::move(*mistake));
+  }
+
   void wrong(std::string what, std::string value, std::string accepted) {
     note({.what = std::move(what), .value = std::move(value), .accepted = std::move(accepted)});
   }
@@ -323,6 +457,10 @@ class RequestReader {
   std::array<bool, kKeys.size()> given_ = {};
   std::size_t id_begin_ = 0;
   std::size_t numbers_before_ = 0;  // those of the boxes before the one at hand
+  bool box_is_object_ = false;
+  BoxReader box_reader_;
+  ContainerReader container_reader_;
+  double unit_factor_ = 1.0;  // m
   bool truth_ = false;
   double number_ = 0.0;
   std::string text_;
@@ -334,8 +472,21 @@ ReadRequest read_request(std::string_view line, std::span<const std::string> acc
   return RequestReader(line, accelerations).read();
 }
 
+std::vector<std::string> LayoutRequest::box_names() const {
+  std::vector<std::string> names;
+  if (!layout) return names;
+  for (const holdfast::Box& box : layout->boxes) names.push_back(kept_name(box.name));
+  if (std::all_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); })) names.clear();
+  return names;
+}
+
 long column_of(std::string_view line, const LayoutRequest& request, std::ptrdiff_t box, int number) {
   if (box < 0 || static_cast<std::size_t>(box) >= request.places.size()) return 0;
+  if (const auto found = request.number_places.find(static_cast<std::size_t>(box));
+      found != request.number_places.end()) {
+    const std::size_t place = number < 0 ? 0 : found->second.at(static_cast<std::size_t>(number));
+    return static_cast<long>(place > 0 ? place : request.places[static_cast<std::size_t>(box)]) + 1;
+  }
   std::size_t place = request.places[static_cast<std::size_t>(box)];
   for (int i = 0; i < number && place < line.size(); ++i) place = line.find(',', place + 1);
   if (number >= 0) place = line.find_first_not_of(" \t\r[,", place);

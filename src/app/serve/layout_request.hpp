@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,8 +29,15 @@ struct RequestOptions {
 struct LayoutRequest {
   std::string id = "null";      ///< text of JSON, as it is in the line
   std::vector<double> numbers;  ///< of the boxes, seven per box, as in `holdfast::LayoutView`
+  /// The layout in place of `numbers`, where a box is an object or the line has a container.
+  std::optional<holdfast::Layout> layout;
   RequestOptions options;
   std::vector<std::size_t> places;  ///< where each box begins in the line, in bytes from 0
+  /// Where the numbers of a box that is an object begin, 0 for those that are not there; by the index of the box.
+  std::map<std::size_t, std::array<std::size_t, 7>> number_places;
+
+  /// Names of the boxes; empty where none has one.
+  std::vector<std::string> box_names() const;
 };
 
 /// A line that was read as far as it can be.

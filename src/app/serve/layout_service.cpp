@@ -115,6 +115,7 @@ void LayoutService::take(const InputLine& line) {
                                                 .accepted = fmt::format("at most {} bytes", kLongestLine)}));
   ReadRequest read = read_request(line.text, names_);
   open.line.id = std::move(read.request.id);
+  open.line.box_names = read.request.box_names();
   if (read.error) return answers_.give(open.ticket, error_text(open.line, *read.error));
   if (read.request.options == options_) return submit(open, line.text, read.request);
   waiting_ = Waiting{std::move(open), std::string(line.text), std::move(read.request)};
@@ -137,7 +138,9 @@ void LayoutService::submit_waiting() {
 void LayoutService::submit(const Open& open, std::string_view text, const LayoutRequest& request) {
   try {
     const std::string name = fmt::format("layout {}", open.line.layout);
-    const auto ticket = screen_->submit(holdfast::LayoutView{name, request.numbers});
+    holdfast::LayoutView view{name, request.numbers};
+    if (request.layout) view.layout = &*request.layout;
+    const auto ticket = screen_->submit(view);
     in_flight_.emplace(ticket.value(), open);  // there is room: the screen has no more in flight than has no answer
   } catch (const holdfast::Error& exception) {
     const holdfast::Problem& problem = exception.problems().front();

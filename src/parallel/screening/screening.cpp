@@ -129,6 +129,7 @@ class Run {
     }
     progress_.done += unit.record.worlds.size();
     for (const Error& warning : unit.record.warnings) observer_.warned(warning);
+    for (const LayoutRecord& layout : unit.record.layouts) observer_.layout_begins(layout);
     if (analyses_layouts())
       for (const LayoutRecord& layout : unit.record.layouts) observer_.layout_finished(layout);
     for (const WorldRecord& world : unit.record.worlds) observer_.world_finished(world, next_world_++);
