@@ -17,7 +17,7 @@ array([[False,  True],
 array([2.  , 2.35], dtype=float32)
 
 A layout is an array of shape (boxes, 7): x, y, z of the corner with the smallest coordinates, x, y, z of that with the
-largest, and the material, a whole number. The frame is that of the container, right-handed: x along its length from the
+largest, and the material, a whole number; or a :class:`Load`, whose boxes may have names, masses and more. The frame is that of the container, right-handed: x along its length from the
 front wall to the door, y across, z up; the origin is the lower corner at the front wall with the smallest coordinates.
 Units are SI, unless stated.
 """
@@ -28,6 +28,7 @@ from .codes import Caveat, ReplicaVerdict, Status, StopReason, Verdict
 from .engines import Engine, engines
 from .errors import Error, Problem
 from .indicators import Indicators
+from .loads import Box, Container, ContainerType, Load, LoadWarning, containers
 from .margins import Margins
 from .replay import Replay
 from .screen import Screen
@@ -37,10 +38,15 @@ __version__ = _version()
 
 __all__ = [
     "Acceleration",
+    "Box",
     "Caveat",
+    "Container",
+    "ContainerType",
     "Engine",
     "Error",
     "Indicators",
+    "Load",
+    "LoadWarning",
     "Margins",
     "Problem",
     "Replay",
@@ -50,6 +56,7 @@ __all__ = [
     "StopReason",
     "Verdict",
     "Verdicts",
+    "containers",
     "engines",
     "norm_accelerations",
     "read_acceleration",

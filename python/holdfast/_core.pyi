@@ -1,6 +1,6 @@
 # What the compiled part of the package declares. The modules of the package wrap all of it.
 from collections.abc import Sequence
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,12 +11,55 @@ _Table = npt.NDArray[Any]
 _Messages = dict[tuple[int, int], str]
 _Acceleration = tuple[str, npt.NDArray[np.float64], str]  # name, segments, purpose
 
+_Triple = tuple[float, float, float]
+_Box = tuple[
+    _Triple,
+    _Triple,
+    str,
+    Union[int, str],
+    Optional[float],
+    Optional[float],
+    Optional[_Triple],
+    bool,
+    Optional[int],
+    Optional[float],
+]  # corner_min, corner_max, name, material, mass, mat, centre_of_mass, fixed, order, bearing_limit
+_Container = tuple[
+    str, Optional[_Triple], Optional[Sequence[str]], Optional[Sequence[tuple[str, float]]], Optional[float]
+]  # type, size, open_sides, drop_sides, bed_height
+
 def version() -> str: ...
 def engines() -> list[tuple[str, str, str]]: ...
 def analysis_numbers() -> list[tuple[str, str]]: ...
 def numbers(values: npt.ArrayLike, name: str) -> npt.NDArray[np.float64]: ...
 def read_acceleration(path: str) -> _Acceleration: ...
 def norm_accelerations(name: str) -> list[_Acceleration]: ...
+
+def read_loads(
+    path: str,
+    *,
+    unit: Optional[str],
+    axes: Optional[str],
+    format: Optional[str],
+    columns: Optional[str],
+    container: Optional[str],
+    config: str,
+) -> tuple[list[tuple[Load, str, Optional[_Container], list[_Box]]], tuple[Problem, ...]]: ...
+def parse_loads(
+    text: str,
+    name: str,
+    *,
+    unit: Optional[str],
+    axes: Optional[str],
+    format: Optional[str],
+    columns: Optional[str],
+    container: Optional[str],
+    config: str,
+) -> tuple[list[tuple[Load, str, Optional[_Container], list[_Box]]], tuple[Problem, ...]]: ...
+def container_types() -> list[tuple[str, str, _Triple, float, tuple[str, ...], float]]: ...
+
+class Load:
+    def __init__(self, name: str, container: Optional[_Container], boxes: Sequence[_Box]) -> None: ...
 
 class Screen:
     def __init__(
@@ -63,7 +106,7 @@ class Screen:
         tuple[Problem, ...],
     ]: ...
     def replay(
-        self, layout: npt.ArrayLike, on_main_thread: bool
+        self, layout: Any, on_main_thread: bool
     ) -> tuple[
         _Table,
         _Messages,
@@ -83,7 +126,7 @@ class Screen:
         command_line: str,
         on_main_thread: bool,
     ) -> bool: ...
-    def submit(self, layout: npt.ArrayLike, name: str) -> Optional[tuple[int, tuple[Problem, ...]]]: ...
+    def submit(self, layout: Any, name: str) -> Optional[tuple[int, tuple[Problem, ...]]]: ...
     def poll(
         self, ordered: bool, on_main_thread: bool
     ) -> Optional[tuple[int, _Table, _Messages, Optional[list[_Table]]]]: ...

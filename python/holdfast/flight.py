@@ -9,6 +9,7 @@ from typing import Any, Optional
 import numpy.typing as npt
 
 from .errors import Error, Problem
+from .loads import Load
 from .usage import Usage
 
 _END = object()
@@ -23,12 +24,13 @@ class Landed:
     messages: dict[tuple[int, int], str]  #: by (index, acceleration)
     problems: tuple[Problem, ...]
     boxes: Optional[dict[int, npt.NDArray[Any]]]  #: by index
+    box_names: dict[int, tuple[str, ...]]  #: of a load, by index
 
 
 class Flight:
     """Takes layouts from an iterator as a screen has room for them, and gives them back as they are finished."""
 
-    def __init__(self, usage: Usage, layouts: Iterator[npt.ArrayLike], names: Optional[Iterator[str]]) -> None:
+    def __init__(self, usage: Usage, layouts: Iterator[Any], names: Optional[Iterator[str]]) -> None:
         self._usage = usage
         self._layouts: Iterator[Any] = layouts
         self._given_names = names
@@ -36,6 +38,7 @@ class Flight:
         self._taken = 0
         self._submitted = 0
         self._places: dict[int, tuple[int, tuple[Problem, ...]]] = {}  # by ticket
+        self._box_names: dict[int, tuple[str, ...]] = {}  # of loads in flight, by index
         self.names: list[str] = []  #: of the layouts that were taken, where there are any
 
     def fill(self) -> None:
@@ -51,7 +54,15 @@ class Flight:
                 self._taken += 1
                 if self._given_names is not None:
                     self.names.append(next(self._given_names, ""))
+                elif self.names or (isinstance(self._waiting, Load) and self._waiting.name):
+                    self._add_own_name()
         return self._waiting is not _END
+
+    def _add_own_name(self) -> None:
+        """Adds the name of a load, and of those before it that have none."""
+        self.names.extend(f"layout {i}" for i in range(len(self.names), self._taken - 1))
+        name = self._waiting.name if isinstance(self._waiting, Load) else ""
+        self.names.append(name or f"layout {self._taken - 1}")
 
     def _submit(self) -> bool:
         """Whether there was room."""
@@ -66,6 +77,8 @@ class Flight:
             return False
         ticket, problems = submitted
         self._places[ticket] = index, tuple(problem._replace(layout=index) for problem in problems)
+        if isinstance(self._waiting, Load) and any(self._waiting.box_names):
+            self._box_names[index] = self._waiting.box_names
         self._submitted += 1
         return True
 
@@ -81,4 +94,5 @@ class Flight:
         index, problems = self._places.pop(ticket)
         table["layout"] = index
         return Landed(index, table, {(index, world): text for (_, world), text in messages.items()}, problems,
-                      None if boxes is None else {index: boxes[0]})
+                      None if boxes is None else {index: boxes[0]},
+                      {index: self._box_names.pop(index)} if index in self._box_names else {})

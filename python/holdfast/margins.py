@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _core
 from .errors import Problem
 from .notebook import MOST_SHOWN, counted, more_layouts
+from .verdicts import BoxNames, names_of_boxes
 
 if TYPE_CHECKING:
     import pandas
@@ -30,12 +31,12 @@ class Margins:
     """
 
     __slots__ = ("margin", "critical_box", "margin_within_limits", "critical_box_within_limits", "low", "median", "high", "trials",
-                 "cpu_seconds", "problems", "layout_names")
+                 "cpu_seconds", "problems", "layout_names", "_box_names")
 
     def __init__(self, margin: npt.NDArray[np.float64], critical_box: npt.NDArray[np.uint32],
                  margin_within_limits: npt.NDArray[np.float64], critical_box_within_limits: npt.NDArray[np.uint32],
                  spread: npt.NDArray[np.float64], trials: npt.NDArray[np.uint32], cpu_seconds: npt.NDArray[np.float64],
-                 problems: tuple[Problem, ...], layout_names: Sequence[str]) -> None:
+                 problems: tuple[Problem, ...], layout_names: Sequence[str], box_names: Optional[BoxNames] = None) -> None:
         #: Largest constant acceleration, for as long as anything moves, under which every box stays in its place, within
         #: 5 mm, g, up to 1.5. Negative where the layout is unstable under gravity alone; NaN where it cannot be used, or
         #: :meth:`Screen.cancel` came before.
@@ -57,6 +58,20 @@ class Margins:
         self.problems = problems
         #: Names of the layouts of the call, in their order; empty when none were given.
         self.layout_names = tuple(layout_names)
+        self._box_names = box_names or {}
+
+    @property
+    def critical_box_name(self) -> npt.NDArray[Any]:
+        """Names of the critical boxes: texts, "" where there is no critical box or it has no name."""
+        return self._names(self.critical_box)
+
+    @property
+    def critical_box_within_limits_name(self) -> npt.NDArray[Any]:
+        """The same of the critical boxes within limits."""
+        return self._names(self.critical_box_within_limits)
+
+    def _names(self, boxes: npt.NDArray[np.uint32]) -> npt.NDArray[Any]:
+        return names_of_boxes(np.arange(len(self))[:, None], boxes, self._box_names)
 
     @property
     def least(self) -> npt.NDArray[np.float64]:
@@ -98,6 +113,10 @@ class Margins:
         })
         if not np.isnan(self.median).all():
             frame = frame.assign(low=self.low.ravel(), median=self.median.ravel(), high=self.high.ravel())
+        if self._box_names:
+            for name, column in (("critical_box", self.critical_box_name),
+                                 ("critical_box_within_limits", self.critical_box_within_limits_name)):
+                frame.insert(frame.columns.get_loc(name) + 1, f"{name}_name", column.ravel())
         if self.layout_names:
             frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
         return frame

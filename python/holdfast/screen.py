@@ -19,13 +19,17 @@ from .accelerations import Acceleration, AccelerationLike, acceleration_of
 from .errors import Error, Problem
 from .flight import Flight
 from .indicators import Indicators
+from .loads import Load
 from .margins import Margins
 from .replay import Replay
 from .usage import Usage
-from .verdicts import Verdicts
+from .verdicts import BoxNames, Verdicts
 
-#: Layouts: one array of shape (boxes, 7) each; with offsets one array of shape (boxes of all layouts, 7).
-Layouts = Union[Sequence[npt.ArrayLike], npt.NDArray[Any]]
+#: A layout: an array of shape (boxes, 7), or a load.
+LayoutLike = Union[npt.ArrayLike, Load]
+
+#: Layouts: one each; with offsets one array of shape (boxes of all layouts, 7).
+Layouts = Union[Sequence[LayoutLike], npt.NDArray[Any]]
 
 
 class Screen:
@@ -43,7 +47,7 @@ class Screen:
     :param accuracy: of the native engine: "screening", "standard" (default), "reference"
     :param engine: such as "native" (default), see :func:`engines`
     :param threads: worlds that are simulated at the same time; 0: one per core (default)
-    :param unit: of the corners of boxes: "m", or "cm" as in layout files
+    :param unit: of arrays: "m", or "cm" as in layout files; a :class:`Load` is in metres in any case
     :param errors: "raise": a bad layout is an :class:`Error`, before anything is simulated; "mark": its worlds have a status
         and a message, and the others are simulated; what is neither an array nor a sequence is an :class:`Error` in any case
     :param keep_boxes: whether verdicts have :meth:`Verdicts.box_outcomes`
@@ -113,8 +117,8 @@ class Screen:
         return self._usage.closed
 
     def _verdicts(self, table: npt.NDArray[Any], messages: dict[tuple[int, int], str], problems: tuple[Problem, ...],
-                  names: Sequence[str], boxes: Optional[dict[int, npt.NDArray[Any]]]) -> Verdicts:
-        return Verdicts(table, messages, problems, [one.name for one in self._accelerations], names, boxes)
+                  names: Sequence[str], boxes: Optional[dict[int, npt.NDArray[Any]]], box_names: BoxNames) -> Verdicts:
+        return Verdicts(table, messages, problems, [one.name for one in self._accelerations], names, boxes, box_names)
 
     def evaluate(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
                  names: Optional[Iterable[str]] = None) -> Verdicts:
@@ -122,9 +126,9 @@ class Screen:
 
         Arrays of float64, row after row, are read where they are; others are copied.
 
-        :param layouts: one array of shape (boxes, 7) per layout; or with ``offsets`` one array of shape (boxes of all
+        :param layouts: one array of shape (boxes, 7), or one :class:`Load`, per layout; or with ``offsets`` one array of shape (boxes of all
             layouts, 7), in which layout i has the rows offsets[i], ..., offsets[i + 1] - 1
-        :param names: one per layout, for messages and results; without, "layout" and its index
+        :param names: one per layout, for messages and results; without, those of loads, or "layout" and its index
         :return: verdicts of shape (layouts, accelerations); worlds that :meth:`cancel` ended have
             :attr:`StopReason.NOT_RUN`
         :raises Error: a layout cannot be used; it names layout, box and column
@@ -136,10 +140,10 @@ class Screen:
         array([[1],
                [1]], dtype=uint32)
         """
-        given = list(names) if names is not None else []
+        layouts, given, box_names = _taken(layouts, offsets, names)
         with self._usage as core:
-            table, messages, problems, boxes = core.evaluate(_indexed(layouts, offsets), offsets, given, _is_main_thread())
-        return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)))
+            table, messages, problems, boxes = core.evaluate(layouts, offsets, given, _is_main_thread())
+        return self._verdicts(table, messages, problems, given, None if boxes is None else dict(enumerate(boxes)), box_names)
 
     def holds(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
               names: Optional[Iterable[str]] = None) -> npt.NDArray[np.bool_]:
@@ -155,9 +159,9 @@ class Screen:
         ...     screen.holds([[[0.0, 1.0, 0.0, 0.5, 1.5, 0.5, 1]], [[2.0, 1.0, 0.0, 2.5, 1.5, 0.5, 1]]])
         array([ True, False])
         """
-        given = list(names) if names is not None else []
+        layouts, given, _ = _taken(layouts, offsets, names)
         with self._usage as core:
-            return core.holds(_indexed(layouts, offsets), offsets, given, _is_main_thread())
+            return core.holds(layouts, offsets, given, _is_main_thread())
 
     def indicators(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
                    names: Optional[Iterable[str]] = None) -> Indicators:
@@ -172,9 +176,9 @@ class Screen:
         >>> indicators.base_support[0], indicators.supported_sides[0]
         (array([1. , 0.5], dtype=float32), array([2, 2], dtype=uint8))
         """
-        given = list(names) if names is not None else []
+        layouts, given, _ = _taken(layouts, offsets, names)
         with self._usage as core:
-            found = core.indicators(_indexed(layouts, offsets), offsets, given)
+            found = core.indicators(layouts, offsets, given)
         return Indicators(*found, given)
 
     def margins(self, layouts: Layouts, *, offsets: Optional[npt.ArrayLike] = None,
@@ -190,12 +194,12 @@ class Screen:
         >>> margins.margin_within_limits.round(2)
         array([[0.5, 0.5, 0.5, 0.5]])
         """
-        given = list(names) if names is not None else []
+        layouts, given, box_names = _taken(layouts, offsets, names)
         with self._usage as core:
-            found = core.margins(_indexed(layouts, offsets), offsets, given, _is_main_thread())
-        return Margins(*found, given)
+            found = core.margins(layouts, offsets, given, _is_main_thread())
+        return Margins(*found, given, box_names)
 
-    def stream(self, layouts: Iterable[npt.ArrayLike], *, ordered: bool = False,
+    def stream(self, layouts: Iterable[LayoutLike], *, ordered: bool = False,
                names: Optional[Iterable[str]] = None) -> Iterator[tuple[int, Verdicts]]:
         """Evaluates layouts as they are asked for, and gives each with its index as it finishes.
 
@@ -208,7 +212,7 @@ class Screen:
         """
         return self._stream(iter(layouts), ordered, None if names is None else iter(names))
 
-    def _stream(self, layouts: Iterator[npt.ArrayLike], ordered: bool,
+    def _stream(self, layouts: Iterator[LayoutLike], ordered: bool,
                 names: Optional[Iterator[str]]) -> Iterator[tuple[int, Verdicts]]:
         with self._usage:
             if self._streaming:
@@ -221,7 +225,8 @@ class Screen:
                 landed = flight.land(ordered, _is_main_thread())
                 if landed is None:
                     return
-                verdicts = self._verdicts(landed.table, landed.messages, landed.problems, flight.names, landed.boxes)
+                verdicts = self._verdicts(landed.table, landed.messages, landed.problems, flight.names, landed.boxes,
+                                          landed.box_names)
                 yield landed.index, verdicts
         finally:
             self._end_stream()
@@ -253,15 +258,16 @@ class Screen:
         :return: False when :meth:`cancel` ended it: the finished worlds are kept for ``resume``
         :raises Error: a layout cannot be used, or the file cannot be written, or exists
         """
+        layouts, given, _ = _taken(layouts, offsets, names)
         with self._usage as core:
-            return core.record(_indexed(layouts, offsets), offsets, list(names) if names is not None else [], os.fspath(path),
+            return core.record(layouts, offsets, given, os.fspath(path),
                                series=series, resume=resume, overwrite=overwrite, command_line=command_line,
                                on_main_thread=_is_main_thread())
 
-    def replay(self, layout: npt.ArrayLike, acceleration: int | str | Acceleration = 0) -> Replay:
+    def replay(self, layout: LayoutLike, acceleration: int | str | Acceleration = 0) -> Replay:
         """One layout under one acceleration over time, with the bits of :meth:`evaluate`.
 
-        :param layout: array of shape (boxes, 7)
+        :param layout: array of shape (boxes, 7), or :class:`Load`
         :param acceleration: index or name of one of the screen's, or another one
         :raises Error: the layout cannot be used, or its series would take too much memory
 
@@ -283,7 +289,8 @@ class Screen:
         if not len(series[0]):
             text = messages.get((0, 0), "the world was not simulated")
             raise Error([Problem(text, text, "", "")])
-        return Replay(*series, Verdicts(table.reshape(()), messages, (), [chosen.name]), boxes[0][0])
+        names: BoxNames = {0: layout.box_names} if isinstance(layout, Load) else {}
+        return Replay(*series, Verdicts(table.reshape(()), messages, (), [chosen.name], (), None, names), boxes[0][0])
 
     def _acceleration(self, wanted: int | str | Acceleration) -> Acceleration:
         if isinstance(wanted, Acceleration):
@@ -336,11 +343,22 @@ def _made(accelerations: tuple[Acceleration, ...], options: dict[str, Any]) -> S
     return Screen(accelerations, **options)
 
 
-def _indexed(layouts: Any, offsets: Optional[npt.ArrayLike]) -> Any:
-    """The layouts of a call as something that has a length and indices."""
-    if offsets is not None or isinstance(layouts, (list, tuple, np.ndarray)):
-        return layouts
-    return list(layouts)
+def _taken(layouts: Any, offsets: Optional[npt.ArrayLike], names: Optional[Iterable[str]]) -> tuple[Any, list[str], BoxNames]:
+    """The layouts of a call as something that has a length and indices, names of layouts, if there are any, and names of the
+    boxes of loads."""
+    given = list(names) if names is not None else []
+    if offsets is not None or isinstance(layouts, np.ndarray):
+        return layouts, given, {}
+    if isinstance(layouts, Load):
+        raise TypeError("loads go into a list, also a single one")
+    if not isinstance(layouts, (list, tuple)):
+        layouts = list(layouts)
+    loads = {i: layout for i, layout in enumerate(layouts) if isinstance(layout, Load)}
+    if not loads:
+        return layouts, given, {}
+    if names is None and any(load.name for load in loads.values()):
+        given = [loads[i].name if i in loads and loads[i].name else f"layout {i}" for i in range(len(layouts))]
+    return layouts, given, {i: load.box_names for i, load in loads.items() if any(load.box_names)}
 
 
 def _is_main_thread() -> bool:

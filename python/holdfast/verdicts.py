@@ -30,6 +30,20 @@ _COLOURS = {
 _GREY = "#e0e0e0"
 
 
+#: Names of the boxes of layouts that are loads with names, by index of the layout.
+BoxNames = dict[int, tuple[str, ...]]
+
+
+def names_of_boxes(layouts: npt.NDArray[Any], boxes: npt.NDArray[Any], names: BoxNames) -> npt.NDArray[Any]:
+    """The names of boxes, counted from 1, of layouts; "" where there is none."""
+    found = np.full(boxes.shape, "", dtype=object)
+    if names:
+        for place, (layout, box) in enumerate(zip(np.broadcast_to(layouts, boxes.shape).ravel().tolist(), boxes.ravel().tolist())):
+            if box and layout in names:
+                found.flat[place] = names[layout][box - 1]
+    return found
+
+
 def _name_of(world: Any) -> str:
     """The verdict on a world; "at least" where it ended when that was decided, while its load was moving on."""
     verdict = Verdict(world["verdict"])
@@ -45,7 +59,7 @@ class Verdicts(WorldColumns):
     data frame of it, and :meth:`frame` one with names.
     """
 
-    __slots__ = ("table", "problems", "acceleration_names", "layout_names", "_messages", "_boxes")
+    __slots__ = ("table", "problems", "acceleration_names", "layout_names", "_messages", "_boxes", "_box_names")
 
     def __init__(
         self,
@@ -55,6 +69,7 @@ class Verdicts(WorldColumns):
         acceleration_names: Sequence[str],
         layout_names: Sequence[str] = (),
         boxes: Optional[dict[int, npt.NDArray[Any]]] = None,
+        box_names: Optional[BoxNames] = None,
     ) -> None:
         self.table = table
         #: With ``errors="mark"``: what is wrong with the layouts, see :class:`Problem`.
@@ -65,6 +80,7 @@ class Verdicts(WorldColumns):
         self.layout_names = tuple(layout_names)
         self._messages = messages
         self._boxes = boxes
+        self._box_names = box_names or {}
 
     if TYPE_CHECKING:
         # The columns of analyses, which are added below.
@@ -89,6 +105,18 @@ class Verdicts(WorldColumns):
         here = zip(self.table["layout"].ravel().tolist(), self.table["acceleration"].ravel().tolist())
         return {world: self._messages[world] for world in here if world in self._messages}
 
+    @property
+    def critical_box_name(self) -> npt.NDArray[Any]:
+        """Names of the critical boxes: texts, "" where there is no critical box or it has no name."""
+        return names_of_boxes(self.table["layout"], self.table["critical_box"], self._box_names)
+
+    def box_names(self, layout: int) -> tuple[str, ...]:
+        """Names of the boxes of a layout, in its order; empty where it is no :class:`Load` with names.
+
+        :param layout: index of the layout in the call
+        """
+        return self._box_names.get(operator.index(layout), ())
+
     def box_outcomes(self, layout: int) -> npt.NDArray[Any]:
         """What became of the boxes of a layout: a structured array of shape (accelerations, boxes).
 
@@ -112,6 +140,8 @@ class Verdicts(WorldColumns):
         frame["acceleration"] = pandas.Categorical([self.acceleration_names[i] for i in frame["acceleration"]])
         if self.layout_names:
             frame.insert(1, "name", [self.layout_names[i] for i in frame["layout"]])
+        if self._box_names:
+            frame.insert(frame.columns.get_loc("critical_box") + 1, "critical_box_name", self.critical_box_name.ravel())
         return frame
 
     def __len__(self) -> int:
@@ -125,7 +155,7 @@ class Verdicts(WorldColumns):
             raise TypeError("verdicts are indexed by layout and acceleration; a column is an attribute, such as .holds")
         layouts = set(part["layout"].ravel().tolist())
         problems = tuple(problem for problem in self.problems if problem.layout in layouts)
-        return Verdicts(part, self._messages, problems, self.acceleration_names, self.layout_names, self._boxes)
+        return Verdicts(part, self._messages, problems, self.acceleration_names, self.layout_names, self._boxes, self._box_names)
 
     def _counts(self) -> dict[str, int]:
         return {code.name.lower(): int((self.table["verdict"] == int(code)).sum()) for code in Verdict}

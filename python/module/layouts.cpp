@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "loads.hpp"
+
 namespace py = pybind11;
 
 namespace holdfast::python {
@@ -87,7 +89,16 @@ Layouts::Layouts(const py::sequence& arrays, std::vector<std::string> names) : n
 }
 
 void Layouts::add(const py::object& object) {
-  constexpr const char* kAccepted = "an array of shape (boxes, 7) is needed; a single layout goes into a list";
+  constexpr const char* kAccepted =
+      "an array of shape (boxes, 7) or a Load is needed; a single layout goes into a list";
+  if (!py::isinstance<py::array>(object)) {
+    py::object keeper;
+    if (const Layout* const layout = layout_of_load(object, keeper)) {
+      views_.push_back({.name = layout->name, .layout = layout});
+      loads_.push_back(std::move(keeper));
+      return;
+    }
+  }
   if (!is_table(object)) {
     const std::size_t i = views_.size();
     const std::string name = i < names_.size() && !names_[i].empty() ? names_[i] : "layout " + std::to_string(i);

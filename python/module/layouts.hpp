@@ -17,8 +17,8 @@ using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 /// Layouts of a call, in the memory of numpy where that is float64 row after row.
 class Layouts {
  public:
-  /// One array of shape (boxes, 7) per layout. One of any other shape is a view with a problem. Throws `Error` for what
-  /// is neither an array nor a sequence of rows.
+  /// One array of shape (boxes, 7), or one `holdfast.Load`, per layout. An array of any other shape is a view with a
+  /// problem. Throws `Error` for what is neither an array nor a sequence of rows, nor a load.
   /// @param names one per layout, or none
   Layouts(const pybind11::sequence& arrays, std::vector<std::string> names);
 
@@ -32,7 +32,8 @@ class Layouts {
   void name_all();
 
   std::vector<Numbers> arrays_;
-  std::deque<Problem> problems_;  ///< of views
+  std::vector<pybind11::object> loads_;  ///< that views are of
+  std::deque<Problem> problems_;         ///< of views
   std::vector<std::string> names_;
   std::vector<LayoutView> views_;
 };

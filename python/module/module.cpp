@@ -7,6 +7,7 @@
 
 #include "bound_screen.hpp"
 #include "layouts.hpp"
+#include "loads.hpp"
 #include "outcomes.hpp"
 #include "problems.hpp"
 
@@ -40,6 +41,7 @@ PYBIND11_MODULE(_core, module) {
   holdfast::python::translate_errors();
 
   module.def("version", &holdfast::version);
+  holdfast::python::declare_loads(module);
   module.def("engines", [] {
     py::list all;
     for (const holdfast::EngineInfo& engine : holdfast::engines())
