@@ -73,6 +73,7 @@ test("settings leave out what is of the run, and what has no value", () => {
     "Screening/Engine": "bullet",
     "Screening/Norm": "road",
     "Screening/Margins": "true",
+    "Loads/Unit": "mm",
   };
   const asGiven = engineSettings(given, {}).map(([, key]) => key);
   assert.deepEqual(asGiven, ["FrictionModel", "BoxFriction", "Density", "Engine"]);
@@ -85,6 +86,20 @@ test("settings leave out what is of the run, and what has no value", () => {
     ["Screening", "Engine", "native"],
     ["Native", "Accuracy", "screening"],
   ]);
+  const rows = {
+    ...given,
+    "Contact/FrictionModel": "pairs",
+    "Friction/carton, pallet": "0.4",
+    "Material pallet/Friction": "0.3",
+  };
+  assert.deepEqual(
+    engineSettings(rows, {}).filter(([section]) => /^Friction|pallet$/.test(section)),
+    [["Friction", "carton, pallet", "0.4"]],
+  );
+  assert.ok(
+    !engineSettings(rows, pairs).some(([section]) => section === "Friction"),
+    "a coefficient of all pairs is of these too",
+  );
   assert.match(
     settingsText(settings, "why"),
     /^# why\n\n\[Contact\]\nBoxBox = 0\.2\nFrictionModel = pairs\n\n\[Material 3\]\nDensity = 300\n/,

@@ -14,9 +14,9 @@ import { ENGINE, RESULTS } from "./places";
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
 const engine: Engine = skip ? null : await (await import(ENGINE)).loadEngine();
 
-async function demo() {
-  const bytes = readFileSync(`${RESULTS}/demo.h5`);
-  return ResultsReader.read(await Hdf5File.open(bytesInMemory("demo.h5", bytes), "/demo.h5"), "demo.h5", bytes.length);
+async function demo(name = "demo.h5") {
+  const bytes = readFileSync(`${RESULTS}/${name}`);
+  return ResultsReader.read(await Hdf5File.open(bytesInMemory(name, bytes), `/${name}`), name, bytes.length);
 }
 
 /** Frames of a world whose boxes go as the first ones of a list say: m from where they are loaded, and degree about y. */
@@ -134,6 +134,24 @@ test("a world that is recorded live is the world of the file: hash, verdict, cou
     near(series!.orientation, file.series!.orientation, 1e-6, `${name}: orientation`);
     near(series!.energy, file.series!.energy, 1e-3, `${name}: energy`);
     assert.deepEqual([...series!.fallen], [...file.series!.fallen], name);
+  }
+});
+
+test("pairs of materials have the friction of their rows in the engine too", { skip }, async () => {
+  const reader = await demo("loads.h5");
+  const { results } = reader;
+  for (const [index, layout] of results.worlds.layout.entries()) {
+    if (results.layouts[layout] !== "seed_example.txt") continue;
+    const file = reader.world(index);
+    const inputs = {
+      boxes: file.loaded!.boxes,
+      segments: Float64Array.from(file.segments.flatMap((s) => [s.start, s.duration, ...s.value])),
+      settings: engineSettings(results.settings, {}),
+    };
+    const world = engine.world(inputs);
+    world.advance(file.endTime);
+    assert.equal(world.stateHash(), file.stateHash, file.acceleration);
+    world.free();
   }
 });
 

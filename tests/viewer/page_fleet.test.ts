@@ -15,7 +15,10 @@ test("a file opens as the fleet, and its table is saved", async () => {
     .trim()
     .split("\n");
   assert.equal(lines.length, 17);
-  assert.match(lines[0], /^layout,acceleration,container,verdict,judged_at,.*,critical_box,critical_box_name,peak_displacement_m,/);
+  assert.match(
+    lines[0],
+    /^layout,acceleration,container,verdict,judged_at,.*,critical_box,critical_box_name,peak_displacement_m,/,
+  );
   await page.close();
 });
 

@@ -261,7 +261,7 @@ const WHEELS = {
 /** Loads that say of themselves what there is to say, beside one that says nothing. */
 function loads(name) {
   writeFileSync(at("wheels.json"), JSON.stringify(WHEELS));
-  writeFileSync(at("pairs.ini"), "[Friction]\npallet, floor = 0.3\ncarton, pallet = 0.5\n");
+  writeFileSync(at("pairs.ini"), "[Friction]\npallet, floor = 0.3\ncarton, pallet = 0.5\n1, floor = 0.4\n");
   const files = [`${root}/configs/loads/trailer.csv`, at("wheels.json"), layouts[0]];
   screen(name, at("pairs.ini"), "--layouts", ...files, "--norm", "road");
 }

@@ -6,7 +6,7 @@ import { DrivenAcceleration } from "./driven_acceleration";
 import type { EngineClient } from "./engine_client";
 import { LiveRecord } from "./live_record";
 import type { Changes, Frame, LiveInputs, Vector } from "./messages";
-import { engineSettings } from "./saved_files";
+import { changedSettings, engineSettings } from "./saved_files";
 import { SpeedMeter } from "./speed_meter";
 
 /** s: a driven world could go on until then. */
@@ -320,7 +320,7 @@ export class LiveDriver implements TimeControl {
     const { record } = this;
     record.world.segments = this.segments(this.end);
     // Sentences about the cause compare with the friction that acts.
-    record.results.settings = { ...this.file.settings, ...this.chosenFriction(this.mode) };
+    record.results.settings = changedSettings(this.file.settings, this.chosenFriction(this.mode));
     // At a change, the value before it, as in a results file.
     const acceleration = accelerationAt(record.world.segments, frame.time - 1e-9);
     if (frame.stateHash !== null) this.hash = frame.stateHash;
