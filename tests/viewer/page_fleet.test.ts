@@ -71,10 +71,10 @@ test("the table has names of critical boxes, and of containers", async () => {
     .split("\n");
   const fields = (line: string) => Object.fromEntries(line.split(",").map((field, i) => [head.split(",")[i], field]));
   const table = lines.map(fields);
-  assert.equal(table.length, 12);
+  assert.equal(table.length, 16);
   const of = (layout: string) => table.filter((line) => line.layout === layout);
   assert.ok(of("trailer.csv").every((line) => line.container === "trailer-curtain"));
-  assert.ok(of("wheels.json").every((line) => line.container === "4 x 2.2 x 2 m"));
+  assert.ok(of("wheels.json#wheels").every((line) => line.container === "4 x 2.2 x 2 m"));
   assert.ok(of("seed_example.txt").every((line) => line.container === "" && line.critical_box_name === ""));
   assert.ok(of("trailer.csv").some((line) => line.critical_box === "1" && line.critical_box_name === "Drinks 1"));
   await page.hover("canvas", { position: { x: 400, y: 50 } });

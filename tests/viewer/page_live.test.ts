@@ -87,6 +87,26 @@ test("an unstable load is not accelerated, and its replay has the bits of the fi
   await page.close();
 });
 
+test("a load with masses, mats, pairs of materials and its own container has the bits of the file", {
+  skip,
+}, async () => {
+  const page = await openLive("loads.h5", 3);
+  await leaveField(page);
+  assert.match(await page.innerText(".panel"), /In a container of its own: trailer-curtain/);
+  await page.keyboard.press("b");
+  await page.waitForSelector(".bits.same");
+  assert.match(await page.innerText(".panel .top"), /Box 1, Drinks 1[\s\S]*more than friction holds \(0\.30 g\)/);
+  for (const name of ["Layout", "Settings"]) {
+    await page.click(`.drive .buttons button:text-is("${name}")`);
+    await says(
+      page,
+      ".saved",
+      /This load has a container of its own, masses of its own, materials with names and anti-slip mats/,
+    );
+  }
+  await page.close();
+});
+
 test("a world that is not touched ends as the file; accuracy starts it anew", { skip }, async () => {
   const page = await openLive("demo.h5", 1);
   await leaveField(page);

@@ -237,11 +237,12 @@ function onTrailer(name) {
   screen(name, at("open.ini"), "--layouts", `${root}/configs/layouts/BR8_009_layer.txt`, "--norm", "road");
 }
 
-/** Two boxes in JSON: a wheel arch of which nothing has to be known, and one that says all of itself. */
+/** Loads in JSON: a wheel arch of which nothing has to be known and a box that says all of itself; and some of each kind. */
 const WHEELS = {
   holdfast: 1,
   loads: [
     {
+      name: "wheels",
       container: { size: [4, 2.2, 2], open_sides: ["rear"] },
       boxes: [
         { corner_min: [0, 0, 0], corner_max: [1, 0.4, 0.5], fixed: true },
@@ -253,6 +254,16 @@ const WHEELS = {
           bearing_limit: 250,
           centre_of_mass: [0.05, 0, -0.1],
         },
+      ],
+    },
+    {
+      name: "arches",
+      container: { size: [4.1, 2.21, 2], drop_sides: { rear: 0.33 }, bed_height: 0.9 },
+      boxes: [
+        { corner_min: [1.3, 0, 0], corner_max: [2.3, 0.4, 0.5], material: "pallet", fixed: true },
+        { corner_min: [0.1, 0.6, 0], corner_max: [0.9, 1.8, 1], material: "pallet", mass: 180, mat: 0.45 },
+        { corner_min: [1.3, 0, 0.5], corner_max: [2.3, 0.4, 0.9], material: 7, mass: 11.5 },
+        { corner_min: [3, 0.6, 0], corner_max: [3.6, 1.4, 0.8], material: "carton" },
       ],
     },
   ],

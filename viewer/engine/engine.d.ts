@@ -20,6 +20,10 @@ export interface WorldInputs extends GivenSettings {
   boxes: Numbers;
   /** Rows of five numbers: start, duration (s), acceleration along x, y, z (m/s²). */
   segments: Numbers;
+  /** kg, one per box; not a number: by its material. */
+  masses?: Numbers | null;
+  /** Coefficients of friction of the mats beneath boxes, one per box; not a number: none. */
+  mats?: Numbers | null;
 }
 
 /** A world that is taken forward in pieces. */

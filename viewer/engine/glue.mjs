@@ -8,6 +8,8 @@ const WASM_BASE64 = '@WASM@';
 
 const NUMBERS_PER_BOX = 7;
 const NUMBERS_PER_SEGMENT = 5;
+/** Of `holdfast_layouts`: size, boxes, box_count, offsets, layout_count, names, masses, mats, box_names, containers. */
+const LAYOUT_MEMBERS = 10;
 
 /** What the user, or the calling program, has given that cannot be used. */
 export class EngineError extends Error {}
@@ -74,6 +76,8 @@ class Engine {
    * @param {object} inputs
    * @param {Float64Array} inputs.boxes rows of seven numbers, m
    * @param {Float64Array} inputs.segments rows of five numbers
+   * @param {Float64Array} [inputs.masses] kg, one per box; not a number: by its material
+   * @param {Float64Array} [inputs.mats] coefficients of friction of the mats beneath boxes; not a number: none
    * @param {string} [inputs.config] text of a config.ini
    * @param {[string, string, string][]} [inputs.settings] section, key and value, set after `config`
    */
@@ -157,6 +161,20 @@ class Engine {
           work(settings, boxesAt, boxes.length / NUMBERS_PER_BOX, segmentsAt, segments.length / NUMBERS_PER_SEGMENT))));
   }
 
+  /** One layout as `holdfast_layouts` has it, whose members have four bytes each here. */
+  withLayout(boxes, boxCount, { masses = null, mats = null }, work) {
+    const withOptional = (numbers, then) => (numbers === null ? then(0) : this.withNumbers(numbers, then));
+    const size = 4 * LAYOUT_MEMBERS;
+    return withOptional(masses, (massesAt) =>
+      withOptional(mats, (matsAt) =>
+        this.withBytes(size + 8, (at) => {
+          const offsets = at + size;
+          const members = [size, boxes, boxCount, offsets, 1, 0, massesAt, matsAt, 0, 0, 0, boxCount];
+          for (const [i, member] of members.entries()) this.view().setUint32(at + 4 * i, member, true);
+          return work(at);
+        })));
+  }
+
   checkPage(status) {
     if (status !== 0) throw new EngineError(this.textAt(this.wasm.page_message()));
   }
@@ -175,16 +193,17 @@ class World {
     this.boxCount = inputs.boxes.length / NUMBERS_PER_BOX;
     const metre = 0;
     engine.withInputs(inputs, (settings, boxes, boxCount, segments, segmentCount) =>
-      engine.withBytes(4, (at) => {
-        const status = this.wasm.holdfast_world_new(settings, boxes, boxCount, metre, segments, segmentCount, at);
-        this.handle = engine.view().getUint32(at, true);
-        try {
-          this.check(status);
-        } catch (error) {
-          this.free();
-          throw error;
-        }
-      }));
+      engine.withLayout(boxes, boxCount, inputs, (layout) =>
+        engine.withBytes(4, (at) => {
+          const status = this.wasm.holdfast_world_new_of_layout(settings, layout, metre, segments, segmentCount, at);
+          this.handle = engine.view().getUint32(at, true);
+          try {
+            this.check(status);
+          } catch (error) {
+            this.free();
+            throw error;
+          }
+        })));
     /** The latest time at which the world ends, s: it has `RunOutSeconds` after its acceleration to come to rest. */
     this.endTime = this.times()[1];
   }

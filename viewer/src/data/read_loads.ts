@@ -1,6 +1,9 @@
 import type { Hdf5File, Numbers } from "./hdf5_file";
+import { centimetres } from "./lengths";
 import { readOpenings } from "./openings";
 import type { BoxColumns, Container, LoadedLayout, Results, Size } from "./results";
+
+const OWN_CENTRES = "centres of mass of its own";
 
 /** m: an offset of a centre of mass that is more than rounding. */
 const OFFSET = 1e-4;
@@ -67,7 +70,18 @@ export class LoadInputs {
     for (let box = 0; box < count; ++box)
       all.set([...lower.slice(3 * box, 3 * box + 3), ...upper.slice(3 * box, 3 * box + 3), material[box]], 7 * box);
     const header = this.file.texts("inputs/layouts/header", layout, layout + 1)[0];
-    return { header, boxes: all, more: this.more(layout, rows, boxes, all) };
+    const more = this.more(layout, rows, boxes, all);
+    const known = (name: string) => {
+      const values = this.numbers(name, rows);
+      return values?.some(Number.isFinite) ? Float64Array.from(values) : null;
+    };
+    const fixed = this.numbers("fixed", rows);
+    const settings = {
+      ...numbered(all, boxes.material, (box) => (fixed?.[box] ?? 0) > 0, this.results.settings),
+      ...this.results.ownContainers.get(layout)?.settings,
+    };
+    const missing = more.filter((words) => words === OWN_CENTRES);
+    return { header, boxes: all, masses: known("mass"), mats: known("mat"), settings, more, missing };
   }
 
   /** What a load says that rows of seven numbers do not have, in words. */
@@ -86,10 +100,49 @@ export class LoadInputs {
       [(this.texts("material_name", rows) ?? []).some((name) => name !== ""), "materials with names"],
       [some("mat", Number.isFinite), "anti-slip mats"],
       [some("fixed", (flag) => flag > 0), "fixed boxes of its own"],
-      [offset, "centres of mass of its own"],
+      [offset, OWN_CENTRES],
     ];
     return found.filter(([is]) => is).map(([, words]) => words);
   }
+}
+
+/**
+ * Gives numbers to materials with names, and to fixed boxes, in the rows of a layout, and the settings of these numbers. Those of
+ * the names stay: no box has them.
+ */
+function numbered(
+  rows: Float64Array,
+  materials: readonly string[],
+  fixed: (box: number) => boolean,
+  settings: Readonly<Record<string, string>>,
+): Record<string, string> {
+  const numbers = new Map<string, { number: number; name: string; fixed: boolean }>();
+  let next = Math.max(0, ...materials.map(Number).filter(Number.isFinite)) + 1;
+  for (const [box, name] of materials.entries()) {
+    if (rows[7 * box + 6] >= 0 && !fixed(box)) continue;
+    const key = `${name}/${fixed(box)}`;
+    const known = numbers.get(key) ?? { number: next++, name, fixed: fixed(box) };
+    numbers.set(key, known);
+    rows[7 * box + 6] = known.number;
+  }
+  const made: Record<string, string> = {};
+  const all = [...numbers.values()];
+  /** the names of a material in the rows of the engine */
+  const namesOf = (name: string) => [
+    name,
+    ...all.filter((one) => one.name === name).map(({ number }) => String(number)),
+  ];
+  for (const [key, value] of Object.entries(settings)) {
+    const material = /^Material (.+)\/(\w+)$/.exec(key);
+    if (material)
+      for (const { number, name } of all) if (name === material[1]) made[`Material ${number}/${material[2]}`] = value;
+    const pair = /^Friction\/(.+), (.+)$/.exec(key);
+    if (!pair) continue;
+    for (const a of namesOf(pair[1]))
+      for (const b of namesOf(pair[2])) if (a !== pair[1] || b !== pair[2]) made[`Friction/${a}, ${b}`] = value;
+  }
+  for (const { number, fixed: part } of all) if (part) made[`Material ${number}/Fixed`] = "true";
+  return made;
 }
 
 /** The container of the run, and those of layouts that have their own. */
@@ -115,10 +168,14 @@ export function readContainers(
       "Container/DropSides": low[layout],
       "Container/BedHeight": String(100 * beds[layout]),
     };
+    const openings = readOpenings(sides, height);
+    const lengths = { "Container/Length": length, "Container/Width": width, "Container/Height": height };
+    const given = Object.fromEntries(Object.entries(lengths).map(([key, value]) => [key, centimetres(value)]));
     const own: Container = {
       type: types[layout],
       size: [length, width, height],
-      openings: readOpenings(sides, height),
+      openings,
+      settings: { ...sides, ...given, "Container/BedHeight": centimetres(beds[layout]), "Container/Type": "" },
     };
     ownContainers.set(layout, own);
   }

@@ -89,6 +89,8 @@ export interface Container {
   type: string;
   size: Size;
   openings: Openings;
+  /** keys of its own as of [Container], where it is that of a load */
+  settings?: Record<string, string>;
 }
 
 /** The summary of a file: everything but boxes and series. */
@@ -192,8 +194,15 @@ export interface LoadedLayout {
   header: string;
   /** rows of seven numbers: corner with the smallest coordinates, corner with the largest (m), material */
   boxes: Float64Array;
-  /** what the load says that such rows do not have, in words */
+  /** kg, and coefficients of friction, one per box, NaN where it has none; null: none has */
+  masses: Float64Array | null;
+  mats: Float64Array | null;
+  /** in place of those of the run: numbers for materials with names and for fixed boxes, and the load's own container */
+  settings: Record<string, string>;
+  /** what the load says that is more than rows of seven numbers, and a layout file does not have, in words */
   more: string[];
+  /** the same of what the engine does not take */
+  missing: string[];
 }
 
 export interface World {

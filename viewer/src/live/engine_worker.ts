@@ -33,11 +33,11 @@ function change({ acceleration, friction, force }: Changes): void {
   }
 }
 
-function start(engine: Engine, { boxes, segments, settings }: LiveInputs): void {
+function start(engine: Engine, { boxes, segments, masses, mats, settings }: LiveInputs): void {
   world?.free();
   world = null;
   pulled = null;
-  world = engine.world({ boxes, segments, settings });
+  world = engine.world({ boxes, segments, masses, mats, settings });
 }
 
 function screen(engine: Engine, order: Extract<Order, { kind: "screen" }>): Saved {

@@ -133,9 +133,15 @@ export class LiveDriver implements TimeControl {
     else this.stop = this.unstable ? 0 : follows ? latestEnd : LONGEST;
   }
 
+  /** Settings of the file, with what the load says of itself. */
+  private get given(): Record<string, string> {
+    return { ...this.file.settings, ...this.of.loaded!.settings };
+  }
+
   /** The settings of the world, and with them a configuration that repeats it. */
   settings(mode: Mode, saved = false): LiveInputs["settings"] {
-    if (mode === "replay") return engineSettings(this.file.settings, {});
+    const { given } = this;
+    if (mode === "replay") return engineSettings(given, {});
     const { accuracy } = this.choices;
     const changed: Record<string, string> = {
       "Simulation Settings/TimeoutInSeconds": saved ? "" : String(LONGEST),
@@ -143,7 +149,7 @@ export class LiveDriver implements TimeControl {
       "Screening/StopWhen": "end",
       "Native/Accuracy": accuracy,
     };
-    return engineSettings(this.file.settings, { ...changed, ...this.chosenFriction(mode) });
+    return engineSettings(given, { ...changed, ...this.chosenFriction(mode) });
   }
 
   /** Settings of the friction that was chosen; none where it is that of the file. */
@@ -184,6 +190,7 @@ export class LiveDriver implements TimeControl {
     const turn = ++this.started;
     return this.inTurn(async () => {
       if (turn !== this.started) return;
+      const { masses, mats } = this.of.loaded!;
       const boxes = mode === "replay" ? this.of.loaded!.boxes : this.choices.boxes;
       const segments = Float64Array.from(
         this.of.segments.flatMap(({ start, duration, value }) => [start, duration, ...value]),
@@ -191,7 +198,14 @@ export class LiveDriver implements TimeControl {
       try {
         // An unstable world of the file has come to its end when it has settled.
         const hashed = mode === "replay" && this.of.endTime <= 0;
-        const frame = await this.client.ask("start", { boxes, segments, settings: this.settings(mode), hashed });
+        const frame = await this.client.ask("start", {
+          boxes,
+          segments,
+          masses,
+          mats,
+          settings: this.settings(mode),
+          hashed,
+        });
         this.mode = mode;
         this.hash = frame.stateHash;
         this.problem = "";
@@ -320,7 +334,7 @@ export class LiveDriver implements TimeControl {
     const { record } = this;
     record.world.segments = this.segments(this.end);
     // Sentences about the cause compare with the friction that acts.
-    record.results.settings = changedSettings(this.file.settings, this.chosenFriction(this.mode));
+    record.results.settings = changedSettings(this.given, this.chosenFriction(this.mode));
     // At a change, the value before it, as in a results file.
     const acceleration = accelerationAt(record.world.segments, frame.time - 1e-9);
     if (frame.stateHash !== null) this.hash = frame.stateHash;

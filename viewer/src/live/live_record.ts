@@ -97,6 +97,7 @@ export class LiveRecord {
     };
     this.results = {
       ...file,
+      settings: { ...file.settings, ...of.loaded?.settings },
       judgedAtEnd: false,
       layouts: [of.layout],
       accelerations: [of.acceleration],

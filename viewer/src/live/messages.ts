@@ -6,6 +6,9 @@ export type Vector = [number, number, number];
 export interface LiveInputs {
   boxes: Float64Array;
   segments: Float64Array;
+  /** one per box, NaN where it has none; null: none has */
+  masses: Float64Array | null;
+  mats: Float64Array | null;
   settings: NonNullable<GivenSettings["settings"]>;
 }
 

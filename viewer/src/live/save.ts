@@ -4,6 +4,7 @@ import { verdictText } from "../data/verdict";
 import { download } from "../ui/dom";
 import type { EngineClient } from "./engine_client";
 import type { LiveDriver } from "./live_driver";
+import { whyNotSaved } from "./live_words";
 import { accelerationText, layoutText, settingsText } from "./saved_files";
 
 /** Gives the user a file of what was driven; what the program makes of such files, as a sentence. */
@@ -18,6 +19,8 @@ export async function saveFile(
   const end = driver.mode === "replay" ? of.endTime : driver.time;
   const segments = driver.segments(end);
   if (kind !== "layout" && segments.length === 0) return "Nothing has been driven yet.";
+  const why = whyNotSaved(of);
+  if (why && kind !== "acceleration") return why;
   const settings = driver.settings(driver.mode, true);
   const layout = layoutText(of.loaded!.header, boxes, file.settings["Container/UpAxis"] ?? "z", of.container.size[1]);
   const acceleration = accelerationText(segments, `driven in the page, from ${of.layout} of ${file.name}`);
@@ -29,7 +32,7 @@ export async function saveFile(
   };
   const { name: saved, text } = texts[kind];
   try {
-    if (segments.length > 0) {
+    if (segments.length > 0 && !why) {
       const { outcome, same } = await client.ask("screen", { layout, acceleration, boxes, settings });
       if (!same) throw new Error("The layout cannot be written as a layout file.");
       download(saved, new Blob([text], { type: "text/plain" }));

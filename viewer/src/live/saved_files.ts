@@ -1,16 +1,8 @@
+import { centimetres } from "../data/lengths";
 import type { Segment } from "../data/results";
 import type { LiveInputs } from "./messages";
 
 /** Files that `holdfast screen` reads, from what was driven. */
-
-/** cm: the shortest number that is the same bits in m, which any length that was read from a layout file has. */
-function centimetres(metres: number): string {
-  for (let digits = 6; digits < 17; ++digits) {
-    const text = String(Number((100 * metres).toPrecision(digits)));
-    if (Number(text) / 100 === metres) return text;
-  }
-  return String(100 * metres);
-}
 
 /**
  * A layout file: its header, and a line per box. `UpAxis = y` turns the frame of the file: y is up there, and z goes across from
