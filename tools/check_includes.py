@@ -35,8 +35,8 @@ LIBRARIES = {
 # A folder under src: the folders and the libraries that it may name.
 RULES = {
     "core": ({"core"}, {"Eigen", "Highway"}),
-    "analyses": ({"analyses", "core", "io"}, {"nlohmann", "fmt"}),
-    "io": ({"core", "io"}, {"HDF5", "inih", "OpenSSL", "libdeflate", "zlib", "fmt", "POSIX"}),
+    "analyses": ({"analyses", "core", "io"}, {"Eigen", "nlohmann", "fmt"}),
+    "io": ({"core", "io"}, {"HDF5", "inih", "nlohmann", "OpenSSL", "libdeflate", "zlib", "fmt", "POSIX"}),
     "bullet": ({"core", "bullet"}, {"Bullet"}),
     "parallel": ({"core", "parallel"}, {"fmt", "TBB", "OpenMP", "OpenCL", "Bullet3OpenCL", "ThreadSanitizer", "POSIX"}),
     "validate": ({"core", "parallel", "validate"}, {"fmt"}),

@@ -28,6 +28,16 @@ Vec3 corner(const std::array<double, 3>& numbers, holdfast::LengthUnit unit) {
   return {metres(numbers[0], unit), metres(numbers[1], unit), metres(numbers[2], unit)};
 }
 
+/// Adds a box where it will be: a temporary one would have to be moved, with its texts.
+Box& add_box(Layout& layout, const std::array<double, 3>& corner_min, const std::array<double, 3>& corner_max,
+             int material, holdfast::LengthUnit unit) {
+  Box& box = layout.boxes.emplace_back();
+  box.corner_min = corner(corner_min, unit);
+  box.corner_max = corner(corner_max, unit);
+  if (material != 0) box.material = material;
+  return box;
+}
+
 /// True when the layout leaves the container, and would not if its numbers were centimetres.
 bool looks_like_centimetres(const Layout& layout, const Settings& settings) {
   Vec3 largest = Vec3::Zero();
@@ -182,8 +192,8 @@ ReadLayout read_layout(const holdfast::Layout& layout, const std::string& name, 
     read.layout.boxes.reserve(layout.boxes.size());
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
       const holdfast::Box& box = layout.boxes[i];
-      read.layout.boxes.push_back({corner(box.corner_min, unit), corner(box.corner_max, unit), box.material});
-      take_parts(box, i, unit, read.layout.boxes.back(), wrong_parts);
+      Box& read_box = add_box(read.layout, box.corner_min, box.corner_max, box.material, unit);
+      if (has_parts(box)) take_parts(box, i, unit, read_box, wrong_parts);
     }
     errors = wrong_parts.take();
   }
@@ -218,9 +228,9 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
       const double* const row = &numbers[i * kNumbersPerBox];
       const std::optional<int> material = whole_number(row[6]);
       if (!material) add_bad_material(wrong, i, rounded_text(row[6]));
-      read.layout.boxes.push_back(
-          {corner({row[0], row[1], row[2]}, unit), corner({row[3], row[4], row[5]}, unit), material.value_or(0)});
-      if (more) take_parts(layout, i, read.layout.boxes.back(), wrong);
+      Box& read_box =
+          add_box(read.layout, {row[0], row[1], row[2]}, {row[3], row[4], row[5]}, material.value_or(0), unit);
+      if (more) take_parts(layout, i, read_box, wrong);
     }
     errors = wrong.take();
   }

@@ -24,6 +24,12 @@ inline double metres(double length, holdfast::LengthUnit unit) {
   return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;
 }
 
+/// Whether a box has more than corners and a number of a material.
+inline bool has_parts(const holdfast::Box& box) {
+  return box.mass || box.mat || box.fixed || box.order || box.bearing_limit || box.centre_of_mass ||
+         !box.name.empty() || !box.material_name.empty();
+}
+
 /// Takes what a box has beside its corners and its number of a material.
 /// @param index  of the box, from 0
 /// @param errors get what cannot be used

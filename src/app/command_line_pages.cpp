@@ -8,7 +8,10 @@
 #include "api/version.hpp"
 #include "app/commands.hpp"
 #include "core/engine/engine_registry.hpp"
+#include "core/model/container_catalogue.hpp"
+#include "core/model/length_unit.hpp"
 #include "core/model/norms.hpp"
+#include "io/loads/known_formats.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/wrapped_text.hpp"
 #include "parallel/schedulers/scheduler.hpp"
@@ -83,6 +86,12 @@ std::vector<std::string> values_of(const CLI::Option& option) {
     for (const EngineEntry& entry : engine_registry()) values.emplace_back(entry.name);
   } else if (name == "norm") {
     for (const Norm& norm : norms()) values.push_back(std::string(norm.name) + (norm.takes_size ? ":" : ""));
+  } else if (name == "container") {
+    for (const ContainerType& type : container_catalogue()) values.emplace_back(type.name);
+  } else if (name == "format") {
+    for (const KnownFormat& format : kKnownFormats) values.emplace_back(format.name);
+  } else if (name == "unit") {
+    for (const Unit& unit : kLengthUnits) values.emplace_back(unit.word);
   } else if (name == "accuracy") {
     values = words_of_key("Native", "Accuracy");
   } else if (name == "scheduler") {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/base/number_text.hpp"
@@ -51,26 +52,31 @@ bool is_inside(const ContainerShape& shape, const Vec3& low, const Vec3& high) {
 /// Looks at a load as a whole.
 class WholeLook {
  public:
-  WholeLook(const Layout& layout, const std::string& path, const Settings& settings)
-      : layout_(layout), path_(path), settings_(settings), container_(container_of(settings, layout)) {}
+  WholeLook(const ReadLoad& load, const std::string& path, const Settings& settings)
+      : layout_(load.layout),
+        path_(path),
+        settings_(settings),
+        container_(container_of(settings, load.layout)),
+        guessed_unit_(load.guessed_unit) {}
 
   std::optional<Error> mistake() const {
     if (layout_.boxes.empty()) return std::nullopt;
     // Box by box is told what is wrong with single boxes.
     const bool sound = std::all_of(layout_.boxes.begin(), layout_.boxes.end(), is_sound);
     if (!sound) return sizes_as_corners();
-    const auto outside = [&](const Box& box) {
-      return !properties_of(settings_, box).fixed && !is_inside(container_, box.corner_min, box.corner_max);
-    };
-    const std::size_t count =
-        static_cast<std::size_t>(std::count_if(layout_.boxes.begin(), layout_.boxes.end(), outside));
+    const std::size_t count = outside_count();
     if (count == 0) return all_tiny();
-    if (auto error = another_unit()) return error;
-    if (auto error = other_axes()) return error;
-    if (auto error = sizes_as_corners()) return error;
     constexpr std::size_t kWhole = 3;  // fewer are told one by one
-    if (count < kWhole) return std::nullopt;
-    return another_container(count);
+    if (auto error = count < kWhole ? std::nullopt : another_container(count)) return error;
+    return another_unit();
+  }
+
+  /// Boxes that are outside the container, fixed ones left out.
+  std::size_t outside_count() const {
+    return static_cast<std::size_t>(std::count_if(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
+      return is_sound(box) && !properties_of(settings_, box).fixed &&
+             !is_inside(container_, box.corner_min, box.corner_max);
+    }));
   }
 
  private:
@@ -92,7 +98,7 @@ class WholeLook {
   /// A load in metres that is read as centimetres lies within a hundredth of the container.
   std::optional<Error> all_tiny() const {
     constexpr double kHundredth = 0.0101;
-    if (settings_.loads.unit || (reach().array() > kHundredth * container_.size.array()).any()) return std::nullopt;
+    if (guessed_unit_ == 0.0 || (reach().array() > kHundredth * container_.size.array()).any()) return std::nullopt;
     return Error{.file = path_,
                  .what = "all boxes lie within a hundredth of the container",
                  .value = "up to " + size_text(reach()),
@@ -100,14 +106,15 @@ class WholeLook {
   }
 
   std::optional<Error> another_unit() const {
-    const double unit = settings_.loads.unit.value_or(0.01);
+    const double unit = guessed_unit_;
+    if (unit == 0.0) return std::nullopt;
     for (const double other : {0.01, 0.001, 1.0, 0.0254}) {
       const double factor = other / unit;
       if (factor > 0.9) continue;  // boxes that are outside would be so all the more
       const Vec3 reached = factor * reach();
-      // Such a load is none that is merely much smaller than the container.
+      // A load in that unit is none that is merely much smaller than the container.
       constexpr double kLeastShare = 0.1;
-      if ((reached.array() < kLeastShare * container_.size.array()).all()) continue;
+      if ((reached.array() >= kLeastShare * container_.size.array()).count() < 2) continue;
       if (!all_inside(
               [&](const Box& box) { return std::pair<Vec3, Vec3>(factor * box.corner_min, factor * box.corner_max); }))
         continue;
@@ -116,21 +123,6 @@ class WholeLook {
                    .value = "up to " + size_text(reach()),
                    .accepted = "everything fits if the lengths are " + length_unit_name(other) + ": --unit " +
                                length_unit_name(other)};
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Error> other_axes() const {
-    if (settings_.loads.axes || settings_.up_axis == UpAxis::y) return std::nullopt;
-    for (const char* const text : {"x -z y", "-z x y", "z x y", "y x z"}) {
-      const FileAxes axes = *parse_axes(text);
-      const auto turned = [&](const Box& box) { return axes.corners(box.corner_min, box.corner_max, container_.size); };
-      if (!all_inside(turned)) continue;
-      return Error{
-          .file = path_,
-          .what = "the boxes do not fit the container along its axes",
-          .value = "up to " + size_text(reach()),
-          .accepted = std::string("everything fits with --axes \"") + text + "\", which are length, width and height"};
     }
     return std::nullopt;
   }
@@ -154,27 +146,27 @@ class WholeLook {
   }
 
   std::optional<Error> another_container(std::size_t outside) const {
-    const ContainerType* smallest = nullptr;
-    const auto volume = [](const ContainerType& type) { return type.length * type.width * type.height; };
-    for (const ContainerType& type : container_catalogue()) {
+    // The first one: the catalogue begins with what is most common.
+    const std::span<const ContainerType> types = container_catalogue();
+    const auto found = std::find_if(types.begin(), types.end(), [&](const ContainerType& type) {
       const ContainerShape shape = type.shape();
-      if (!shape.open_sides.empty()) continue;
-      const bool holds = std::all_of(layout_.boxes.begin(), layout_.boxes.end(),
-                                     [&](const Box& box) { return is_inside(shape, box.corner_min, box.corner_max); });
-      if (holds && (smallest == nullptr || volume(type) < volume(*smallest))) smallest = &type;
-    }
-    if (smallest == nullptr) return std::nullopt;
+      return shape.open_sides.empty() && std::all_of(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
+               return is_inside(shape, box.corner_min, box.corner_max);
+             });
+    });
+    if (found == types.end()) return std::nullopt;
     return Error{.file = path_,
                  .what = std::to_string(outside) + " of " + std::to_string(layout_.boxes.size()) +
                          " boxes are outside the container of " + size_text(container_.size),
                  .value = "up to " + size_text(reach()),
-                 .accepted = "--container " + std::string(smallest->name) + " holds them"};
+                 .accepted = "--container " + std::string(found->name) + " holds them"};
   }
 
   const Layout& layout_;
   const std::string& path_;
   const Settings& settings_;
   ContainerSettings container_;
+  double guessed_unit_;
 };
 
 /// Named materials that neither a section nor a pair of [Friction] describes, while others are described.
@@ -203,10 +195,12 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
   if (!load.errors.empty()) return;
   const double tolerance = settings.loads.overlap_tolerance.value_or(kFileOverlapTolerance);
   Layout& layout = load.layout;
-  if (const auto mistake = WholeLook(layout, path, settings).mistake()) {
+  const WholeLook look(load, path, settings);
+  if (const auto mistake = look.mistake()) {
     load.errors.push_back(*mistake);
     return;
   }
+  load.outside = look.outside_count();
   const Trimmed trimmed = trim_overlaps(layout, settings, tolerance);
   load.errors = check_layout(layout, settings, path, load.warnings);
   if (!load.errors.empty()) return;

@@ -166,7 +166,7 @@ class OwnReader {
     if (const auto type = json.find("type"); type != json.end())
       if (const ContainerType* const known = find_type(*type, at + "/type")) shape = known->shape();
     if (const auto size = json.find("size"); size != json.end())
-      if (const auto vector = read_vector(*size, at + "/size", unit_, 1e-3)) shape.size = *vector;
+      if (const auto vector = read_vector(*size, at + "/size", unit_, 1e-3 / unit_)) shape.size = *vector;
     if (const auto sides = json.find("open_sides"); sides != json.end()) {
       shape.open_sides.clear();
       for (const Json& side : *sides) {

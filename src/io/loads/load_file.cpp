@@ -19,6 +19,12 @@ namespace holdfast::internal {
 
 namespace {
 
+/// Unit of StableCargo's text, m.
+constexpr double kTextUnit = 0.01;
+
+/// Fewest boxes outside a container that other axes may explain; they are half of its boxes at least.
+constexpr std::size_t kFewestOutside = 2;
+
 /// Fewest cells of a row that is taken for a header whose words are not known.
 constexpr std::size_t kFewestColumns = 6;
 
@@ -144,7 +150,10 @@ Result<LoadsOfFile> read_text(const TextFile& file, const Settings& settings) {
   Result<Layout> layout = read_layout_text(file, settings, load.warnings);
   if (layout) {
     load.layout = std::move(*layout);
+    load.guessed_unit = settings.loads.unit ? 0.0 : kTextUnit;
+    load.box_count = load.layout.boxes.size();
     check_load(load, file.path, settings);
+    if (!load.errors.empty()) load.layout.boxes.clear();
   } else {
     load.errors = layout.errors();
   }
@@ -173,14 +182,18 @@ LoadSyntax load_syntax(std::string_view text) {
     const std::vector<std::string> row = texts_of(table.row());
     if (!has_words(row)) break;
     const Result<ColumnPlan> plan = plan_columns(row, {});
-    const bool names_some = plan && (plan->has_place() || plan->has_size());
-    if (names_some || !plan) return LoadSyntax::table;
-    if (separator != ' ' && row.size() >= kFewestColumns) return LoadSyntax::table;
+    if (plan && plan->has_boxes()) return LoadSyntax::table;
+    // Words with blanks between them may be prose, or the first line of an acceleration.
+    const bool says_some = !plan || plan->has_place() || plan->has_size() || row.size() >= kFewestColumns;
+    if (separator != ' ' && says_some) return LoadSyntax::table;
   }
   return LoadSyntax::text;
 }
 
-Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
+namespace {
+
+/// Reads and checks the loads of a file, with the axes of the settings.
+Result<LoadsOfFile> read_along_axes(const TextFile& file, const Settings& settings) {
   if (const std::string encoding = encoding_mistake(file.text); !encoding.empty())
     return Error{
         .file = file.path, .what = "is " + encoding, .accepted = "text as UTF-8: save or export it as CSV (UTF-8)"};
@@ -194,8 +207,46 @@ Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
   if (!found) return found;
   for (ReadLoad& load : found->loads) {
     if (load.errors.empty()) load.layout.sha256 = sha256_of(canonical_json(load.layout));
+    load.box_count = load.layout.boxes.size();
     check_load(load, file.path, settings);
     if (!load.errors.empty()) load.layout.boxes.clear();
+  }
+  return found;
+}
+
+bool all_good(const LoadsOfFile& loads) {
+  return std::all_of(loads.loads.begin(), loads.loads.end(), [](const ReadLoad& load) { return load.errors.empty(); });
+}
+
+/// Axes with which all loads of a file fit, where they do not with those of the container.
+std::optional<FileAxes> fitting_axes(const TextFile& file, const Settings& settings) {
+  for (const char* const text : {"x -z y", "x z y", "-z x y", "z x y", "y x z"}) {
+    Settings turned = settings;
+    turned.loads.axes = parse_axes(text);
+    const Result<LoadsOfFile> loads = read_along_axes(file, turned);
+    if (loads && all_good(*loads)) return turned.loads.axes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
+  Result<LoadsOfFile> found = read_along_axes(file, settings);
+  const bool has_axes = settings.loads.axes || settings.up_axis == UpAxis::y || !settings.loads.format.empty();
+  if (!found || has_axes) return found;
+  const bool is_turned = std::any_of(found->loads.begin(), found->loads.end(), [](const ReadLoad& load) {
+    return load.outside >= kFewestOutside && 2 * load.outside >= load.box_count;
+  });
+  if (!is_turned) return found;
+  if (const std::optional<FileAxes> axes = fitting_axes(file, settings)) {
+    for (ReadLoad& load : found->loads)
+      if (!load.errors.empty())
+        load.errors = {
+            {.file = file.path,
+             .what = "the boxes of " + shown(load.layout.name) + " do not fit their container along its axes",
+             .accepted =
+                 "everything fits with --axes \"" + axes_text(*axes) + "\", which are length, width and height"}};
   }
   return found;
 }

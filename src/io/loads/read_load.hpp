@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct ReadLoad {
   Layout layout;
   std::vector<Error> errors;    ///< empty when it can be used
   std::vector<Error> warnings;  ///< of this load
+  std::size_t box_count = 0;    ///< also of a load that cannot be used
+  std::size_t outside = 0;      ///< boxes outside the container, where neither unit nor container explains them
+  double guessed_unit = 0.0;    ///< in which lengths were read without a word of it in the file, m; 0: it is known
 };
 
 /// All loads of a file.

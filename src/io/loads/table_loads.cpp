@@ -361,6 +361,9 @@ class TableReader {
     find_shape(growing);
     const Vec3 container = container_of(settings_, layout).size;
     std::vector<double> nesting;
+    const bool knows_units = std::all_of(growing.boxes.begin(), growing.boxes.end(),
+                                         [](const Growing::RawBox& raw) { return raw.unit > 0.0; });
+    growing.load.guessed_unit = choices_.unit || knows_units ? 0.0 : unit_;
     for (Growing::RawBox& raw : growing.boxes) {
       const double unit = raw.unit > 0.0 ? raw.unit : unit_;
       const auto metres = [&](const Vec3& v) {
@@ -394,7 +397,16 @@ class TableReader {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!growing.size.at(axis)) continue;
       const double unit = growing.size_unit > 0.0 ? growing.size_unit : unit_;
-      shape.size[static_cast<Eigen::Index>(axis)] = in_metres(*growing.size.at(axis), unit);
+      const double length = in_metres(*growing.size.at(axis), unit);
+      constexpr double kLeast = 0.01;
+      constexpr double kMost = 1000.0;
+      if (length < kLeast || length > kMost) {
+        growing.errors.add({.what = "the container of " + shown(growing.load.layout.name) + " has no possible size",
+                            .value = rounded_text(length) + " m",
+                            .accepted = "from 1 cm to 1 km"});
+        continue;
+      }
+      shape.size[static_cast<Eigen::Index>(axis)] = length;
       has_own = true;
     }
     if (has_own) growing.load.layout.container = shape;

@@ -178,8 +178,8 @@ std::size_t size_of(ElementType type) {
 }
 
 std::string_view to_string(ElementType type) {
-  constexpr std::array<std::string_view, 8> kNames = {"uint8",   "uint32",  "uint64",    "int32",
-                                                      "float32", "float64", "text(120)", "text"};
+  constexpr std::array<std::string_view, 8> kNames = {"uint8",   "uint32",  "uint64", "int32",
+                                                      "float32", "float64", "text",   "text"};
   return kNames.at(static_cast<std::size_t>(type));
 }
 

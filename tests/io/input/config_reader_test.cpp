@@ -82,9 +82,21 @@ TEST_CASE("config_reader: materials", "[io][config_reader]") {
   CHECK(errors_of("[Material 3]\nMass = 5\n[Material 03]\n Mass = 6\n") ==
         Messages{"in/c.ini:4:2: the key is given twice: Mass; its first value is on line 2"});
   for (const std::string bad :
-       {"[Material]", "[Material x]", "[Material -1]", "[Material 1.5]", "[Material 2147483648]"})
-    CHECK(errors_of(bad + "\nMass = 5\n") == Messages{"in/c.ini:1:1: a material section without a material id: " + bad +
-                                                      "; [Material N] with a whole number N from 0 to 2147483647"});
+       {"[Material]", "[Material any]", "[Material -1]", "[Material 1.5]", "[Material 2147483648]", "[Material a, b]"})
+    CHECK(errors_of(bad + "\nMass = 5\n") ==
+          Messages{
+              "in/c.ini:1:1: a material section without the name of a material: " + bad +
+              "; [Material N], where N is a whole number from 0, or a name that is not any, floor or wall and has no "
+              "comma"});
+  const Result<Config> named = parse("[Material  Euro pallet]\nMass = 25\n[Friction]\nfloor , Euro pallet = 0.45\n");
+  REQUIRE(named);
+  CHECK(named->settings.materials.at(MaterialName("Euro pallet")).mass == 25.0);
+  CHECK(named->given.contains({"Material Euro pallet", "Mass"}));
+  CHECK(named->given.contains({"Friction", "Euro pallet, floor"}));
+  CHECK(errors_of("[Friction]\nfloor, wall = 0.3\n") ==
+        Messages{
+            "in/c.ini:2:1: unknown key in [Friction]: floor, wall; two names with a comma between them: materials, or "
+            "`any`, and at most one of `floor` and `wall`"});
 }
 
 TEST_CASE("config_reader: a wrong value names its column and what is accepted", "[io][config_reader]") {

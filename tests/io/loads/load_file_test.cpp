@@ -146,10 +146,10 @@ TEST_CASE("load_file: a load is the same in every kind of file", "[io][loads]") 
   Settings settings;
   settings.loads.format = "planner";
   std::vector<Layout> loads;
-  for (const ReadLoad& load : read_loads(format_file("planner_export.csv"), settings)->loads)
-    loads.push_back(load.layout);
-  for (const ReadLoad& load : read_loads(format_file("spreadsheet_semicolon.csv"), {})->loads)
-    loads.push_back(load.layout);
+  const Result<LoadsOfFile> planned = read_loads(format_file("planner_export.csv"), settings);
+  const Result<LoadsOfFile> spread = read_loads(format_file("spreadsheet_semicolon.csv"), {});
+  for (const LoadsOfFile& file : {*planned, *spread})
+    for (const ReadLoad& load : file.loads) loads.push_back(load.layout);
   loads[1].boxes[0].mat = 0.6;
   loads[1].boxes[0].fixed = true;
   loads[1].boxes[0].bearing_limit = 1200.0;
@@ -197,7 +197,7 @@ TEST_CASE("load_file: titles before the header are passed over, blank columns ha
 
 TEST_CASE("load_file: what cannot be read is named by line, column and header", "[io][loads]") {
   CHECK(all_errors("x;y;z;length;width;height\n0;0;0;80,5;60;50.5\n") ==
-        Messages{"a.csv:2:14: the height is not a number (column height): 50.5; a number such as 80 or 12,5; the table "
+        Messages{"a.csv:2:15: the height is not a number (column height): 50.5; a number such as 80 or 12,5; the table "
                  "has decimal commas"});
   CHECK(all_errors("name,x,y,z,weight,mass,length,width,height\nA,0,0,0,1,2,3,4,5\n") ==
         Messages{"a.csv:1: two columns mean the same: weight and mass; leave one out: --columns \"mass = -\""});

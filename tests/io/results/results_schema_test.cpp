@@ -51,9 +51,13 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
   for (std::size_t i = 0; i < schema().size(); ++i) {
     const std::string_view path = schema()[i].path;
     CAPTURE(path);
-    const bool of_layout_boxes = path.ends_with("/corner_min") || path.ends_with("/corner_max") ||
-                                 path == "/inputs/layouts/material" || path == "/indicators/base_support" ||
-                                 path == "/indicators/supported_sides";
+    const std::string_view last = path.substr(path.rfind('/') + 1);
+    constexpr std::array<std::string_view, 10> kOfBoxes = {"corner_min", "corner_max",   "material", "material_name",
+                                                           "box_name",   "mass",         "mat",      "fixed",
+                                                           "order",      "bearing_limit"};
+    const bool of_layout_boxes =
+        (path.starts_with("/inputs/layouts/") && std::find(kOfBoxes.begin(), kOfBoxes.end(), last) != kOfBoxes.end()) ||
+        path == "/indicators/base_support" || path == "/indicators/supported_sides";
     const bool expected = path.starts_with("/series/") || path.starts_with("/boxes/") ||
                           path == "/replicas/box_share" || path.starts_with("/summary/boxes/") ||
                           (path.starts_with("/damage/") && path != "/damage/boxes_beyond") || path == "/walls/force" ||
