@@ -157,6 +157,8 @@ class Load:
         given: Any = self.boxes
         if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, (Iterable, np.ndarray)):
             raise _wrong("the boxes are no list", type(given).__name__, "a list of boxes")
+        if isinstance(given, np.ndarray) and given.dtype.kind in "iuf":
+            given = given.tolist()
         _set(self, "boxes", tuple(_box(box, i) for i, box in enumerate(given)))
         _set(self, "container", _container(self.container))
         _set(self, "name", _text(self.name, "name"))
@@ -273,6 +275,8 @@ def _wrong(what: str, value: Any, accepted: str, box: Optional[int] = None) -> E
 
 
 def _number(value: Any, name: str) -> float:
+    if type(value) is float and math.isfinite(value):
+        return value
     is_number = isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
     if not is_number or not math.isfinite(value):
         raise _wrong(f"{name} is no number", repr(value), "a finite number")
@@ -292,6 +296,10 @@ def _text(value: Any, name: str) -> str:
 
 
 def _triple(value: Any, name: str) -> _Triple:
+    if type(value) in (list, tuple) and len(value) == 3:
+        x, y, z = value
+        if type(x) is type(y) is type(z) is float and math.isfinite(x + y + z):
+            return x, y, z
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, (Sequence, np.ndarray)) or len(value) != 3:
         raise _wrong(f"{name} is not three numbers", value, "a list of three numbers")
     x, y, z = (_number(number, f"a number of {name}") for number in value)
