@@ -50,7 +50,7 @@ class OwnReader {
     check_keys(root, "", kKeys);
     if (const auto version = root.find("holdfast"); version != root.end() && *version != 1)
       wrong("/holdfast", "a version that is not known", type_text(*version), "1");
-    unit_ = read_unit(root, "", 1.0);
+    unit_ = unit_of_load_ = read_unit(root, "", 1.0);
     if (const auto container = root.find("container"); container != root.end())
       container_ = read_container(*container, "/container");
     const auto loads = root.find("loads");
@@ -166,7 +166,8 @@ class OwnReader {
     if (const auto type = json.find("type"); type != json.end())
       if (const ContainerType* const known = find_type(*type, at + "/type")) shape = known->shape();
     if (const auto size = json.find("size"); size != json.end())
-      if (const auto vector = read_vector(*size, at + "/size", unit_, 1e-3 / unit_)) shape.size = *vector;
+      if (const auto vector = read_vector(*size, at + "/size", unit_of_load_, 1e-3 / unit_of_load_))
+        shape.size = *vector;
     if (const auto sides = json.find("open_sides"); sides != json.end()) {
       shape.open_sides.clear();
       for (const Json& side : *sides) {
@@ -183,14 +184,15 @@ class OwnReader {
         if (!can_be_open(side) || side == "roof")
           wrong(at + "/drop_sides", "no wall", shown(side), "front, rear, left or right");
         else if (const auto number = read_number(height, at + "/drop_sides/" + side, 1e-3))
-          shape.drop_sides.push_back({side, in_metres(*number, unit_)});
+          shape.drop_sides.push_back({side, in_metres(*number, unit_of_load_)});
       }
     }
     for (const DropSide& drop : shape.drop_sides)
       if (std::find(shape.open_sides.begin(), shape.open_sides.end(), drop.side) != shape.open_sides.end())
         wrong(at + "/drop_sides", "a side that is open as well", drop.side, "each side in one of the two");
     if (const auto bed = json.find("bed_height"); bed != json.end())
-      if (const auto number = read_number(*bed, at + "/bed_height", 0.0)) shape.bed_height = in_metres(*number, unit_);
+      if (const auto number = read_number(*bed, at + "/bed_height", 0.0))
+        shape.bed_height = in_metres(*number, unit_of_load_);
     return shape;
   }
 
