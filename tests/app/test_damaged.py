@@ -46,7 +46,8 @@ VALUES = {
 CURE = "remove this part and all later ones; --resume then simulates their worlds again"
 
 # Datasets of a part that nothing but the results file needs.
-NEEDED_AT_THE_END = ("/inputs/layouts/box_begin", "/inputs/layouts/box_count", "/inputs/layouts/header")
+NEEDED_AT_THE_END = tuple(f"/inputs/layouts/{name}" for name in (
+    "box_begin", "box_count", "header", "container_type", "container_size", "open_sides", "drop_sides", "bed_height"))
 
 
 class Damaged(CliTest):

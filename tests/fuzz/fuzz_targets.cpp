@@ -59,7 +59,7 @@ void check_errors(const Result<T>& result, const std::vector<Error>& warnings) {
 void check_box(const Box& box) {
   require(box.corner_min.allFinite() && box.corner_max.allFinite(), "a corner is not finite");
   require((box.corner_max - box.corner_min).minCoeff() > kLayoutTolerance, "a box has no extent");
-  require(box.material >= 0 && box.line > 0, "a box has no material or line");
+  require(box.material.is_number() && box.material.id() >= 0 && box.line > 0, "a box has no material or line");
 }
 
 /// Where a mistake in a box is looked up after the line was read.

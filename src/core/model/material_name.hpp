@@ -1,8 +1,8 @@
 #pragma once
 
-#include <compare>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace holdfast::internal {
@@ -18,7 +18,11 @@ class MaterialName {
   int id() const { return id_; }  ///< -1 where it has a name
   std::string text() const { return is_number() ? std::to_string(id_) : name_; }
 
-  friend auto operator<=>(const MaterialName&, const MaterialName&) = default;
+  // Not <=>: emscripten's C++ library does not have that of texts.
+  friend bool operator==(const MaterialName&, const MaterialName&) = default;
+  friend bool operator<(const MaterialName& a, const MaterialName& b) {
+    return std::tie(a.id_, a.name_) < std::tie(b.id_, b.name_);
+  }
 
  private:
   int id_ = 0;

@@ -232,7 +232,7 @@ class OwnReader {
     });
     for (const char* const key : {"corner_min", "corner_max"})
       if (!json.contains(key)) wrong(at, std::string("has no ") + key, "", "two corners, each a list of three numbers");
-    box.material = MaterialName(1);
+    box.material = MaterialName(kUsualMaterial);
     with("name", [&](const Json& value, const std::string& where) {
       if (!value.is_string()) return wrong(where, "no text", type_text(value), "a text");
       box.name = kept_name(value.get_ref<const std::string&>());

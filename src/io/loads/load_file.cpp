@@ -206,9 +206,10 @@ Result<LoadsOfFile> read_along_axes(const TextFile& file, const Settings& settin
                                   : read_table_text(file, *choices, settings);
   if (!found) return found;
   for (ReadLoad& load : found->loads) {
-    if (load.errors.empty()) load.layout.sha256 = sha256_of(canonical_json(load.layout));
+    if (settings.container.overrides_loads) load.layout.container.reset();
     load.box_count = load.layout.boxes.size();
     check_load(load, file.path, settings);
+    load.layout.sha256 = sha256_of(canonical_json(load.layout));
     if (!load.errors.empty()) load.layout.boxes.clear();
   }
   return found;

@@ -9,6 +9,9 @@
 
 namespace holdfast::internal {
 
+/// Material of boxes of which nothing is said.
+inline constexpr int kUsualMaterial = 1;
+
 /// A load of a file, checked; or what is wrong with it, and its name alone.
 struct ReadLoad {
   Layout layout;

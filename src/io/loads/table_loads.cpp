@@ -165,6 +165,7 @@ class TableReader {
     Growing::RawBox raw;
     raw.box.line = rows_.line();
     raw.box.name = kept_name(text(plan_.name));
+    raw.box.material = MaterialName(kUsualMaterial);
     if (!read_corners(growing, raw)) return;
     read_properties(growing, raw);
     growing.boxes.push_back(std::move(raw));

@@ -181,6 +181,7 @@ void append_layout(ColumnSet& columns, const Layout& layout, std::uint64_t box_b
     columns["/inputs/layouts/material_name"].append(box.material.is_number() ? std::string() : box.material.text());
     columns["/inputs/layouts/box_name"].append(box.name);
     columns["/inputs/layouts/mass"].append(box.mass.value_or(kNone));
+    columns["/inputs/layouts/centre_of_mass"].append(box.centre_of_mass.value_or(Vec3(Vec3::Constant(kNone))));
     columns["/inputs/layouts/mat"].append(box.mat.value_or(kNone));
     columns["/inputs/layouts/fixed"].append(box.fixed);
     columns["/inputs/layouts/order"].append(box.order ? static_cast<double>(*box.order) : kNone);

@@ -52,9 +52,9 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
     const std::string_view path = schema()[i].path;
     CAPTURE(path);
     const std::string_view last = path.substr(path.rfind('/') + 1);
-    constexpr std::array<std::string_view, 10> kOfBoxes = {"corner_min", "corner_max",   "material", "material_name",
-                                                           "box_name",   "mass",         "mat",      "fixed",
-                                                           "order",      "bearing_limit"};
+    constexpr std::array<std::string_view, 11> kOfBoxes = {
+        "corner_min", "corner_max", "material", "material_name", "box_name",      "mass",
+        "mat",        "fixed",      "order",    "bearing_limit", "centre_of_mass"};
     const bool of_layout_boxes =
         (path.starts_with("/inputs/layouts/") && std::find(kOfBoxes.begin(), kOfBoxes.end(), last) != kOfBoxes.end()) ||
         path == "/indicators/base_support" || path == "/indicators/supported_sides";
