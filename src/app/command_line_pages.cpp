@@ -11,9 +11,9 @@
 #include "core/model/container_catalogue.hpp"
 #include "core/model/length_unit.hpp"
 #include "core/model/norms.hpp"
-#include "io/loads/known_formats.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/wrapped_text.hpp"
+#include "io/loads/known_formats.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
 namespace holdfast::internal {

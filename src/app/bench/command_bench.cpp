@@ -14,8 +14,8 @@
 #include "app/stop_signal.hpp"
 #include "io/export/text_output.hpp"
 #include "io/input/input_paths.hpp"
-#include "io/loads/load_file.hpp"
 #include "io/input/text_file.hpp"
+#include "io/loads/load_file.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
 namespace holdfast::internal {

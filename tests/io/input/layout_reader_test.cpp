@@ -55,9 +55,10 @@ TEST_CASE("layout_reader: white space, comments and forms of numbers are accepte
 }
 
 TEST_CASE("layout_reader: further columns, which nothing names, are one error", "[io][layout_reader]") {
-  CHECK(messages_of(parse("1\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1 x y\n20 0 0 29 9 9 1 4\n")) ==
-        Messages{"a.txt:3:17: more than seven columns, and nothing says what they mean: x; name all columns in the first "
-                 "line, such as: x1 y1 z1 x2 y2 z2 material weight"});
+  CHECK(
+      messages_of(parse("1\n0 0 0 9 9 9 1\n10 0 0 19 9 9 1 x y\n20 0 0 29 9 9 1 4\n")) ==
+      Messages{"a.txt:3:17: more than seven columns, and nothing says what they mean: x; name all columns in the first "
+               "line, such as: x1 y1 z1 x2 y2 z2 material weight"});
 }
 
 TEST_CASE("layout_reader: other units and axes are those of the settings", "[io][layout_reader]") {
