@@ -4,15 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include "api/apply_settings.hpp"
+#include "api/convert.hpp"
 #include "api/guarded.hpp"
 #include "core/model/container_catalogue.hpp"
-#include "core/model/setting_table.hpp"
 #include "holdfast/holdfast.hpp"
 #include "io/input/config_reader.hpp"
 #include "io/input/text_file.hpp"
+#include "io/loads/load_choices.hpp"
 #include "io/loads/load_file.hpp"
-#include "io/loads/table_loads.hpp"
 
 // Loads of files, and the containers that they may name.
 namespace holdfast {
@@ -25,30 +24,10 @@ namespace {
 internal::Settings settings_of(const LoadFileOptions& options) {
   std::vector<internal::Error> ignored;
   const internal::TextFile text{.path = "config", .name = "config", .text = options.config};
-  internal::Config config = value_or_throw(internal::parse_config(text, ignored));
-  internal::Settings settings = std::move(config.settings);
-  const auto set = [&](const char* section, const char* key, const std::optional<std::string>& value) {
-    const internal::SettingKey& setting = *internal::find_setting(section, key);
-    if (value && !setting.set(settings, "", *value))
-      throw internal::exception_of({{.what = std::string("not a value of [") + section + "] " + key,
-                                     .value = internal::printable(*value),
-                                     .accepted = "accepted are " + std::string(setting.accepted)}});
-  };
-  set("Container", "Type", options.container);
-  if (options.container) {
-    settings.container.overrides_loads = true;
-    // Sides that the configuration gives come before those of the catalogue; the option comes before its size.
-    internal::apply_container_type(settings, [&](std::string_view section, std::string_view key) {
-      const bool is_size = key == "Length" || key == "Width" || key == "Height";
-      return !is_size && config.given.contains({std::string(section), std::string(key)});
-    });
-  }
-  set("Loads", "Unit", options.unit);
-  set("Loads", "Axes", options.axes);
-  if (options.axes) settings.up_axis = internal::UpAxis::z;
-  set("Loads", "Format", options.format);
-  set("Loads", "Columns", options.columns);
-  value_or_throw(internal::TableChoices::of(settings));
+  const internal::Config config = value_or_throw(internal::parse_config(text, ignored));
+  internal::Settings settings = config.settings;
+  const internal::LoadChoices choices{options.container, options.unit, options.axes, options.format, options.columns};
+  if (const auto wrong = choices.apply_to(settings, config)) throw internal::exception_of({*wrong});
   return settings;
 }
 

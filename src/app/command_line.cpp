@@ -69,7 +69,7 @@ void add_norm_option(CLI::App& command, auto& options) {
 }
 
 /// Adds how files of loads are read.
-void add_load_options(CLI::App& command, LoadOptions& options) {
+void add_load_options(CLI::App& command, LoadChoices& options) {
   command
       .add_option("--container", options.container,
                   "Container of all loads, also of those that say another; `holdfast containers` lists them; stands in "

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
-#include "app/load_options.hpp"
 #include "app/reading_guard.hpp"
 #include "app/run_options.hpp"
+#include "io/loads/load_choices.hpp"
 
 /// What each command takes from the command line, and what does it; one source file per command.
 namespace holdfast::internal {
@@ -90,7 +90,7 @@ ExitCode run_view_command(const ViewOptions& options);
 struct CheckOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> paths;
-  LoadOptions loads;
+  LoadChoices loads;
   bool bearing = false;  ///< list what rests on each box
 };
 ExitCode run_check_command(const CheckOptions& options);
@@ -136,7 +136,7 @@ struct ConvertOptions {
   std::optional<std::string> config_path;
   std::vector<std::string> layouts;
   std::string output_path;
-  LoadOptions loads;
+  LoadChoices loads;
   bool overwrite = false;
 };
 ExitCode run_convert_command(const ConvertOptions& options);

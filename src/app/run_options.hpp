@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "app/load_options.hpp"
 #include "app/screening.hpp"
 #include "core/base/result.hpp"
+#include "io/loads/load_choices.hpp"
 
 namespace holdfast::internal {
 
 /// Options that `screen` and `run` share; what is given stands in for the key of the same name.
 struct RunOptions {
-  LoadOptions loads;
+  LoadChoices loads;
   std::optional<std::string> norm;
   std::optional<std::string> engine;
   std::optional<std::string> accuracy;

@@ -1,4 +1,4 @@
-#include "app/load_options.hpp"
+#include "io/loads/load_choices.hpp"
 
 #include <utility>
 #include <vector>
@@ -14,12 +14,14 @@ std::optional<Error> set(Settings& settings, const char* section, const char* na
                          const std::optional<std::string>& value) {
   const SettingKey& key = *find_setting(section, name);
   if (!value || key.set(settings, "", *value)) return std::nullopt;
-  return Error{.what = "a wrong value", .value = *value, .accepted = std::string(key.accepted)};
+  return Error{.what = std::string("a wrong value of [") + section + "] " + name,
+               .value = *value,
+               .accepted = std::string(key.accepted)};
 }
 
 }  // namespace
 
-std::optional<Error> LoadOptions::apply_to(Settings& settings, const Config& config) const {
+std::optional<Error> LoadChoices::apply_to(Settings& settings, const Config& config) const {
   if (auto wrong = set(settings, "Container", "Type", container)) return wrong;
   if (container) {
     settings.container.overrides_loads = true;

@@ -8,8 +8,9 @@
 
 namespace holdfast::internal {
 
-/// Options of all commands that read loads; what is given stands in for the key of the same name.
-struct LoadOptions {
+/// How files of loads are to be read, by options beside the configuration; what is given stands in for the key of the
+/// same name.
+struct LoadChoices {
   std::optional<std::string> container;  ///< also before what a load says of its own
   std::optional<std::string> unit;
   std::optional<std::string> axes;
