@@ -89,21 +89,22 @@ class DumpingEngine final : public Engine {
   std::unique_ptr<Simulation> build(const WorldBatch& batch) const override {
     const NativeOptions options = native_options(settings_);
     auto memory = std::make_unique<WorldMemory>(options, std::make_unique<DumpingSolver>(folder_, every_));
-    return std::make_unique<OneWorld>(NativeWorld(batch, batch.worlds.front(), settings_, options, std::move(memory)));
+    return std::make_unique<OneWorld>(
+        std::make_unique<NativeWorld>(batch, batch.worlds.front(), settings_, options, std::move(memory)));
   }
 
  private:
   class OneWorld final : public SteppedSimulation {
    public:
-    explicit OneWorld(NativeWorld world) : world_(std::move(world)) {}
-    void read_back(std::size_t /*world*/, StateColumns& state) const override { world_.read_back(state); }
-    Counters counters(std::size_t /*world*/) const override { return world_.counters(); }
-    Status status(std::size_t /*world*/) const override { return world_.status(); }
+    explicit OneWorld(std::unique_ptr<NativeWorld> world) : world_(std::move(world)) {}
+    void read_back(std::size_t /*world*/, StateColumns& state) const override { world_->read_back(state); }
+    Counters counters(std::size_t /*world*/) const override { return world_->counters(); }
+    Status status(std::size_t /*world*/) const override { return world_->status(); }
 
    private:
-    double step(std::size_t /*world*/, const Phase& phase) override { return world_.advance(phase); }
+    double step(std::size_t /*world*/, const Phase& phase) override { return world_->advance(phase); }
 
-    NativeWorld world_;
+    std::unique_ptr<NativeWorld> world_;
   };
 
   Settings settings_;

@@ -22,7 +22,7 @@ ELSEWHERE = {
     "src/core/model/container_sides.hpp": ["kLeastPlay"],
     "src/core/model/samples.cpp": ["kShortestSample"],
     "src/core/native/sampled_step.cpp": ["kSampledShare", "kSampledShift"],
-    "src/core/native/island_rest.cpp": ["kWallCost", "kWallGap"],
+    "src/core/native/island/rest_proof.cpp": ["kWallCost", "kWallGap"],
 }
 
 # `inline constexpr double kTouch = 1e-7;  // m`, or the field of a struct

@@ -13,6 +13,15 @@ Mat3 Bodies::inertia(std::size_t body) const {
   return inertia_in_container(shape[body].axes, principal_inertia[body]);
 }
 
+std::vector<std::uint8_t> Bodies::marked(Activity what) const {
+  std::vector<std::uint8_t> marks(activity.size());
+  std::transform(activity.begin(), activity.end(), marks.begin(),
+                 [&](Activity does) -> std::uint8_t { return does == what ? 1 : 0; });
+  return marks;
+}
+
+bool Bodies::any(Activity what) const { return std::find(activity.begin(), activity.end(), what) != activity.end(); }
+
 void Bodies::update_shape(std::size_t body) {
   OrientedBox& box = shape[body];
   const Rotation& turned = state.orientation[body];
@@ -47,8 +56,7 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
     const std::uint32_t box = bodies.world_box[i];
     bodies.shape[i].half_extents = boxes.half_extents[box];
     bodies.surface.push_back(boxes.surface[box]);
-    bodies.fixed.push_back(std::isinf(bodies.mass[i]) ? 1 : 0);
-    bodies.asleep.push_back(0);
+    bodies.activity.push_back(std::isinf(bodies.mass[i]) ? Activity::fixed : Activity::moving);
     bodies.radius.push_back((boxes.half_extents[box] + bodies.centre_of_mass[i].cwiseAbs()).norm());
     bodies.update_shape(i);
   }

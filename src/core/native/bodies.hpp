@@ -10,6 +10,15 @@
 
 namespace holdfast::internal::native {
 
+/// What a body does in a step.
+enum class Activity : std::uint8_t {
+  fixed,    ///< is fixed to the container
+  asleep,   ///< stays where it is as if it were fixed, see `SleepingBodies`
+  resting,  ///< is proved to rest under the present g − a
+  moving,   ///< is stepped
+  ahead,    ///< has taken the whole step, of which others take halves
+};
+
 /// The boxes of one world: one column per quantity, one entry per box, in the container's frame. They are in the order
 /// of their first positions, so that results do not depend on the order in which a layout lists them.
 struct Bodies {
@@ -19,15 +28,18 @@ struct Bodies {
   std::vector<Vec3> centre_of_mass;      ///< from the centroid, body axes, m
   std::vector<double> radius;            ///< from the centre of mass to the farthest corner, m
   std::vector<Surface> surface;
-  std::vector<std::uint8_t> fixed;   ///< 1: fixed to the container
-  std::vector<std::uint8_t> asleep;  ///< 1: stays where it is in this step, see `SleepingBodies`
-  std::vector<BoxForce> pushed;      ///< from outside
+  std::vector<Activity> activity;
+  std::vector<BoxForce> pushed;  ///< from outside
   StateColumns state;
   std::vector<OrientedBox> shape;          ///< the box at `state`
   std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²
   std::vector<Vec3> angular_acceleration;  ///< likewise, rad/s²
 
   std::size_t count() const { return mass.size(); }
+
+  /// Whether a body does this, by body: 1 or 0.
+  std::vector<std::uint8_t> marked(Activity what) const;
+  bool any(Activity what) const;
 
   /// Torque of the force from outside about the centre of mass, container frame, N m.
   Vec3 torque(std::size_t body) const { return Vec3(shape[body].axes * pushed[body].at).cross(pushed[body].force); }

@@ -14,15 +14,9 @@ bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& t
   });
 }
 
-const Side* floor_of(const Scene& scene) {
-  const auto floor = std::find_if(scene.sides.begin(), scene.sides.end(),
-                                  [](const Side& side) { return side.surface.kind == SurfaceKind::floor; });
-  return floor == scene.sides.end() ? nullptr : &*floor;
-}
-
 std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end) {
   if (end < 0) return scene.sides[side_of(manifold)].index;
-  if (scene.bodies.fixed[at(end)] != 0) return kFixedBoxes;
+  if (is_fixed(scene.bodies, end)) return kFixedBoxes;
   const Side* const floor = floor_of(scene);
   return floor == nullptr ? std::nullopt : std::optional(floor->index);
 }

@@ -62,11 +62,13 @@ inline double normal_velocity(const Bodies& bodies, const Manifold& manifold, co
   return manifold.contact.normal.dot(relative_velocity(bodies, manifold, point));
 }
 
-inline bool is_fixed(const Bodies& bodies, std::int32_t body) { return body < 0 || bodies.fixed[at(body)] != 0; }
+inline bool is_fixed(const Bodies& bodies, std::int32_t body) {
+  return body < 0 || bodies.activity[at(body)] == Activity::fixed;
+}
 
 /// Whether the body does not move in this step: it is fixed, or asleep.
 inline bool stays(const Bodies& bodies, std::int32_t body) {
-  return is_fixed(bodies, body) || bodies.asleep[at(body)] != 0;
+  return is_fixed(bodies, body) || bodies.activity[at(body)] == Activity::asleep;
 }
 
 /// What counts as pushed, in `kPushedNames`, where a body presses an end of a manifold that stays: a side, the fixed

@@ -17,6 +17,12 @@ inline Rotation rotation_by(const Vec3& vector) {
   return {scale, scale * imaginary.x(), scale * imaginary.y(), scale * imaginary.z()};
 }
 
+/// Turns an orientation by a rotation vector, rad.
+inline void rotate(Rotation& orientation, const Vec3& turn) {
+  if (turn == Vec3::Zero()) return;
+  orientation = (rotation_by(turn) * orientation).normalized();
+}
+
 /// Moments of inertia in the container's frame, kg m².
 /// @param principal along the body's axes
 inline Mat3 inertia_in_container(const Mat3& axes, const Vec3& principal) {

@@ -8,17 +8,10 @@
 #include "core/native/bodies.hpp"
 #include "core/native/collision/manifold.hpp"
 #include "core/native/known_balances.hpp"
+#include "core/native/side_forces.hpp"
 #include "core/native/sinking.hpp"
 
 namespace holdfast::internal::native {
-
-/// An impulse of a body on a side of the container.
-struct SidePush {
-  std::uint32_t body = 0;
-  std::size_t side = 0;  ///< in `kPushedNames`
-  Vec3 impulse;          ///< on the side, N s; of a body at rest, in a second
-  Vec3 point;            ///< m
-};
 
 /// Everything that islands of a world share.
 struct Scene {
@@ -29,10 +22,11 @@ struct Scene {
   std::vector<std::pair<std::uint32_t, Manifold>> undo;
   Sinking sinking;  ///< since contacts were found, at the end of the last step
   KnownBalances balances;
-  bool notes_pushes = false;             ///< wall forces are asked for
-  std::vector<SidePush> pushes;          ///< of the step that is being taken, in its parts and impacts
-  std::vector<SidePush> resting_pushes;  ///< of bodies at rest
+  SideForces side_forces;
 };
+
+/// The boxes of a world at the state of the batch, and the sides of its container. Has no contacts.
+Scene scene_of(const WorldBatch& batch, const World& world, const Settings& settings);
 
 /// The floor of the container; null where it has none.
 const Side* floor_of(const Scene& scene);
@@ -54,6 +48,11 @@ struct StepTerms {
   bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
   bool refuted = false;                   ///< of an island: its proof of rest has failed in this step
   double fall_margin = 0.0;               ///< what the strongest g − a of the world moves a body by in a step, m
+
+  void set_step(double length) {
+    step = length;
+    velocity_unit = effective_gravity.norm() * length;
+  }
 };
 
 }  // namespace holdfast::internal::native

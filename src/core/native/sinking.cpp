@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/native/constants.hpp"
+#include "core/native/contact_kinematics.hpp"
 
 namespace holdfast::internal::native {
 
@@ -54,7 +54,7 @@ void Sinking::find_supports(const Bodies& bodies, const std::vector<Manifold>& m
   std::vector<ContactSet>& contacts = contacts_[static_cast<std::size_t>(k)];
   contacts.clear();
   const auto add = [&](bool up, std::int32_t body, std::int32_t lower) {
-    if (body < 0 || bodies.fixed[static_cast<std::size_t>(body)] != 0) return;
+    if (is_fixed(bodies, body)) return;
     supports[up ? 1 : 0].push_back({body, lower, contacts.size() - 1});
   };
   for (const Manifold& manifold : manifolds) {
@@ -74,7 +74,7 @@ void Sinking::find_supports(const Bodies& bodies, const std::vector<Manifold>& m
 /// Goes down from contact to contact, each below `height` along the direction. None where this ends at nothing fixed.
 std::optional<double> Sinking::sunk(const Bodies& bodies, int k, bool up, std::int32_t body, const Vec3& point,
                                     double height) const {
-  if (body < 0 || bodies.fixed[static_cast<std::size_t>(body)] != 0) return 0.0;
+  if (is_fixed(bodies, body)) return 0.0;
   const std::vector<Support>& supports = supports_[static_cast<std::size_t>(k)][up ? 1 : 0];
   const auto before = [](const Support& support, std::int32_t of) { return support.body < of; };
   const Support* nearest = nullptr;

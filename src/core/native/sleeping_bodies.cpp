@@ -9,10 +9,8 @@ namespace holdfast::internal::native {
 
 namespace {
 
-bool is_asleep(const Bodies& bodies, std::int32_t body) { return body >= 0 && bodies.asleep[at(body)] != 0; }
-
-bool any_asleep(const Bodies& bodies) {
-  return std::any_of(bodies.asleep.begin(), bodies.asleep.end(), [](std::uint8_t asleep) { return asleep != 0; });
+bool is_asleep(const Bodies& bodies, std::int32_t body) {
+  return body >= 0 && bodies.activity[at(body)] == Activity::asleep;
 }
 
 }  // namespace
@@ -33,33 +31,34 @@ void SleepingBodies::forget(const std::vector<std::uint8_t>& bodies) {
 }
 
 void SleepingBodies::wake(Scene& scene) {
-  slept_ = scene.bodies.asleep;
-  std::fill(scene.bodies.asleep.begin(), scene.bodies.asleep.end(), std::uint8_t{0});
+  slept_ = scene.bodies.marked(Activity::asleep);
+  std::vector<Activity>& activity = scene.bodies.activity;
+  std::replace(activity.begin(), activity.end(), Activity::asleep, Activity::moving);
 }
 
-bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connectivity& islands,
-                            std::vector<std::uint8_t>& moving) {
+bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connectivity& islands) {
   if (++steps_ % kWakeEvery == 0) return false;
   Bodies& bodies = scene.bodies;
   for (std::size_t i = 0; i < islands.size(); ++i) {
     const IslandView island = islands[i];
-    if (island.bodies.size() <= kSmallIslandBodies || moving[island.bodies.front()] == 0) continue;
+    if (island.bodies.size() <= kSmallIslandBodies) continue;
+    if (bodies.activity[island.bodies.front()] != Activity::moving) continue;
     // What begins to move may be as slow as rounding, and asleep it would be held: a proof decides whether all rest.
     if (may_rest(bodies, island, terms)) continue;
-    for (const std::uint32_t body : island.bodies) bodies.asleep[body] = slow_steps_[body] >= kSlowSteps ? 1 : 0;
+    for (const std::uint32_t body : island.bodies)
+      if (slow_steps_[body] >= kSlowSteps) bodies.activity[body] = Activity::asleep;
   }
-  if (!any_asleep(bodies)) return false;
+  if (!bodies.any(Activity::asleep)) return false;
   wake_hit(scene, terms);
   find_contacts(scene);
   wake_unsupported(scene, terms);
-  if (!any_asleep(bodies)) return false;
+  if (!bodies.any(Activity::asleep)) return false;
   sum_forces(bodies, [](const Contact&) { return true; });
   stopped_.assign(bodies.count(), Vec3::Zero());
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (bodies.asleep[i] == 0) continue;
+    if (bodies.activity[i] != Activity::asleep) continue;
     stopped_[i] = bodies.state.velocity[i];
     if (slept_[i] == 0) load_[i] = load_now_[i];
-    moving[i] = 0;
     bodies.state.velocity[i] = bodies.state.angular_velocity[i] = Vec3::Zero();
     bodies.acceleration[i] = bodies.angular_acceleration[i] = Vec3::Zero();
   }
@@ -117,8 +116,8 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
     }
   }
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (hit_[i] == 0 || bodies.asleep[i] == 0) continue;
-    bodies.asleep[i] = 0;
+    if (hit_[i] == 0 || bodies.activity[i] != Activity::asleep) continue;
+    bodies.activity[i] = Activity::moving;
     slow_steps_[i] = 0;
   }
 }
@@ -136,18 +135,20 @@ void SleepingBodies::wake_unsupported(Scene& scene, const StepTerms& terms) {
     any_woke = false;
     sum_forces(bodies, of_what_stays);
     for (std::size_t i = 0; i < bodies.count(); ++i) {
-      if (bodies.asleep[i] == 0 || -load_now_[i].dot(terms.effective_gravity) >= bodies.mass[i] * least) continue;
-      bodies.asleep[i] = 0;
+      if (bodies.activity[i] != Activity::asleep ||
+          -load_now_[i].dot(terms.effective_gravity) >= bodies.mass[i] * least)
+        continue;
+      bodies.activity[i] = Activity::moving;
       any_woke = true;  // it carries others, which have to be looked at again
     }
   }
 }
 
-void SleepingBodies::note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving) {
+void SleepingBodies::note(const Scene& scene, const StepTerms& terms) {
   const Bodies& bodies = scene.bodies;
-  if (any_asleep(bodies)) wake_overloaded(scene, terms);
+  if (bodies.any(Activity::asleep)) wake_overloaded(scene, terms);
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (moving[i] == 0) continue;
+    if (bodies.activity[i] != Activity::moving) continue;
     const double speed = bodies.largest_speed(i);
     if (speed > kSlowSpeed * terms.velocity_unit)
       slow_steps_[i] = 0;
@@ -170,7 +171,7 @@ void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms)
     mass_[to] += bodies.mass[of];
   };
   for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (bodies.asleep[i] != 0) add(i, i);
+    if (bodies.activity[i] == Activity::asleep) add(i, i);
   for (const Contact& contact : contacts_) {
     if (!is_asleep(bodies, contact.a) || !is_asleep(bodies, contact.b)) continue;
     add(at(contact.a), at(contact.b));
@@ -178,7 +179,7 @@ void SleepingBodies::wake_overloaded(const Scene& scene, const StepTerms& terms)
   }
   const double most = kSleepingLoadChange * terms.effective_gravity.norm();
   for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (bodies.asleep[i] != 0 && change_[i].norm() > most * mass_[i]) slow_steps_[i] = 0;
+    if (bodies.activity[i] == Activity::asleep && change_[i].norm() > most * mass_[i]) slow_steps_[i] = 0;
 }
 
 }  // namespace holdfast::internal::native

@@ -31,16 +31,16 @@ class SleepingBodies {
   /// Wakes all bodies: the islands of the scene are the real ones.
   void wake(Scene& scene);
 
-  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity, and no longer
-  /// count as moving. True where there are any; the islands must then be found anew.
+  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity. True where
+  /// there are any; the islands must then be found anew.
   /// @param islands the real ones
-  bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands, std::vector<std::uint8_t>& moving);
+  bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands);
 
   /// Velocities that the bodies lost that the last `choose` put to sleep, m/s.
   const std::vector<Vec3>& stopped() const { return stopped_; }
 
   /// After the step: counts how long bodies have been slow.
-  void note(const Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& moving);
+  void note(const Scene& scene, const StepTerms& terms);
 
  private:
   void find_contacts(const Scene& scene);

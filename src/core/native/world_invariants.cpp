@@ -35,7 +35,8 @@ class Inspection {
     expect(state.position[i].allFinite() && state.velocity[i].allFinite() && state.angular_velocity[i].allFinite(),
            "the state of a body is finite", i);
     expect(is_unit(state.orientation[i].norm()), "the orientation of a body is a rotation", i);
-    if (world_.resting[i] != 0 || world_.scene.bodies.asleep[i] != 0)
+    const Activity activity = world_.scene.bodies.activity[i];
+    if (activity == Activity::resting || activity == Activity::asleep)
       expect(state.velocity[i] == Vec3::Zero() && state.angular_velocity[i] == Vec3::Zero(),
              "a body at rest or asleep has no velocity", i);
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +13,7 @@ namespace holdfast::internal::native {
 struct WorldView {
   const Scene& scene;
   const PairTable& pairs;
-  const Connectivity& islands;            ///< of the last step
-  std::span<const std::uint8_t> resting;  ///< a body: proved to rest
+  const Connectivity& islands;  ///< of the last step
 };
 
 /// Whether the state of every body is finite.

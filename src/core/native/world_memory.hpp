@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/native/island_stepper.hpp"
+#include "core/native/island/island_stepper.hpp"
 #include "core/native/scene.hpp"
 
 namespace holdfast::internal::native {

@@ -11,11 +11,11 @@ using namespace holdfast::internal::native;
 
 namespace {
 
-Bodies bodies_with(std::vector<std::uint8_t> fixed) {
+Bodies bodies_with(const std::vector<std::uint8_t>& fixed) {
   Bodies bodies;
   bodies.mass.assign(fixed.size(), 1.0);
-  bodies.asleep.assign(fixed.size(), 0);
-  bodies.fixed = std::move(fixed);
+  for (const std::uint8_t is_fixed : fixed)
+    bodies.activity.push_back(is_fixed != 0 ? Activity::fixed : Activity::moving);
   return bodies;
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("connectivity: active contacts join bodies, others do not", "[core][co
 TEST_CASE("connectivity: what sleeps joins nothing and belongs to no island", "[core][connectivity]") {
   Connectivity islands;
   Bodies bodies = bodies_with({0, 0, 0});
-  bodies.asleep[1] = 1;
+  bodies.activity[1] = Activity::asleep;
   islands.find(bodies, {pair(0, 1), pair(1, 2)});
   REQUIRE(islands.size() == 2);
   CHECK(list(islands[0].bodies) == Indices{0});

@@ -34,8 +34,8 @@ Settings on_the_floor(double slippery, Accuracy accuracy = Accuracy::screening) 
 }
 
 std::ptrdiff_t asleep(const OneWorld& scene) {
-  const std::vector<std::uint8_t>& asleep = scene.world.view().scene.bodies.asleep;
-  return std::count(asleep.begin(), asleep.end(), 1);
+  const std::vector<Activity>& activity = scene.world.view().scene.bodies.activity;
+  return std::count(activity.begin(), activity.end(), Activity::asleep);
 }
 
 /// Most bodies that sleep in any step.

@@ -76,6 +76,12 @@ inline bool has_end_in(const Manifold& manifold, const std::vector<std::uint8_t>
          (!manifold.with_side() && marked[static_cast<std::size_t>(manifold.a)] != 0);
 }
 
+/// Whether a body of the manifold does this.
+inline bool has_end_in(const Manifold& manifold, const Bodies& bodies, Activity what) {
+  return bodies.activity[static_cast<std::size_t>(manifold.b)] == what ||
+         (!manifold.with_side() && bodies.activity[static_cast<std::size_t>(manifold.a)] == what);
+}
+
 /// The normal and two tangents that depend on it alone.
 std::array<Vec3, 3> directions_of(const Vec3& normal);
 

@@ -24,7 +24,7 @@ struct Sweep {
   std::vector<ConstraintVector> u = std::vector<ConstraintVector>(kConstraints), g = u, r = u;
   std::vector<LaneWrench> wrench = std::vector<LaneWrench>(kBodies + 1);
 
-  Sweep(Contacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
+  Sweep(RandomContacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
     primal_residual = relax(contacts.constraints, contacts.velocity, relaxation, u, g, r);
     project(Projection::coulomb, contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u,
             {}, wrench);
@@ -38,7 +38,7 @@ struct PlainSweep {
   PrimalResidual primal_residual;
   std::vector<Wrench> wrench = std::vector<Wrench>(kBodies + 1, Wrench::Zero());
 
-  explicit PlainSweep(Contacts& contacts, bool with_mid_arms) {
+  explicit PlainSweep(RandomContacts& contacts, bool with_mid_arms) {
     for (std::size_t p = 0; p < kConstraints; ++p) {
       const ContactConstraint& constraint = contacts.constraints[p];
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane)
@@ -108,8 +108,8 @@ bool same_constraints(const std::vector<ContactConstraint>& a, const std::vector
 
 TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact_kernels]") {
   for (const bool with_mid_arms : {false, true}) {
-    Contacts contacts = random_contacts(11);
-    Contacts copy = contacts;
+    RandomContacts contacts = random_contacts(11);
+    RandomContacts copy = contacts;
     const Sweep swept(contacts, with_mid_arms);
     const PlainSweep plain(copy, with_mid_arms);
     double worst = 0.0;
@@ -136,8 +136,8 @@ TEST_CASE("contact_kernels: a sweep does what its formulas say", "[core][contact
 
 TEST_CASE("contact_kernels: relaxed and projected in one pass, the bits are those of two", "[core][contact_kernels]") {
   for (const bool with_mid_arms : {false, true}) {
-    Contacts contacts = random_contacts(14);
-    Contacts copy = contacts;
+    RandomContacts contacts = random_contacts(14);
+    RandomContacts copy = contacts;
     const Sweep swept(contacts, with_mid_arms);
     std::vector<LaneWrench> wrench(kBodies + 1);
     const PrimalResidual residual =
@@ -152,7 +152,7 @@ TEST_CASE("contact_kernels: relaxed and projected in one pass, the bits are thos
 
 TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused lanes at nothing",
           "[core][contact_kernels]") {
-  Contacts contacts = random_contacts(12);
+  RandomContacts contacts = random_contacts(12);
   const Sweep swept(contacts, false);
   int sticking = 0, sliding = 0, open = 0;
   for (const ContactConstraint& constraint : contacts.constraints) {
@@ -184,7 +184,7 @@ TEST_CASE("contact_kernels: a sweep leaves every impulse in its cone, and unused
 }
 
 TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[core][contact_kernels]") {
-  Contacts contacts = random_contacts(13);
+  RandomContacts contacts = random_contacts(13);
   std::vector<LaneWrench> wrench(kBodies + 1);
   add_impulses(contacts.constraints, contacts.mid_arms, wrench);
   std::vector<Wrench> expected(kBodies + 1, Wrench::Zero());
@@ -210,7 +210,7 @@ TEST_CASE("contact_kernels: impulses add up to what they do to the bodies", "[co
 }
 
 TEST_CASE("contact_kernels: the power that impulses can take is what it is point by point", "[core][contact_kernels]") {
-  const Contacts contacts = random_contacts(61);
+  const RandomContacts contacts = random_contacts(61);
   Random random(62);
   std::vector<NormalBounds> most(kConstraints);
   for (NormalBounds& bounds : most)
@@ -233,7 +233,7 @@ TEST_CASE("contact_kernels: the power that impulses can take is what it is point
 }
 
 TEST_CASE("contact_kernels: every instruction set computes the same bits", "[core][contact_kernels]") {
-  const Contacts contacts = random_contacts(31);
+  const RandomContacts contacts = random_contacts(31);
   struct Output {
     std::vector<ContactConstraint> constraints;
     std::vector<LaneWrench> swept, added = std::vector<LaneWrench>(kBodies + 1);
@@ -245,7 +245,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
   std::vector<Output> outputs;
   for_each_instruction_set([&](std::int64_t) {
     Output& out = outputs.emplace_back();
-    Contacts own = contacts;
+    RandomContacts own = contacts;
     for (int i = 0; i < 3; ++i) {
       const Sweep sweep(own, true);
       out.primal_residual = sweep.primal_residual;
@@ -286,7 +286,7 @@ TEST_CASE("contact_kernels: every instruction set computes the same bits", "[cor
 }
 
 TEST_CASE("contact_kernels: an iteration leads from x = y - R z to g = x + r", "[core][contact_kernels]") {
-  Contacts contacts = random_contacts(41);
+  RandomContacts contacts = random_contacts(41);
   const std::vector<ContactConstraint> before = contacts.constraints;
   const Sweep swept(contacts, false);
   double worst = 0.0;
@@ -307,7 +307,7 @@ TEST_CASE("contact_kernels: an iteration leads from x = y - R z to g = x + r", "
 
 TEST_CASE("contact_kernels: products and differences of impulses are what they are point by point",
           "[core][contact_kernels]") {
-  Contacts contacts = random_contacts(51);
+  RandomContacts contacts = random_contacts(51);
   const Sweep swept(contacts, false);
   std::vector<ConstraintVector> difference = swept.g, last = swept.u, step(kConstraints);
   subtract(std::vector{swept.r, swept.u}, std::array{0.3, -0.7}, difference);
@@ -351,7 +351,7 @@ TEST_CASE("contact_kernels: products and differences of impulses are what they a
 TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of Coulomb's cone",
           "[core][contact_kernels]") {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    Contacts contacts = random_contacts(seed);
+    RandomContacts contacts = random_contacts(seed);
     Random random(100 + seed);
     std::vector<ConstraintVector> x(kConstraints);
     const std::vector<ConstraintVector> u(kConstraints);

@@ -24,7 +24,7 @@ struct Places {
   std::vector<std::uint32_t> pair, block;
 };
 
-Places places_of(const Contacts& contacts) {
+Places places_of(const RandomContacts& contacts) {
   Places places;
   for (const ContactConstraint& constraint : contacts.constraints) {
     const auto [column, row] = std::minmax(constraint.a, constraint.b);
@@ -36,7 +36,7 @@ Places places_of(const Contacts& contacts) {
   return places;
 }
 
-Penalty penalty_of(const Contacts& contacts, bool with_mid_arms) {
+Penalty penalty_of(const RandomContacts& contacts, bool with_mid_arms) {
   Penalty out{std::vector<BodyBlock>(kBodies), std::vector<BodyBlock>(kBodies * kBodies)};
   const Places places = places_of(contacts);
   add_penalty(contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(),
@@ -44,7 +44,7 @@ Penalty penalty_of(const Contacts& contacts, bool with_mid_arms) {
   return out;
 }
 
-Penalty resistance_of(const Contacts& contacts, const std::vector<ConstraintMatrix>& resistance) {
+Penalty resistance_of(const RandomContacts& contacts, const std::vector<ConstraintMatrix>& resistance) {
   Penalty out{std::vector<BodyBlock>(kBodies), std::vector<BodyBlock>(kBodies * kBodies)};
   const Places places = places_of(contacts);
   add_resistance(contacts.constraints, resistance, {places.pair, places.block, out.diagonal, out.below});
@@ -60,7 +60,7 @@ Mat3 matrix_at(const ConstraintMatrix& matrix, std::size_t lane) {
 }
 
 /// A symmetric positive definite matrix of each point, of all orders of magnitude; 0 where there is none.
-std::vector<ConstraintMatrix> random_resistance(const Contacts& contacts, std::uint32_t seed) {
+std::vector<ConstraintMatrix> random_resistance(const RandomContacts& contacts, std::uint32_t seed) {
   Random random(seed);
   std::vector<ConstraintMatrix> resistance(kConstraints);
   for (std::size_t p = 0; p < kConstraints; ++p) {
@@ -78,7 +78,7 @@ std::vector<ConstraintMatrix> random_resistance(const Contacts& contacts, std::u
 }
 
 /// The matrices of the penalty, normal and twice tangential.
-std::vector<ConstraintMatrix> penalty_matrices(const Contacts& contacts) {
+std::vector<ConstraintMatrix> penalty_matrices(const RandomContacts& contacts) {
   std::vector<ConstraintMatrix> matrices(kConstraints);
   for (std::size_t p = 0; p < kConstraints; ++p)
     for (std::size_t i = 0; i < 3; ++i) matrices[p].entry[i][i] = contacts.constraints[p].penalty[i > 0];
@@ -88,7 +88,7 @@ std::vector<ConstraintMatrix> penalty_matrices(const Contacts& contacts) {
 constexpr Eigen::Index kRows = kBodyRows * (kBodies + 1);
 
 /// Σ J R Jᵀ over the points, J the wrenches of unit impulses along a constraint's directions.
-Eigen::MatrixXd sum_over_points(const Contacts& contacts, const std::vector<ConstraintMatrix>& matrices,
+Eigen::MatrixXd sum_over_points(const RandomContacts& contacts, const std::vector<ConstraintMatrix>& matrices,
                                 bool with_mid_arms) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(kRows, kRows);
   for (std::size_t p = 0; p < kConstraints; ++p) {
@@ -206,7 +206,7 @@ TEST_CASE("ldlt_kernels: what is factorised is solved", "[core][ldlt_kernels]") 
 TEST_CASE("ldlt_kernels: what contacts resist is the sum over their points of J R J transposed",
           "[core][ldlt_kernels]") {
   const bool with_mid_arms = GENERATE(false, true);
-  const Contacts contacts = random_contacts(61);
+  const RandomContacts contacts = random_contacts(61);
   const double error = difference(penalty_of(contacts, with_mid_arms),
                                   sum_over_points(contacts, penalty_matrices(contacts), with_mid_arms));
   CAPTURE(with_mid_arms, error);
@@ -214,7 +214,7 @@ TEST_CASE("ldlt_kernels: what contacts resist is the sum over their points of J 
 }
 
 TEST_CASE("ldlt_kernels: points that resist with a matrix each add up to J R J transposed", "[core][ldlt_kernels]") {
-  const Contacts contacts = random_contacts(62);
+  const RandomContacts contacts = random_contacts(62);
   const std::vector<ConstraintMatrix> resistance = random_resistance(contacts, 63);
   const double error = difference(resistance_of(contacts, resistance), sum_over_points(contacts, resistance, false));
   CAPTURE(error);
@@ -222,7 +222,7 @@ TEST_CASE("ldlt_kernels: points that resist with a matrix each add up to J R J t
 }
 
 TEST_CASE("ldlt_kernels: a penalty is a diagonal matrix of each point", "[core][ldlt_kernels]") {
-  const Contacts contacts = random_contacts(64);
+  const RandomContacts contacts = random_contacts(64);
   const Eigen::MatrixXd penalty = lower_matrix(penalty_of(contacts, false));
   const Eigen::MatrixXd resistance = lower_matrix(resistance_of(contacts, penalty_matrices(contacts)));
   const double error = (penalty - resistance).norm() / penalty.norm();
@@ -231,7 +231,7 @@ TEST_CASE("ldlt_kernels: a penalty is a diagonal matrix of each point", "[core][
 }
 
 TEST_CASE("ldlt_kernels: resistance is added to what is there, and pads stay zero", "[core][ldlt_kernels]") {
-  const Contacts contacts = random_contacts(65);
+  const RandomContacts contacts = random_contacts(65);
   const std::vector<ConstraintMatrix> resistance = random_resistance(contacts, 66);
   const Penalty once = resistance_of(contacts, resistance);
   Penalty twice = once;
@@ -245,7 +245,7 @@ TEST_CASE("ldlt_kernels: resistance is added to what is there, and pads stay zer
 }
 
 TEST_CASE("ldlt_kernels: every instruction set computes the same bits", "[core][ldlt_kernels]") {
-  const Contacts contacts = random_contacts(31);
+  const RandomContacts contacts = random_contacts(31);
   const std::vector<ConstraintMatrix> resistance = random_resistance(contacts, 33);
   const Chain chain = random_chain(32);
   struct Output {

@@ -12,7 +12,7 @@ inline constexpr std::size_t kBodies = 7;
 inline constexpr std::size_t kConstraints = 40;
 
 /// Patches between random bodies and what is fixed, some with unused lanes, some frictionless, with random impulses.
-struct Contacts {
+struct RandomContacts {
   std::vector<ContactConstraint> constraints = std::vector<ContactConstraint>(kConstraints);
   std::vector<Arms> mid_arms = std::vector<Arms>(kConstraints);
   std::vector<BodyVector> velocity = std::vector<BodyVector>(kBodies + 1);
@@ -22,9 +22,9 @@ inline Vec3 arm_of(const std::array<Lanes, 3>& arms, std::size_t lane) {
   return {arms[0][lane], arms[1][lane], arms[2][lane]};
 }
 
-inline Contacts random_contacts(std::uint32_t seed) {
+inline RandomContacts random_contacts(std::uint32_t seed) {
   Random random(seed);
-  Contacts contacts;
+  RandomContacts contacts;
   for (std::size_t i = 0; i < kBodies; ++i)
     for (int k = 0; k < kBodyRows; ++k) contacts.velocity[i].row[padded_row(k)] = random.between(-1, 1);
   for (std::size_t p = 0; p < kConstraints; ++p) {

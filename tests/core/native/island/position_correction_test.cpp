@@ -1,4 +1,4 @@
-#include "core/native/position_correction.hpp"
+#include "core/native/island/position_correction.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -31,7 +31,7 @@ struct Boxes {
     const Vec3 squares = 4.0 * box.half_extents.cwiseAbs2();
     bodies.mass.push_back(mass);
     bodies.principal_inertia.emplace_back(mass / 12.0 * (Vec3::Constant(squares.sum()) - squares));
-    bodies.fixed.push_back(fixed ? 1 : 0);
+    bodies.activity.push_back(fixed ? Activity::fixed : Activity::moving);
     bodies.shape.push_back(box);
     bodies.state.position.push_back(box.centre);
   }

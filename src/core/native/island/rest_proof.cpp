@@ -1,4 +1,4 @@
-// Whether the bodies of an island stay where they are: the proof of rest.
+#include "core/native/island/rest_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/native/contact_kinematics.hpp"
-#include "core/native/island_stepper.hpp"
 
 namespace holdfast::internal::native {
 
@@ -23,13 +22,13 @@ constexpr double kWallGap = 1e-5;  // of the force
 
 }  // namespace
 
-bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
-                          IslandReport& report) {
+bool RestProof::rests(Scene& scene, const IslandView& island, const StepTerms& terms, bool leans,
+                      IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
   Bodies& bodies = scene.bodies;
   const bool large = island.bodies.size() > kSmallIslandBodies;
   for (const std::uint32_t index : island.manifolds) scene.manifolds[index].slides = false;
-  prepared_.prepare_rest(scene, island, terms, *solver_);
+  prepared_.prepare_rest(scene, island, terms, solve_.solver());
   if (balances(terms)) return true;
   const KnownBalances::Island known = known_as(scene, island);
   if (!leans && (balances_between(scene, known, terms) || balances_beyond(scene, known, terms, report))) {
@@ -45,7 +44,7 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
   // Where the acceleration has not changed, the last step is as good a start for a large island as what follows.
   if (!rests && large && !terms.reset_warm_start) return false;
   if (!rests && !judged) {
-    SolveLimits limits = limits_after_reset();
+    SolveLimits limits = limits_after_reset(effort_);
     if (leans) {
       // How the bodies begin to move with the contacts of the round before.
       prepared_.start_from(island, [&](std::uint32_t body) {
@@ -76,21 +75,21 @@ bool IslandStepper::rests(Scene& scene, const IslandView& island, const StepTerm
 /// largest speed, m/s. Where they hardly move it is as exact as a proof of rest, since they may be just above the limit
 /// of balance.
 /// @param tolerance of the velocities where they do move, over |g − a| h; 0: likewise
-double IslandStepper::find_beginning_motion(SolveLimits limits, double tolerance, const StepTerms& terms,
-                                            IslandReport& report) {
+double RestProof::find_beginning_motion(SolveLimits limits, double tolerance, const StepTerms& terms,
+                                        IslandReport& report) {
   const double exact = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
   limits.tolerance = std::max(exact, tolerance);
-  solve(limits, terms, terms.step, report);
+  solve_.solve(limits, terms, terms.step, report);
   if (limits.tolerance > exact && largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit) {
     limits.tolerance = exact;
-    solve(limits, terms, terms.step, report);
+    solve_.solve(limits, terms, terms.step, report);
   }
   return largest_speed(prepared_.problem);
 }
 
 /// Lets a proof of rest use those contacts beside bodies that the beginning motion pushes, and no others; at walls no
 /// more than it pushes. False when it pushes none.
-bool IslandStepper::admit_pushed(const Scene& scene) {
+bool RestProof::admit_pushed(const Scene& scene) {
   ContactProblem& problem = prepared_.problem;
   bool any = false;
   for (std::size_t p = 0; p < problem.constraints.size(); ++p) {
@@ -108,12 +107,12 @@ bool IslandStepper::admit_pushed(const Scene& scene) {
 }
 
 /// Whether the impulses of the prepared problem balance each of its bodies.
-bool IslandStepper::balances(const StepTerms& terms) {
+bool RestProof::balances(const StepTerms& terms) {
   return equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance;
 }
 
 /// What the prepared island is known by.
-KnownBalances::Island IslandStepper::known_as(const Scene& scene, const IslandView& island) {
+KnownBalances::Island RestProof::known_as(const Scene& scene, const IslandView& island) {
   contacts_.clear();
   for (std::size_t p = 0; p < prepared_.sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[prepared_.sources[p].manifold];
@@ -123,7 +122,7 @@ KnownBalances::Island IslandStepper::known_as(const Scene& scene, const IslandVi
 }
 
 /// Whether impulses that balance the prepared island follow from those that have balanced it before.
-bool IslandStepper::balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms) {
+bool RestProof::balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms) {
   ContactProblem& problem = prepared_.problem;
   start_impulses_.clear();
   for (const ContactConstraint& constraint : problem.constraints) start_impulses_.push_back(constraint.impulse);
@@ -135,8 +134,8 @@ bool IslandStepper::balances_between(Scene& scene, const KnownBalances::Island& 
 }
 
 /// The same after a look for a balance under an acceleration beyond the present one.
-bool IslandStepper::balances_beyond(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms,
-                                    IslandReport& report) {
+bool RestProof::balances_beyond(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms,
+                                IslandReport& report) {
   if (!terms.reset_warm_start) return false;
   const std::optional<Vec3> gravity = scene.balances.beyond(island, terms.effective_gravity);
   if (!gravity) return false;
@@ -165,7 +164,7 @@ bool IslandStepper::balances_beyond(Scene& scene, const KnownBalances::Island& i
 
 /// Whether the prepared island rests, where its impulses balance it or its velocities are a motion that proves that no
 /// impulses do.
-std::optional<bool> IslandStepper::balance_of_prepared(const StepTerms& terms) {
+std::optional<bool> RestProof::balance_of_prepared(const StepTerms& terms) {
   if (balances(terms)) return true;
   double mass = 0.0;
   for (const ProblemBody& body : prepared_.problem.bodies) mass += body.mass;
@@ -177,7 +176,7 @@ std::optional<bool> IslandStepper::balance_of_prepared(const StepTerms& terms) {
 /// Looks for forces in the contacts' cones that balance the prepared island. The problem is convex: it ends with them,
 /// or with a motion that proves that there are none. The splitting is quick far from the limit of balance; near it, it
 /// leaves the answer open.
-std::optional<bool> IslandStepper::settle(const StepTerms& terms, IslandReport& report) {
+std::optional<bool> RestProof::settle(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
   limits.iterations = kBalanceCheckEvery;
   limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
@@ -188,7 +187,7 @@ std::optional<bool> IslandStepper::settle(const StepTerms& terms, IslandReport& 
   limits.sticking = limits.sliding = kRestPenalty;
   limits.refit_share = 0.0;
   for (int done = 0; done < kSettlingIterations; done += limits.iterations) {
-    solve(limits, terms, terms.step, report);
+    solve_.solve(limits, terms, terms.step, report);
     if (const std::optional<bool> rests = balance_of_prepared(terms)) return rests;
   }
   return std::nullopt;
@@ -197,11 +196,11 @@ std::optional<bool> IslandStepper::settle(const StepTerms& terms, IslandReport& 
 /// Whether the prepared island rests, by how it begins to move, which its step needs anyway where it does: it rests
 /// where that leaves impulses that balance it, and moves where it clearly does. Else all is left as it was. An
 /// iteration costs a fraction of one of the interior point method.
-std::optional<bool> IslandStepper::judge_by_motion(const StepTerms& terms, IslandReport& report) {
+std::optional<bool> RestProof::judge_by_motion(const StepTerms& terms, IslandReport& report) {
   const ContactProblem before = prepared_.problem;
-  SolveLimits limits = limits_after_reset();
+  SolveLimits limits = limits_after_reset(effort_);
   limits.tolerance = std::max(limits.tolerance, kBeginningMotion);
-  const SolveResult result = solve(limits, terms, terms.step, report);
+  const SolveResult result = solve_.solve(limits, terms, terms.step, report);
   if (balances(terms)) return true;
   const double speed = largest_speed(prepared_.problem);
   if (speed >= kClearMotion * terms.velocity_unit && result.residual <= kClearResidual * speed) return false;
@@ -212,7 +211,7 @@ std::optional<bool> IslandStepper::judge_by_motion(const StepTerms& terms, Islan
 }
 
 /// Decides by the interior point method whether forces balance the prepared island.
-bool IslandStepper::decide_balance(const StepTerms& terms, IslandReport& report) {
+bool RestProof::decide_balance(const StepTerms& terms, IslandReport& report) {
   interior_point_.start(prepared_.problem, terms.velocity_unit);
   for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i) {
     ++report.iterations;
@@ -223,7 +222,7 @@ bool IslandStepper::decide_balance(const StepTerms& terms, IslandReport& report)
 
 /// Finds, of all impulses that balance the prepared island, those that press the least against the walls. False where
 /// rounding ends that before.
-bool IslandStepper::minimise_wall_forces(const Scene& scene, const StepTerms& terms) {
+bool RestProof::minimise_wall_forces(const Scene& scene, const StepTerms& terms) {
   prepared_.minimise_wall_forces(scene, kWallCost * terms.velocity_unit);
   interior_point_.start(prepared_.problem, terms.velocity_unit);
   for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i)
@@ -231,15 +230,16 @@ bool IslandStepper::minimise_wall_forces(const Scene& scene, const StepTerms& te
   return false;
 }
 
-void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms) {
+void RestProof::find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  std::vector<SidePush>& pushes = scene.side_forces.of_resting(island);
   const auto is_pressed_wall = [&](std::uint32_t index) {
     const Manifold& manifold = scene.manifolds[index];
     return manifold.active && is_wall(scene.bodies, manifold);
   };
   if (std::any_of(island.manifolds.begin(), island.manifolds.end(), is_pressed_wall)) {
-    prepared_.prepare_rest(scene, island, terms, *solver_);
+    prepared_.prepare_rest(scene, island, terms, solve_.solver());
     if (minimise_wall_forces(scene, terms)) {
-      prepared_.add_pushes(scene, 1.0 / terms.step, scene.resting_pushes);
+      prepared_.add_pushes(scene, 1.0 / terms.step, pushes);
       return;
     }
   }
@@ -249,8 +249,8 @@ void IslandStepper::find_resting_pushes(Scene& scene, const IslandView& island, 
     if (!manifold.active || (!on_a && !is_fixed(scene.bodies, manifold.b))) continue;
     const std::size_t side = *pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i)
-      scene.resting_pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), side,
-                                      (on_a ? -1.0 : 1.0) * manifold.cached[i].force, manifold.contact.points[i].on_a});
+      pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), side,
+                        (on_a ? -1.0 : 1.0) * manifold.cached[i].force, manifold.contact.points[i].on_a});
   }
 }
 

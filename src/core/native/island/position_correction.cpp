@@ -1,4 +1,4 @@
-#include "core/native/position_correction.hpp"
+#include "core/native/island/position_correction.hpp"
 
 #include <algorithm>
 #include <cmath>

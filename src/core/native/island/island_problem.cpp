@@ -1,4 +1,4 @@
-#include "core/native/island_problem.hpp"
+#include "core/native/island/island_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

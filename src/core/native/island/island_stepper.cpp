@@ -1,0 +1,148 @@
+#include "core/native/island/island_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/native/contact_kinematics.hpp"
+#include "core/native/rotation_step.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// Root of the mean square of the bodies' speeds, m/s.
+double mean_speed(const Bodies& bodies, const IslandView& island) {
+  double squares = 0.0;
+  for (const std::uint32_t body : island.bodies) squares += bodies.state.velocity[body].squaredNorm();
+  return std::sqrt(squares / static_cast<double>(island.bodies.size()));
+}
+
+}  // namespace
+
+void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
+  effort_ = options_.effort(island.bodies.size());
+  const std::size_t located = terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies;
+  if (island.bodies.size() > located) effort_.impact_cuts = 0;
+  const SolveLimits limits = step_limits(scene, island, terms);
+  impact_cuts_ = slip_end_cuts_ = 0;
+  for (double remaining = terms.step; remaining > 0.0;) {
+    const ImpactTiming timing = impact_timing(scene.bodies, island, terms, effort_, impact_cuts_);
+    find_sliding(scene, island, terms, effort_);
+    impacts_.resolve(scene, island, terms, effort_, timing, remaining, report);
+    const Part part = solve_part(scene, island, terms, limits, timing, remaining, report);
+    report.residual = std::max(report.residual, part.result.residual);
+    slips_.find_ended(scene, island, terms, part.result.residual);
+    solve_.prepared.store_step_impulses(scene, island, part.length);
+    const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
+    const double share = impact ? part.impact_time / part.length : 1.0;
+    if (scene.side_forces.wanted()) solve_.prepared.add_pushes(scene, share, scene.side_forces.of_step());
+    motion_.move(scene.bodies, island, part.length, share);
+    if (share == 1.0 && part.length == remaining) return;
+    for (const std::uint32_t index : island.manifolds) scene.undo.emplace_back(index, scene.manifolds[index]);
+    for (const std::uint32_t index : island.manifolds)
+      if (update_manifold(scene, index, terms)) report.missed_contact = true;
+    remaining -= share * part.length;
+    ++(share < 1.0 ? impact_cuts_ : slip_end_cuts_);
+  }
+}
+
+/// Prepares, solves and looks for events, until the step brings no overlap, and no slip, that the solve did not know
+/// of. The part ends where a slip does.
+IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& island, const StepTerms& terms,
+                                              const SolveLimits& limits, const ImpactTiming& timing, double remaining,
+                                              IslandReport& report) {
+  Part part{.length = remaining, .impact_time = std::numeric_limits<double>::infinity()};
+  IslandProblem& prepared = solve_.prepared;
+  closing_.begin(scene);
+  bool repeated = false;
+  for (int round = 0; round < kActivationRounds;) {
+    prepared.prepare_step(scene, island, terms, part.length, solve_.solver(), timing.filter(part.length),
+                          closing_.predicted());
+    if (repeated) prepared.start_from(island, [&](std::uint32_t body) { return found_[body]; });
+    part.result = solve_.solve(repeated ? repeated_limits(limits, island) : limits, terms, part.length, report);
+    motion_.find(scene.bodies, island, terms, part.length);
+    const ClosingContacts::Event event = closing_.find(scene, island, terms, effort_, timing, part.length);
+    part.impact_time = event.time;
+    repeated = event.activated || slips_.find_begun(scene, terms, effort_, part.result.residual);
+    if (repeated) {
+      prepared.store_step_impulses(scene, island, part.length);
+      keep_solution(island, scene.bodies.count());
+      if (event.activated) ++round;
+      continue;
+    }
+    if (slip_end_cuts_ >= effort_.slip_end_cuts || part.length != remaining) break;
+    const double slip_end = slips_.first_end(scene, terms, impact_cuts_ + slip_end_cuts_ == 0, part.length);
+    if (slip_end >= part.length || slip_end >= event.time) break;
+    // Forces change where a slip ends: what comes before is a step of its own.
+    part.length = slip_end;
+  }
+  return part;
+}
+
+/// How a moving step is solved. What may be left over shrinks with the speed of slow bodies. Where the effective
+/// gravity has just changed, R is that of a proof of rest: with less of it along the tangents, the solve of a column
+/// between floor and roof finds forces that hold it, though nothing pushes it against the roof (test `roof`).
+SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const {
+  SolveLimits limits;
+  if (terms.reset_warm_start) {
+    limits = limits_after_reset(effort_);
+  } else {
+    limits.tolerance = effort_.tolerance;
+    limits.iterations = effort_.iterations;
+    limits.sticking = effort_.sticking_penalty;
+    limits.sliding = effort_.sliding_penalty;
+    limits.refit_share = effort_.refit_share;
+  }
+  const double speed = mean_speed(scene.bodies, island);
+  const double slow = speed < terms.velocity_unit ? std::max(kSlowShare, speed / terms.velocity_unit) : 1.0;
+  limits.mean_residual = slow * effort_.mean_residual;
+  if (island.bodies.size() > kSmallIslandBodies) {
+    limits.idle_penalty = kLargeIslandIdlePenalty;
+    limits.refit_every = kLargeIslandRefitEvery;
+  }
+  limits.more_iterations = kMoreIterations * effort_.iterations;
+  return limits;
+}
+
+/// Keeps the velocities that a solve has found, for the one that repeats it.
+void IslandStepper::keep_solution(const IslandView& island, std::size_t bodies) {
+  found_.resize(bodies);
+  for (const std::uint32_t body : island.bodies) found_[body] = solve_.prepared.solution(body);
+}
+
+/// Finds a contact anew. True when it finds a missed one.
+bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const StepTerms& terms) const {
+  Manifold& manifold = scene.manifolds[index];
+  const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
+  ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
+  if (scene.sinking.is_flush(scene.bodies, scene.sides, scene.manifolds, manifold.a, manifold.b, contact)) contact = {};
+  const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.missed_contact_overlap);
+  update_contact(manifold, contact, scene.bodies);
+  return missed;
+}
+
+void IslandStepper::correct_positions(Scene& scene, const IslandView& island, const StepTerms& terms) {
+  effort_ = options_.effort(island.bodies.size());
+  bool any = false;
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    if (manifold.nearest_gap >= -effort_.overlap) continue;
+    any = true;
+    manifold.activate();
+  }
+  if (!any) return;
+  correction_.find(scene, island, kCorrectionTolerance * effort_.overlap);
+  for (const std::uint32_t body : island.bodies) {
+    if (!correction_.moves(static_cast<std::int32_t>(body))) continue;
+    scene.bodies.state.position[body] += correction_.shift(body);
+    rotate(scene.bodies.state.orientation[body], clamped(correction_.turn(body), kLargestTurn));
+    scene.bodies.update_shape(body);
+  }
+  for (const std::uint32_t index : island.manifolds) {
+    const Manifold& manifold = scene.manifolds[index];
+    if (correction_.moves(manifold.a) || correction_.moves(manifold.b)) update_manifold(scene, index, terms);
+  }
+}
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,117 @@
+#include "core/native/island/slips.hpp"
+
+#include <algorithm>
+
+#include "core/native/contact_kinematics.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+/// The part of a velocity that is along the contact's surfaces.
+Vec3 tangential(const Manifold& manifold, const Vec3& velocity) {
+  return velocity - manifold.contact.normal * manifold.contact.normal.dot(velocity);
+}
+
+/// The largest slip of a contact's points, m/s.
+/// @param velocity_of `Vec3(const ContactPoint&)`: of b's surface relative to a's, m/s
+template <class VelocityOf>
+double largest_slip(const Manifold& manifold, VelocityOf velocity_of) {
+  double largest = 0.0;
+  for (int i = 0; i < manifold.contact.count; ++i)
+    largest = std::max(largest, tangential(manifold, velocity_of(manifold.contact.points[at(i)])).norm());
+  return largest;
+}
+
+/// Slip from which friction is kinetic, m/s.
+double kinetic_slip(const StepTerms& terms, const Effort& effort) {
+  return std::max(kKineticSlip, effort.mean_residual) * terms.velocity_unit;
+}
+
+/// Slip from which friction becomes kinetic within a step, m/s. Where a proof of rest has just failed, what does not
+/// stick slips, however slowly: all that the solve may leave of it does not count.
+/// @param residual of the solve that the slip is from, m/s
+double beginning_slip(const StepTerms& terms, const Effort& effort, double residual) {
+  if (!terms.refuted) return kinetic_slip(terms, effort);
+  return std::min(kinetic_slip(terms, effort),
+                  kResidualSlip * std::max(effort.reset_tolerance * terms.velocity_unit, residual));
+}
+
+}  // namespace
+
+void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms, const Effort& effort) {
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    if (manifold.kinetic_friction == manifold.friction) continue;
+    const double slow = manifold.slides ? kSlipShare * terms.velocity_unit : kinetic_slip(terms, effort);
+    manifold.slides = largest_slip(manifold, [&](const ContactPoint& point) {
+                        return relative_velocity(scene.bodies, manifold, point);
+                      }) > slow;
+  }
+}
+
+void Slips::find_ended(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const {
+  const double slow = std::max(kSlipShare * terms.velocity_unit, kResidualSlip * residual);
+  for (const std::uint32_t index : island.manifolds) {
+    Manifold& manifold = scene.manifolds[index];
+    manifold.slides = manifold.slides && largest_slip(manifold, [&](const ContactPoint& point) {
+                                           return motion_.end_velocity(scene.bodies, manifold, point);
+                                         }) > slow;
+  }
+}
+
+bool Slips::find_begun(Scene& scene, const StepTerms& terms, const Effort& effort, double residual) const {
+  const double slow = beginning_slip(terms, effort, residual);
+  bool any = false;
+  for (std::size_t p = 0; p < solved_.sources.size(); ++p) {
+    Manifold& manifold = scene.manifolds[solved_.sources[p].manifold];
+    if (manifold.slides || manifold.kinetic_friction == manifold.friction) continue;
+    const ContactConstraint& constraint = solved_.problem.constraints[p];
+    const auto& y = constraint.impulse.row;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count) && !manifold.slides; ++lane) {
+      const double most = kSlidingShare * constraint.friction * y[0][lane];
+      if (!(y[0][lane] > 0.0) || y[1][lane] * y[1][lane] + y[2][lane] * y[2][lane] < most * most) continue;
+      const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
+      manifold.slides = tangential(manifold, motion_.end_velocity(scene.bodies, manifold, point)).norm() > slow;
+    }
+    any = any || manifold.slides;
+  }
+  return any;
+}
+
+double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const {
+  const Bodies& bodies = scene.bodies;
+  const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (stays(bodies, body)) return Vec3::Zero();
+    return bodies.acceleration[at(body)] +
+           bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
+  };
+  const bool changed = terms.reset_warm_start && uncut;
+  double first = step;
+  for (std::size_t p = 0; p < solved_.sources.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[solved_.sources[p].manifold];
+    if (manifold.friction == 0.0) continue;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(solved_.problem.constraints[p].count); ++lane) {
+      if (!(solved_.problem.constraints[p].impulse.row[0][lane] > 0.0)) continue;
+      const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
+      const Vec3 slip = tangential(manifold, relative_velocity(bodies, manifold, point));
+      const double speed = slip.norm();
+      if (speed <= kSlipShare * terms.velocity_unit) continue;
+      const Vec3 end = tangential(manifold, motion_.end_velocity(bodies, manifold, point));
+      // A slip that keeps some speed in its direction goes on.
+      if (end.dot(slip) > kSlipShare * speed * speed) continue;
+      double slowing =
+          -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
+      if (changed && is_fixed(bodies, manifold.a)) {
+        const Vec3& g = terms.effective_gravity;
+        slowing = manifold.friction_now() * std::max(0.0, -g.dot(manifold.contact.normal)) -
+                  slip.dot(tangential(manifold, g)) / speed;
+      }
+      if (slowing > 0.0) first = std::min(first, speed / slowing);
+    }
+  }
+  // A cut right at the start or the end of the step would change nothing.
+  return first > kLeastCut * terms.step && first < step - kLeastCut * terms.step ? first : step;
+}
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/native/island/island_problem.hpp"
+#include "core/native/island/solved_motion.hpp"
+#include "core/native/native_options.hpp"
+
+namespace holdfast::internal::native {
+
+/// Finds the manifolds of the island whose surfaces slide now: their friction is kinetic, that of the others static.
+/// What slid at the end of the last step goes on for as long as it slips at all.
+void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms, const Effort& effort);
+
+/// Where surfaces begin and cease to slide within a part of a step that has been solved.
+class Slips {
+ public:
+  /// @param solved the problem of the part, with its solution
+  /// @param motion of that solution
+  Slips(const IslandProblem& solved, const SolvedMotion& motion) : solved_(solved), motion_(motion) {}
+
+  /// Finds the manifolds of the island that slid through the part of the step that has been solved, and that stick at
+  /// its end.
+  /// @param residual of the solve, m/s: what sticks may show as much slip
+  void find_ended(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const;
+
+  /// Finds the manifolds that the solve took as sticking, and that slide at its end with all the friction that they may
+  /// have. True where there are any: friction gives way within the step, and the step is solved again with less of it.
+  /// @param residual of the solve, m/s
+  bool find_begun(Scene& scene, const StepTerms& terms, const Effort& effort, double residual) const;
+
+  /// Time until the first slip ends or reverses within the step; `step` where none does. How fast it slows down is what
+  /// it did in the last step, or, where the effective gravity has changed since, on something fixed, what a block does
+  /// that slides there alone.
+  /// @param uncut the part begins where the step does
+  /// @param step  length of the part, s
+  double first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const;
+
+ private:
+  const IslandProblem& solved_;
+  const SolvedMotion& motion_;
+};
+
+}  // namespace holdfast::internal::native

@@ -1,0 +1,139 @@
+#include "core/native/rest_decision.hpp"
+
+#include <algorithm>
+
+#include "core/native/contact_kinematics.hpp"
+
+namespace holdfast::internal::native {
+
+namespace {
+
+void set_at_rest(Bodies& bodies, const IslandView& island) {
+  for (const std::uint32_t body : island.bodies) {
+    bodies.activity[body] = Activity::resting;
+    bodies.state.velocity[body] = Vec3::Zero();
+    bodies.state.angular_velocity[body] = Vec3::Zero();
+    bodies.acceleration[body] = Vec3::Zero();
+    bodies.angular_acceleration[body] = Vec3::Zero();
+  }
+}
+
+}  // namespace
+
+Change RestDecision::note(Bodies& bodies, const StepTerms& terms, const Vec3& effective_gravity, bool disturbed) {
+  if (!disturbed && effective_gravity == terms.effective_gravity) return change_ = Change::none;
+  const double change = (effective_gravity - reset_gravity_).norm();
+  if (disturbed || change > kLittleChange * effective_gravity.norm()) {
+    change_ = Change::much;
+    reset_gravity_ = effective_gravity;
+    std::fill(reset_.begin(), reset_.end(), 1);
+    std::fill(wait_.begin(), wait_.end(), 0);
+    std::fill(next_wait_.begin(), next_wait_.end(), 0);
+  } else {
+    change_ = Change::little;
+    reset_ = bodies.marked(Activity::resting);
+  }
+  std::replace(bodies.activity.begin(), bodies.activity.end(), Activity::resting, Activity::moving);
+  return change_;
+}
+
+StepTerms RestDecision::terms_for(const StepTerms& terms, const IslandView& island) const {
+  const auto all = [&](const std::vector<std::uint8_t>& mark) {
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) { return mark[body] != 0; });
+  };
+  StepTerms of_island = terms;
+  of_island.reset_warm_start = change_ != Change::none && all(reset_);
+  of_island.refuted = all(refuted_);
+  return of_island;
+}
+
+/// Small islands are reset by any change of the acceleration: they are cheap, and as exact as under one that is
+/// constant.
+void RestDecision::reset_small_islands(const Connectivity& islands) {
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    const IslandView island = islands[i];
+    if (island.bodies.size() > kSmallIslandBodies) continue;
+    for (const std::uint32_t body : island.bodies) reset_[body] = 1;
+  }
+}
+
+void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& islands, bool freeze, RestProof& proof,
+                          Counters& counters) {
+  Bodies& bodies = scene.bodies;
+  islands.find(bodies, scene.manifolds);
+  if (change_ != Change::none) reset_small_islands(islands);
+  std::fill(refuted_.begin(), refuted_.end(), 0);
+  std::fill(undecided_.begin(), undecided_.end(), 1);
+  for (int round = 0;; ++round) {
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+      const IslandView island = islands[i];
+      const auto is_undecided = [&](std::uint32_t body) { return undecided_[body] != 0; };
+      const auto is_resting = [&](std::uint32_t body) { return bodies.activity[body] == Activity::resting; };
+      if (std::none_of(island.bodies.begin(), island.bodies.end(), is_undecided)) continue;
+      const bool known = freeze && std::all_of(island.bodies.begin(), island.bodies.end(), is_resting);
+      const bool rests = known || (may_rest(bodies, island, terms) && (round > 0 || is_due(island)) &&
+                                   prove(scene, terms, island, round > 0, proof, counters));
+      if (rests) set_at_rest(bodies, island);
+      if (rests && !known && scene.side_forces.wanted()) proof.find_resting_pushes(scene, island, terms);
+      for (const std::uint32_t body : island.bodies) {
+        if (!rests) bodies.activity[body] = Activity::moving;
+        undecided_[body] = 0;
+      }
+    }
+    if (change_ == Change::none || round == kActivationRounds || !activate_leaning(scene, terms)) break;
+    islands.find(bodies, scene.manifolds);
+  }
+  for (std::size_t i = 0; i < refuted_.size(); ++i) {
+    if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(kLongestWait, std::max(1U, 2 * next_wait_[i]));
+    if (bodies.activity[i] != Activity::moving) wait_[i] = next_wait_[i] = 0;
+  }
+}
+
+/// Whether a proof of rest is tried in this step: after a proof that fails, some steps are taken first.
+bool RestDecision::is_due(const IslandView& island) {
+  bool due = true;
+  for (const std::uint32_t body : island.bodies) {
+    if (wait_[body] == 0) continue;
+    --wait_[body];
+    due = false;
+  }
+  return due;
+}
+
+bool RestDecision::prove(Scene& scene, const StepTerms& terms, const IslandView& island, bool leans, RestProof& proof,
+                         Counters& counters) {
+  IslandReport report;
+  const bool rests = proof.rests(scene, island, terms_for(terms, island), leans, report);
+  counters.solve_iterations += report.iterations;
+  for (const std::uint32_t body : island.bodies) refuted_[body] = rests ? 0 : 1;
+  return rests;
+}
+
+/// Activates contacts that touch and that the motion which refutes rest would close: a body that leans on a neighbour
+/// may rest with its help. True where there are any.
+bool RestDecision::activate_leaning(Scene& scene, const StepTerms& terms) {
+  const Bodies& bodies = scene.bodies;
+  const double least = kLeaningAcceleration * terms.effective_gravity.norm();
+  const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+    if (body < 0 || refuted_[at(body)] == 0 || reset_[at(body)] == 0) return Vec3::Zero();
+    const std::size_t i = at(body);
+    return bodies.acceleration[i] + bodies.angular_acceleration[i].cross(point - bodies.state.position[i]);
+  };
+  bool any = false;
+  for (Manifold& manifold : scene.manifolds) {
+    if (manifold.active || !has_end_in(manifold, refuted_)) continue;
+    for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      if (point.gap > leaning_gap(bodies, manifold)) continue;
+      const Vec3 closing = acceleration(manifold.a, point.on_a) - acceleration(manifold.b, point.on_b);
+      if (manifold.contact.normal.dot(closing) <= least) continue;
+      manifold.activate();
+      undecided_[at(manifold.b)] = 1;
+      if (!manifold.with_side()) undecided_[at(manifold.a)] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace holdfast::internal::native
