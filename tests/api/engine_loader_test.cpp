@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace engine_loader_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("engine_loader: every engine can be made and knows its name", "[api][engine_loader]") {
@@ -80,3 +82,5 @@ TEST_CASE("engine_loader: an engine refuses what it cannot model", "[api][engine
         "native moves boxes in a container that goes as the acceleration file says, and has no free one; "
         "Engine = bullet or bullet-f64, or Motion = prescribed");
 }
+
+}  // namespace engine_loader_test

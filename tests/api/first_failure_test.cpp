@@ -4,6 +4,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace first_failure_test {
+
 namespace {
 
 using holdfast::Layout;
@@ -145,3 +147,5 @@ TEST_CASE("first_failure: goes together with StopWhen", "[api][first_failure]") 
   CHECK(worlds[1].stop_reason == holdfast::StopReason::decided);
   CHECK(worlds[2].verdict == Verdict::not_needed);
 }
+
+}  // namespace first_failure_test

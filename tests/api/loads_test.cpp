@@ -9,6 +9,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace loads_test {
+
 namespace {
 
 using holdfast::Box;
@@ -172,3 +174,5 @@ TEST_CASE("loads: types of containers are known by name", "[api][loads]") {
   CHECK(types[0].name == "20");
   CHECK(types[0].size == std::array{5.898, 2.352, 2.393});
 }
+
+}  // namespace loads_test

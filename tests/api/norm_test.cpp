@@ -3,6 +3,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace norm_test {
+
 namespace {
 
 using holdfast::Acceleration;
@@ -66,3 +68,5 @@ TEST_CASE("norm: with less weight a box slides at less acceleration, as c_z says
   const double g = 9.81, push = 0.05 * g;
   CHECK(worlds[0].end_displacement == Approx(0.5 * push + push * push / (2 * 0.5 * g)).epsilon(1e-3));
 }
+
+}  // namespace norm_test

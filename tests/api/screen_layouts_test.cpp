@@ -4,6 +4,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace screen_layouts_test {
+
 namespace {
 
 using holdfast::Layout;
@@ -126,3 +128,5 @@ TEST_CASE("screen: accelerations are added one by one", "[api][screen]") {
   CHECK(screen.accelerations()[1].name == "second");
   CHECK(screen.evaluate(layouts).size() == 2);
 }
+
+}  // namespace screen_layouts_test

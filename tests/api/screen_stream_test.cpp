@@ -9,6 +9,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace screen_stream_test {
+
 namespace {
 
 using holdfast::FinishedLayout;
@@ -159,3 +161,5 @@ TEST_CASE("screen: every layout that finishes is announced", "[api][stream]") {
   for (int i = 0; i < 5; ++i) REQUIRE(screen.poll(finished, kPatience));
   CHECK(announced == 5);
 }
+
+}  // namespace screen_stream_test

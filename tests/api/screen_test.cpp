@@ -8,6 +8,8 @@
 #include "holdfast/holdfast.hpp"
 #include "io/results/results_reader.hpp"
 
+namespace screen_test {
+
 namespace {
 
 using holdfast::Layout;
@@ -246,3 +248,5 @@ TEST_CASE("screen: accelerations of a norm that are for sliding or tipping alone
   CHECK(worlds[0].verdict == Verdict::moved);  // 1 g against a friction of 0.5
   CHECK(worlds[0].stop_reason == holdfast::StopReason::sleeping);
 }
+
+}  // namespace screen_test

@@ -3,6 +3,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace settings_test {
+
 namespace {
 
 using holdfast::Screen;
@@ -51,3 +53,5 @@ TEST_CASE("settings: keys that contradict each other, or that there are not, are
   CHECK_THROWS_WITH(with({{"Native", "", "1"}}), Catch::Contains("unknown key: [Native] "));
   CHECK_THROWS_WITH(with({{"Container", "Length", "-1"}}), Catch::Contains("not a value of [Container] Length: -1"));
 }
+
+}  // namespace settings_test

@@ -7,6 +7,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace world_changes_test {
+
 namespace {
 
 using holdfast::World;
@@ -199,3 +201,5 @@ TEST_CASE("world changes: what cannot be used is an error, and changes nothing",
   CHECK_THROWS_WITH(other.set_friction(0.5, 0.5, 0.5), Catch::Contains("cannot change forces and friction"));
   CHECK_THROWS_WITH(other.set_force(0, {1.0, 0.0, 0.0}), Catch::Contains("native-plain"));
 }
+
+}  // namespace world_changes_test

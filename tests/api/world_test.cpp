@@ -4,6 +4,8 @@
 
 #include "holdfast/holdfast.hpp"
 
+namespace api_world_test {
+
 namespace {
 
 const holdfast::Acceleration kBrake{"brake", {{0.25, 1.0, {7.0, 0.0, 0.0}}}};
@@ -74,3 +76,5 @@ TEST_CASE("world: the forces on the sides hold a box that is braked", "[api][wor
   CHECK(silent.side_forces().empty());
   CHECK(silent.state_hash() == world.state_hash());
 }
+
+}  // namespace api_world_test

@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+namespace progress_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -136,3 +138,5 @@ TEST_CASE("progress: quiet keeps the notes", "[app][progress]") {
     CHECK(captured.read() == (terminal ? "a note\r\n" : "a note\n"));
   }
 }
+
+}  // namespace progress_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+namespace world_json_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("world_json: numbers that are not finite are null", "[app][world_json]
   world.row.max_residual = std::numeric_limits<double>::infinity();
   CHECK(world_json(world, "a", "b", 0, {}, 0.0).find(R"("max_residual":null)") != std::string::npos);
 }
+
+}  // namespace world_json_test

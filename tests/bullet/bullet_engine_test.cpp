@@ -6,6 +6,8 @@
 
 #include "scenes.hpp"
 
+namespace bullet_engine_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -195,3 +197,5 @@ TEST_CASE("bullet_engine: without gravity boxes float, and there is no residual"
   CHECK(pushed.displacement().norm() < 1e-4);
   CHECK(pushed.record.row.max_residual == 0.0);
 }
+
+}  // namespace bullet_engine_test

@@ -6,6 +6,8 @@
 #include "io/input/layout_reader.hpp"
 #include "scenes.hpp"
 
+namespace bullet_world_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -124,3 +126,5 @@ TEST_CASE("bullet_world: the layouts that come with the program stay finite", "[
   }
   CHECK(count >= 15);
 }
+
+}  // namespace bullet_world_test

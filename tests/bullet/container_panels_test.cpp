@@ -2,6 +2,8 @@
 
 #include "scenes.hpp"
 
+namespace container_panels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -92,3 +94,5 @@ TEST_CASE("container_panels: nothing passes through a wall at high speed", "[bul
   CAPTURE(fastest, one.displacement().x());
   CHECK(one.displacement().x() > -5.1);
 }
+
+}  // namespace container_panels_test

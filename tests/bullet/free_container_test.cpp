@@ -2,6 +2,8 @@
 
 #include "scenes.hpp"
 
+namespace free_container_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -76,3 +78,5 @@ TEST_CASE("free_container: the container moves sideways too", "[bullet][free_con
   CAPTURE(engine, one.displacement().y(), expected);
   CHECK(one.displacement().y() == Approx(expected).epsilon(1e-3));
 }
+
+}  // namespace free_container_test

@@ -4,6 +4,8 @@
 
 #include "scenes.hpp"
 
+namespace surface_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -135,3 +137,5 @@ TEST_CASE("surface: two boxes have the smaller restitution", "[bullet][surface]"
   }
   CHECK(after_impact(1, 1)[1].x() == Approx(0.95).epsilon(0.02));
 }
+
+}  // namespace surface_test

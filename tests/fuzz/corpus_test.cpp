@@ -10,6 +10,8 @@
 
 #include "fuzz/fuzz_targets.hpp"
 
+namespace corpus_test {
+
 namespace {
 
 /// The seeds of a target, and what fuzzing once found, in the order of their names.
@@ -93,3 +95,5 @@ TEST_CASE("fuzz: configs are read or refused, the corpus and what becomes of it"
 TEST_CASE("fuzz: requests are read or refused, the corpus and what becomes of it", "[fuzz]") {
   check_target("request", fuzz::read_requests);
 }
+
+}  // namespace corpus_test

@@ -6,6 +6,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace damage_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
 using namespace holdfast::internal::scenes;
@@ -121,3 +123,5 @@ TEST_CASE("damage: recording changes no bit", "[physics][damage]") {
     CHECK(damage(with_damage).beyond.size() == layout.boxes.size());
   }
 }
+
+}  // namespace damage_test

@@ -9,6 +9,8 @@
 #include "io/input/acceleration_reader.hpp"
 #include "physics/measures.hpp"
 
+namespace early_end_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -99,3 +101,5 @@ TEST_CASE("early_end: a world that ends early is at least what it says, and whet
     CHECK(ended > 0);
   }
 }
+
+}  // namespace early_end_test

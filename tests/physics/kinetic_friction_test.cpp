@@ -7,6 +7,8 @@
 #include "physics/measures.hpp"
 #include "validate/answers/sliding_block.hpp"
 
+namespace kinetic_friction_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -98,3 +100,5 @@ TEST_CASE("kinetic_friction: engines that have one coefficient refuse it", "[phy
               "; KineticFriction = 1 in [Contact], or the engine native");
   }
 }
+
+}  // namespace kinetic_friction_test

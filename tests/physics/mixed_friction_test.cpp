@@ -10,6 +10,8 @@
 #include "same_bits.hpp"
 #include "scenes.hpp"
 
+namespace mixed_friction_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -272,3 +274,5 @@ TEST_CASE("mixed_friction: a mat ends to act when its contact turns", "[physics]
   CAPTURE(text(slips.displacement(1).x()), text(holds.displacement(1).x()));
   CHECK(holds.displacement(1).x() - slips.displacement(1).x() == Approx(1.3e-3).epsilon(0.15));
 }
+
+}  // namespace mixed_friction_test

@@ -9,6 +9,8 @@
 #include "core/native/solver/each_instruction_set.hpp"
 #include "physics/measures.hpp"
 
+namespace native_golden_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -86,3 +88,5 @@ TEST_CASE("native_golden: fixed scenes end in the same bits as ever, on every in
     });
   }
 }
+
+}  // namespace native_golden_test

@@ -7,6 +7,8 @@
 #include "core/native/native_engine.hpp"
 #include "physics/measures.hpp"
 
+namespace native_invariants_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -373,3 +375,5 @@ TEST_CASE("native_invariants: gaps and overlaps of a micrometre settle once, the
     }
   }
 }
+
+}  // namespace native_invariants_test

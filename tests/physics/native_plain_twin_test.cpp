@@ -6,6 +6,8 @@
 #include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
+namespace native_plain_twin_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -56,3 +58,5 @@ TEST_CASE("native_plain_twin: what rests in one rests in the other", "[physics][
     CHECK(difference.of_twins < 1e-5);
   }
 }
+
+}  // namespace native_plain_twin_test

@@ -6,6 +6,8 @@
 #include "core/native/native_engine.hpp"
 #include "physics/measures.hpp"
 
+namespace native_shortcuts_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -125,3 +127,5 @@ TEST_CASE("native_shortcuts: worlds that are advanced in turns do not feel each 
     CHECK(state_hash(view(batch.state, batch.worlds[world])) == state_hash(end));
   }
 }
+
+}  // namespace native_shortcuts_test

@@ -8,6 +8,8 @@
 #include "core/native/native_engine.hpp"
 #include "physics/measures.hpp"
 
+namespace native_symmetry_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -218,3 +220,5 @@ TEST_CASE("native_symmetry: a scene of other lengths moves alike, in the root of
     }
   }
 }
+
+}  // namespace native_symmetry_test

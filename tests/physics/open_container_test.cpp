@@ -11,6 +11,8 @@
 #include "physics/measures.hpp"
 #include "physics/ways.hpp"
 
+namespace open_container_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
 using namespace holdfast::internal::scenes;
@@ -241,3 +243,5 @@ TEST_CASE("container_panels: an open container stands on the ground, and its wal
   container.drop_sides.clear();
   for (const Panel& panel : container_panels(container, 1.0)) CHECK(!panel.ends);
 }
+
+}  // namespace open_container_test

@@ -8,6 +8,8 @@
 #include "validate/answers/stick_slip.hpp"
 #include "validate/laboratory/laboratory.hpp"
 
+namespace oscillation_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -83,3 +85,5 @@ TEST_CASE("oscillation: a block that rocks keeps what Housner's impacts leave it
     CHECK((turn_of(end.state.orientation[0]) > 1.0) == (cycles == 2));
   }
 }
+
+}  // namespace oscillation_test

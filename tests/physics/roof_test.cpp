@@ -8,6 +8,8 @@
 #include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
 
+namespace roof_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
 using namespace holdfast::internal::scenes;
@@ -168,3 +170,5 @@ TEST_CASE("container_sides: only a side that a box touches from the inside stand
   CHECK(side_play(SurfaceKind::wall, -1e-6) == Approx(kLeastPlay + 1e-6));
   CHECK(side_play(SurfaceKind::floor, 0.0) == 0.0);
 }
+
+}  // namespace roof_test

@@ -10,6 +10,8 @@
 #include "same_bits.hpp"
 #include "scenes.hpp"
 
+namespace physics_verdict_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -159,3 +161,5 @@ TEST_CASE("verdict: below a margin a load stays, however short it is pushed, and
   WARN(exceptions << " of " << below << " worlds below a margin do not stay");
   CHECK(exceptions <= below / 100);
 }
+
+}  // namespace physics_verdict_test

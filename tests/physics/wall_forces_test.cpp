@@ -7,6 +7,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace wall_forces_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
 using namespace holdfast::internal::scenes;
@@ -107,3 +109,5 @@ TEST_CASE("wall_forces: measuring changes no bit", "[physics][walls]") {
     CHECK(walls(with_forces).known());
   }
 }
+
+}  // namespace wall_forces_test

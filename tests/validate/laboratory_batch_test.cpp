@@ -4,6 +4,8 @@
 #include "validate/laboratory/departure.hpp"
 #include "validate/laboratory/laboratory.hpp"
 
+namespace laboratory_batch_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -102,3 +104,5 @@ TEST_CASE("departure: counts from a given time on and ends once it is large enou
   CHECK(departure(laboratory, drifting_scene(1.0), 1.5, 10.0) == Approx(0.5));
   CHECK(departure(laboratory, drifting_scene(1.0), 0.0, 0.6) == Approx(0.75));
 }
+
+}  // namespace laboratory_batch_test

@@ -11,6 +11,8 @@
 #include "random.hpp"
 #include "scenes.hpp"
 
+namespace bearing_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -276,3 +278,5 @@ TEST_CASE("bearing: boxes that cannot stand are named", "[analyses][bearing]") {
         "a.txt: vertical forces alone cannot balance these boxes, which count as held upright from the side: box 2");
   CHECK(findings.warnings[1].message() == "a.txt: nothing is beneath these boxes, whose weight rests on none: box 3");
 }
+
+}  // namespace bearing_test

@@ -9,6 +9,8 @@
 
 #include "random.hpp"
 
+namespace linear_program_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -99,3 +101,5 @@ TEST_CASE("linear_program: without a least value there is no answer", "[analyses
   CHECK_FALSE(program.minimise(vector({-1, 0})).has_value());
   CHECK(program.minimise(vector({1, 0})).value_or(0.0) == Approx(1.0));
 }
+
+}  // namespace linear_program_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+namespace damage_recorder_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("damage_recorder: both numbers of the boundary must be exceeded", "[co
   CHECK(slow.peak() == Approx(60.0));
   CHECK_FALSE(slow.beyond());
 }
+
+}  // namespace damage_recorder_test

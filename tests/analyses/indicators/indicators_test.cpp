@@ -5,6 +5,8 @@
 
 #include "physics/measures.hpp"
 
+namespace indicators_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::physics;
@@ -70,3 +72,5 @@ TEST_CASE("indicators: the order of the boxes does not matter, and no boxes are 
   CHECK(std::isnan(find_indicators(layout_of({}), Settings{}).fill));
   CHECK(find_indicators(layout_of({}), Settings{}).base_support.empty());
 }
+
+}  // namespace indicators_test

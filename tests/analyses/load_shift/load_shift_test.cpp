@@ -8,6 +8,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace load_shift_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native_scenes;
 using namespace holdfast::internal::scenes;
@@ -81,3 +83,5 @@ TEST_CASE("load_shift: a load that rests does not shift, and nothing is known wh
   CHECK(rest.peak_time == 0.0);
   CHECK(std::isnan(shift_of(scenes::run("native", layout, constant(1.0, 0.5), open_floor(0.5))).peak_time));
 }
+
+}  // namespace load_shift_test

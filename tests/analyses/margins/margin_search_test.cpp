@@ -7,6 +7,8 @@
 #include "same_bits.hpp"
 #include "scenes.hpp"
 
+namespace margin_search_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -163,3 +165,5 @@ TEST_CASE("margin_search: a world that is rewound goes on as if it had not gone 
   simulation->rewind(0);
   CHECK(same_bits(run(0.7, Vec3(-6.0, 3.0, 0)), first));
 }
+
+}  // namespace margin_search_test

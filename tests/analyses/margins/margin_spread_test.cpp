@@ -10,6 +10,8 @@
 #include "core/native/native_engine.hpp"
 #include "scenes.hpp"
 
+namespace margin_spread_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -71,3 +73,5 @@ TEST_CASE("margin_spread: an abort leaves nothing", "[margin_spread]") {
   const std::atomic<bool> abort = true;
   CHECK_FALSE(find_margin_spread(NativeEngine(settings), layout_of({box({9, 9, 0}, {1, 1, 0.2})}), settings, abort));
 }
+
+}  // namespace margin_spread_test

@@ -12,6 +12,8 @@
 #include "core/model/contact_law.hpp"
 #include "scenes.hpp"
 
+namespace replica_draw_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -174,3 +176,5 @@ TEST_CASE("replica_draw: the least friction is that of pairs and mats too", "[re
   for (const FrictionTable::Row& row : varied.contact.materials.rows())
     CHECK(row.coefficient == 0.5 * least.pairs.at(row.partners.text()));
 }
+
+}  // namespace replica_draw_test

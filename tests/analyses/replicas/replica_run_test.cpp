@@ -7,6 +7,8 @@
 #include "core/model/play.hpp"
 #include "scenes.hpp"
 
+namespace replica_run_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -119,3 +121,5 @@ TEST_CASE("replica_run: an abort leaves nothing", "[replica_run]") {
   const std::atomic<bool> abort = true;
   CHECK_FALSE(run_replicas(*engine_of("native", settings), one_box(), constant(5.0, 1.0), settings, abort));
 }
+
+}  // namespace replica_run_test

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace replica_verdict_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("replica_verdict: Wilson's interval is that of the literature", "[replica_verdict]") {
@@ -38,3 +40,5 @@ TEST_CASE("replica_verdict: of 32 replicas none may fail in a world that holds, 
   CHECK(verdict_of(21) == ReplicaVerdict::uncertain);
   CHECK(verdict_of(22) == ReplicaVerdict::fails);
 }
+
+}  // namespace replica_verdict_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace wall_limits_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -29,3 +31,5 @@ TEST_CASE("wall_limits: shares of the payload as the norms have them, and caps o
 TEST_CASE("wall_limits: without a norm there are none", "[core][walls]") {
   for (const double limit : wall_limits(std::nullopt, 100e3)) CHECK(std::isnan(limit));
 }
+
+}  // namespace wall_limits_test

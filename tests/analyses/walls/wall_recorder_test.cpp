@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace wall_recorder_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("wall_recorder: a force that lasts counts in full, also in one long st
   CHECK(world.recorder.forces().exceeds(kFront));
   CHECK(world.recorder.forces().share_of_limit(kFront) == Approx(800.0 / (0.4 * 200.0 * 9.81)));
 }
+
+}  // namespace wall_recorder_test

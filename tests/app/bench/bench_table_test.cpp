@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace bench_table_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("bench_table: the CSV has a line a run", "[app][bench]") {
   CHECK(std::count(text.begin(), text.end(), '\n') == 3);
   CHECK(contains(text, "\r\nbullet,all,2,1,1,aa,100,5000,1000,250,50000,16,8,8,40,0,0.8,0,6.4,0,0,0.4\r\n"));
 }
+
+}  // namespace bench_table_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace layout_request_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("layout_request: where a number stands in its line", "[app][layout_req
   CHECK(column_of(line, request, -1, -1) == 0);
   CHECK(column_of(line, request, 2, 0) == 0);
 }
+
+}  // namespace layout_request_test

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+namespace line_stream_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -68,3 +70,5 @@ TEST_CASE("line_stream: what cannot be read has a reason", "[app][line_stream]")
   CHECK(!stream.next());
   CHECK(!stream.failure().empty());
 }
+
+}  // namespace line_stream_test

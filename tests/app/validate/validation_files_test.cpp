@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+namespace validation_files_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -66,3 +68,5 @@ TEST_CASE("validation_files: JSON has the documented members", "[app][validation
     CHECK(json[0].contains(name));
   CHECK(json[0]["pass"] == false);
 }
+
+}  // namespace validation_files_test

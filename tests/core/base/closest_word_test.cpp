@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+namespace closest_word_test {
+
 using holdfast::internal::closest_word;
 
 TEST_CASE("closest_word: a typing error finds the word, another word finds nothing", "[core][closest_word]") {
@@ -23,3 +25,5 @@ TEST_CASE("closest_word: a swap of neighbours is one error", "[core][closest_wor
   const std::array<std::string_view, 2> words{"form", "foam"};
   CHECK(closest_word("from", words) == "form");
 }
+
+}  // namespace closest_word_test

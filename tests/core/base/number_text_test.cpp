@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace number_text_test {
+
 using holdfast::internal::number_text;
 using holdfast::internal::parse_integer;
 using holdfast::internal::parse_number;
@@ -38,3 +40,5 @@ TEST_CASE("number_text: the text of a number is the shortest that reads as the s
   CHECK(rounded_text(12.345678) == "12.35");
   CHECK(rounded_text(587.0) == "587");
 }
+
+}  // namespace number_text_test

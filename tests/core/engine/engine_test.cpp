@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace engine_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("engine: the residual that is kept is the largest relative to its scale", "[core][engine]") {
@@ -21,3 +23,5 @@ TEST_CASE("engine: the residual that is kept is the largest relative to its scal
   counters.note_residual(1.0, 0.04);
   CHECK(counters.max_residual == 1e-9);
 }
+
+}  // namespace engine_test

@@ -6,6 +6,8 @@
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
+namespace journey_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -87,3 +89,5 @@ TEST_CASE("journey: a load that goes beyond a limit while it settles is not acce
   for (const Run* world : {&whole, &early})
     CHECK(to_string(judge_world(world->record.row, world->record.end, by_run({})).verdict) == "unstable");
 }
+
+}  // namespace journey_test

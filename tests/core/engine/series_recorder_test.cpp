@@ -7,6 +7,8 @@
 
 #include "scenes.hpp"
 
+namespace series_recorder_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -419,3 +421,5 @@ TEST_CASE("series_recorder: the series of a world that is unstable is that of se
   CHECK(record.end.settling_peak_drop[0] == 0.3F);
   CHECK(record.end.settling_displacement[0].z == -0.3F);
 }
+
+}  // namespace series_recorder_test

@@ -8,6 +8,8 @@
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
+namespace simulate_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -331,3 +333,5 @@ TEST_CASE("simulate: worlds that advance together are decided separately", "[cor
   CHECK(runs[1].record.row.end_time == 76.0 / 240);
   CHECK(runs[1].record.row.state_hash == run(ScriptedEngine({}), kOneBox, fast, settings).record.row.state_hash);
 }
+
+}  // namespace simulate_test

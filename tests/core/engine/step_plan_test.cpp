@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace step_plan_test {
+
 using holdfast::internal::Phase;
 using holdfast::internal::StepPlan;
 
@@ -24,3 +26,5 @@ TEST_CASE("step_plan: the next step follows from the time reached", "[core][step
   CHECK(plan.steps_before(13.3) == 0);
   for (std::uint64_t i = 0; i < plan.step_count(); ++i) CHECK(plan.steps_before(plan.end_of(i)) == i + 1);
 }
+
+}  // namespace step_plan_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace acceleration_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -54,3 +56,5 @@ TEST_CASE("acceleration: last change of the acceleration", "[core][acceleration]
   CHECK(last_change(acceleration_of({{0, 0.5, 0}, {0.5, 1, 7.848}, {1.5, 1.5, 0}})) == 1.5);
   CHECK(last_change(acceleration_of({{0, 2, 3}, {2, 2, 3}})) == 4.0);
 }
+
+}  // namespace acceleration_test

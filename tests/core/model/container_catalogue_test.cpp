@@ -6,6 +6,8 @@
 
 #include "core/model/setting_table.hpp"
 
+namespace container_catalogue_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("container_catalogue: names are found in every spelling, and mean one type", "[core][containers]") {
@@ -44,3 +46,5 @@ TEST_CASE("container_catalogue: a type gives what the keys beside it do not", "[
   apply_container_type(settings, is_given);
   CHECK(settings.container.open_sides.empty());
 }
+
+}  // namespace container_catalogue_test

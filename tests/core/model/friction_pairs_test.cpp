@@ -6,6 +6,8 @@
 #include "core/model/contact_law.hpp"
 #include "core/model/setting_table.hpp"
 
+namespace friction_pairs_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -58,3 +60,5 @@ TEST_CASE("friction_pairs: the keys of pairs take every name, those of the conta
   CHECK_THAT(std::string(find_setting("Simulation Settings", "BoxFriction")->accepted),
              Catch::Contains("FrictionModel = pairs"));
 }
+
+}  // namespace friction_pairs_test

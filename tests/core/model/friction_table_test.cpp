@@ -5,6 +5,8 @@
 #include "core/model/contact_law.hpp"
 #include "core/model/setting_table.hpp"
 
+namespace friction_table_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -93,3 +95,5 @@ TEST_CASE("friction_table: a mat acts where its box stands on another body", "[c
   CHECK(friction_of_pair(settings.contact, on_mat, plain, 1.0) == product(0.2 * 0.2));
   CHECK(friction_of_pair(settings.contact, on_mat, plain, 0.5) == product(0.2 * 0.2));
 }
+
+}  // namespace friction_table_test

@@ -5,6 +5,8 @@
 
 #include "random.hpp"
 
+namespace layout_check_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -175,3 +177,5 @@ TEST_CASE("layout_check: the sweep finds the same pairs as a check of all pairs"
   REQUIRE(expected > 20);
   CHECK(outcome.errors.back() == "a.txt: further errors: " + std::to_string(expected - 20));
 }
+
+}  // namespace layout_check_test

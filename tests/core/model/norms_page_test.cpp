@@ -8,6 +8,8 @@
 #include "core/model/friction_pairs.hpp"
 #include "core/model/norms.hpp"
 
+namespace norms_page_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("norms_page: docs/norms.md is up to date", "[core][norms_page]") {
@@ -32,3 +34,5 @@ TEST_CASE("norms_page: page and terminal have every norm and every pair", "[core
     CHECK(help.find(std::string(pair.name) + '=') != std::string::npos);
   }
 }
+
+}  // namespace norms_page_test

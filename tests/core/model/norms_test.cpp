@@ -7,6 +7,8 @@
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/text_file.hpp"
 
+namespace norms_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("norms: a name that is none is told what is accepted, and what was mea
     CHECK(message_of(name) == "a norm without its size K: " + std::string(name) +
                                   "; eumos-40509:K with K from 0.01 to 2 g, such as eumos-40509:0.5");
 }
+
+}  // namespace norms_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace outcome_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("outcome: names of the bits, joined", "[core][outcome]") {
@@ -30,3 +32,5 @@ TEST_CASE("outcome: names of the reasons to stop", "[core][outcome]") {
   CHECK(to_string(StopReason::decided) == "decided");
   CHECK(to_string(static_cast<StopReason>(255)) == "unknown");
 }
+
+}  // namespace outcome_test

@@ -8,6 +8,8 @@
 #include "random.hpp"
 #include "scenes.hpp"
 
+namespace play_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -130,3 +132,5 @@ TEST_CASE("play: shifts fill the play evenly", "[play]") {
   CHECK(mean == Approx(0.1).margin(0.006));                                       // 0.4 / √12 / √4000 is 0.0018
   CHECK(squares / kDraws - mean * mean == Approx(0.4 * 0.4 / 12).epsilon(0.08));  // of a uniform distribution
 }
+
+}  // namespace play_test

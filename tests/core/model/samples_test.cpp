@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace samples_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("samples: the mean of an interval that begins and ends within samples"
   CHECK(mean.acceleration.x() == Approx((0.5 * 1 + 1 * 3 + 0.25 * 5) / 1.75));
   CHECK(mean_of(phases, 1.25, 1.5).acceleration.x() == 3.0);
 }
+
+}  // namespace samples_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+namespace setting_table_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -188,3 +190,5 @@ TEST_CASE("setting_table: contradictions between keys", "[core][setting_table]")
         "a batch has no folder to read from: [Simulation Settings] BatchSimulation; "
         "give BatchPath, or set BatchSimulation = false");
 }
+
+}  // namespace setting_table_test

@@ -8,6 +8,8 @@
 #include "core/model/setting_table.hpp"
 #include "core/native/accuracy_defaults.hpp"
 
+namespace settings_page_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("settings_page: docs/config.md is up to date", "[core][settings_page]") {
@@ -37,3 +39,5 @@ TEST_CASE("settings_page: help fits a terminal", "[core][settings_page]") {
     CHECK(line.size() <= 100);
   }
 }
+
+}  // namespace settings_page_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace shard_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("shard: a block has about 256 worlds, and at least one layout", "[shard]") {
@@ -16,3 +18,5 @@ TEST_CASE("shard: the last block may have fewer layouts", "[shard]") {
   CHECK(Shard{.block = 10, .layouts = 90}.block_count() == 9);
   CHECK(Shard{.block = 10, .layouts = 91}.block_count() == 10);
 }
+
+}  // namespace shard_test

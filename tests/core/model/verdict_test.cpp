@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+namespace verdict_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -178,3 +180,5 @@ TEST_CASE("verdict: a world without boxes", "[core][verdict]") {
   CHECK(world.critical_box == 0);
   CHECK(world.peak_displacement == 0.0F);
 }
+
+}  // namespace verdict_test

@@ -7,6 +7,8 @@
 
 #include "scenes.hpp"
 
+namespace world_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -150,3 +152,5 @@ TEST_CASE("world: a single number that is not finite is found in any column", "[
   }
   CHECK(finite());
 }
+
+}  // namespace world_test

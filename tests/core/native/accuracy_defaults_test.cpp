@@ -5,6 +5,8 @@
 
 #include "core/native/native_options.hpp"
 
+namespace accuracy_defaults_test {
+
 using namespace holdfast::internal;
 using native::accuracy_default;
 
@@ -30,3 +32,5 @@ TEST_CASE("accuracy_defaults: numbers are those of native_options", "[core][accu
   CHECK(accuracy_default(*find_setting("Native", "Sleep")) ==
         "Default: screening true, standard true, reference false.");
 }
+
+}  // namespace accuracy_defaults_test

@@ -6,6 +6,8 @@
 
 #include "random.hpp"
 
+namespace connectivity_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -123,3 +125,5 @@ TEST_CASE("connectivity: random worlds fall into the islands that spreading labe
         REQUIRE(seen_manifolds.count(m) == 1);
   }
 }
+
+}  // namespace connectivity_test

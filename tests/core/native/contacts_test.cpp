@@ -4,6 +4,8 @@
 
 #include "core/native/small_world.hpp"
 
+namespace contacts_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -101,3 +103,5 @@ TEST_CASE("contacts: a flush edge that has sunk in is no contact", "[core][conta
   world.put(1, {0.1 - 1e-6, 0, -2e-5});
   CHECK(world.contact(slider, 2) == nullptr);
 }
+
+}  // namespace contacts_test

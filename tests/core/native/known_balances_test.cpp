@@ -10,6 +10,8 @@
 
 #include "core/native/native_scenes.hpp"
 
+namespace known_balances_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -150,3 +152,5 @@ TEST_CASE("known_balances: a stack under a curve of samples is solved for few of
   CHECK(iterations < 1000);  // 3000 where each sample is solved
   CHECK(run(0.31 * kGravity).second > 1e-3);
 }
+
+}  // namespace known_balances_test

@@ -7,6 +7,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace native_engine_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::native_scenes;
@@ -259,3 +261,5 @@ TEST_CASE("native_engine: steps follow the settings, and never straddle a change
   // At rest until the pulse.
   CHECK(run.record.row.steps_skipped == 25);
 }
+
+}  // namespace native_engine_test

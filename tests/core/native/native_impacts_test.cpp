@@ -8,6 +8,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace native_impacts_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using namespace holdfast::internal::native_scenes;
@@ -341,3 +343,5 @@ TEST_CASE("native_impacts: restitution is the box's on the floor, the smaller on
     }
   }
 }
+
+}  // namespace native_impacts_test

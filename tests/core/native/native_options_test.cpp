@@ -4,6 +4,8 @@
 #include <string_view>
 #include <type_traits>
 
+namespace native_options_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("native_options: every field is visited once, under its name", "[core][native_options]") {
@@ -22,3 +24,5 @@ TEST_CASE("native_options: every field is visited once, under its name", "[core]
   CHECK(fields == 8);
   CHECK(efforts == 2);
 }
+
+}  // namespace native_options_test

@@ -11,6 +11,8 @@
 #include "physics/measures.hpp"
 #include "same_bits.hpp"
 
+namespace native_world_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -169,3 +171,5 @@ TEST_CASE("native_world: a world of a batch writes its own bodies alone", "[core
   for (std::size_t i = 0; i < 2; ++i) CHECK(batch.state.position[i] == start.position[i]);
   for (std::size_t i = 2; i < 5; ++i) CHECK(batch.state.position[i].x() != start.position[i].x());
 }
+
+}  // namespace native_world_test

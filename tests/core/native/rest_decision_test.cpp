@@ -5,6 +5,8 @@
 #include "core/native/constants.hpp"
 #include "core/native/small_world.hpp"
 
+namespace rest_decision_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -101,3 +103,5 @@ TEST_CASE("rest decision: a box that leans on its neighbour joins its island", "
   CHECK(world.state.islands.size() == 1);
   CHECK(world.bodies().activity == std::vector<Activity>{Activity::resting, Activity::resting});
 }
+
+}  // namespace rest_decision_test

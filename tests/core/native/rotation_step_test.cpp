@@ -7,6 +7,8 @@
 
 #include "random.hpp"
 
+namespace rotation_step_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -69,3 +71,5 @@ TEST_CASE("rotation_step: a vector is shortened to the limit, and a short one is
   CHECK((clamped(vector, 6.5) - 0.5 * vector).norm() < 1e-15);
   CHECK(clamped(Vec3::Zero(), 0.0) == Vec3::Zero());
 }
+
+}  // namespace rotation_step_test

@@ -5,6 +5,8 @@
 
 #include "core/model/samples.hpp"
 
+namespace sampled_step_test {
+
 using namespace holdfast::internal;
 using native::LoneBlock;
 using native::next_part;
@@ -75,3 +77,5 @@ TEST_CASE("sampled_step: what moves freely goes where the samples lead it", "[co
   CHECK(taken(phase, 0.005, {}) == 1);
   CHECK(taken(phase, 0.006, {}) == 2);
 }
+
+}  // namespace sampled_step_test

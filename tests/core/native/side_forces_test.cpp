@@ -4,6 +4,8 @@
 
 #include "core/native/small_world.hpp"
 
+namespace side_forces_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -66,3 +68,5 @@ TEST_CASE("side forces: what sleeping bodies do and what is left over balances t
   forces.add_stopped(world.state.scene, {Vec3(0.25, 0, 0)});
   CHECK(impulse_on(forces, floor).isApprox(Vec3(0.25 * world.bodies().mass[0], 0, 0), 1e-12));
 }
+
+}  // namespace side_forces_test

@@ -6,6 +6,8 @@
 
 #include "core/native/native_scenes.hpp"
 
+namespace sinking_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -96,3 +98,5 @@ TEST_CASE("sinking: overlaps are summed up from the floor on, and what nothing h
   CHECK(sinking.below(bodies, manifolds, 2, 3, bodies.shape[3].centre) == 0.0);
   CHECK(sinking.below(bodies, manifolds, 0, 1, bodies.shape[1].centre) == 0.0);
 }
+
+}  // namespace sinking_test

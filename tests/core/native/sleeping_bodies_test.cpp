@@ -6,6 +6,8 @@
 #include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 
+namespace sleeping_bodies_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -185,3 +187,5 @@ TEST_CASE("sleeping_bodies: a box falls where what it lies on is drawn away from
     CHECK(falls_at[1] <= falls_at[0] + 1);
   }
 }
+
+}  // namespace sleeping_bodies_test

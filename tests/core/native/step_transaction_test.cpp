@@ -5,6 +5,8 @@
 
 #include "core/native/small_world.hpp"
 
+namespace step_transaction_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -126,3 +128,5 @@ TEST_CASE("step: bodies that jam between sleeping ones wake these", "[core][step
   CHECK(world.bodies().state.velocity[1].x() < 0.0);
   CHECK(steps.status == Status::ok);
 }
+
+}  // namespace step_transaction_test

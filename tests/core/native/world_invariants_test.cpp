@@ -7,6 +7,8 @@
 #include "core/native/native_scenes.hpp"
 #include "random.hpp"
 
+namespace world_invariants_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -92,3 +94,5 @@ TEST_CASE("world_invariants: whatever is broken in a world is reported", "[core]
   CHECK(broken_invariants({idle, view.pairs, apart}).empty());
   CHECK_FALSE(broken_invariants({view.scene, view.pairs, apart}).empty());
 }
+
+}  // namespace world_invariants_test

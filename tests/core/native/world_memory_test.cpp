@@ -10,6 +10,8 @@
 #include "physics/measures.hpp"
 #include "same_bits.hpp"
 
+namespace world_memory_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 using namespace holdfast::internal::scenes;
@@ -50,3 +52,5 @@ TEST_CASE("world_memory: a world moves the same in memory that others have used"
   scenes::run(engine, large, brake, settings);
   CHECK(same_bits(scenes::run(engine, small, brake, settings).state, alone));
 }
+
+}  // namespace world_memory_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+namespace plain_contacts_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::plain;
 
@@ -163,3 +165,5 @@ TEST_CASE("plain_contacts: contacts of two blocks do not depend on their common 
   for (std::size_t i = 0; i < here.size(); ++i)
     check_point(there[i], turn * here[i].position + Vec3(4, 5, 6), turn * here[i].normal, here[i].gap);
 }
+
+}  // namespace plain_contacts_test

@@ -9,6 +9,8 @@
 
 #include "scenes.hpp"
 
+namespace plain_engine_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -312,3 +314,5 @@ TEST_CASE("plain_engine: a free container is refused", "[core][plain_engine]") {
   settings.container.motion = ContainerMotion::free;
   CHECK(unsupported_by_plain(settings).size() == 1);
 }
+
+}  // namespace plain_engine_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace plain_solver_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::plain;
 
@@ -68,3 +70,5 @@ TEST_CASE("plain_solver: no contacts take no sweep, and too few sweeps are repor
   CHECK(hasty.sweeps == 2);
   CHECK(hasty.residual > 0.1);
 }
+
+}  // namespace plain_solver_test

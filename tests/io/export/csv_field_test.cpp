@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace csv_field_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("csv_field: what needs quotes has them, and no text is a formula", "[io][csv]") {
@@ -14,3 +16,5 @@ TEST_CASE("csv_field: what needs quotes has them, and no text is a formula", "[i
   CHECK(csv_field("@SUM(A1)") == "\"'@SUM(A1)\"");
   CHECK(csv_field("a-b=c") == "a-b=c");
 }
+
+}  // namespace csv_field_test

@@ -4,6 +4,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace text_export_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("text_export: names too long for a file are reported before the run", 
   CHECK(prepare_text_export(text, {"a"}, {"b"}, std::string(245, 'd')));
   CHECK(prepare_text_export("/dev/null/text", {"a"}, {"b"}, "batch"));
 }
+
+}  // namespace text_export_test

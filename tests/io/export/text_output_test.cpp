@@ -4,6 +4,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace text_output_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -48,3 +50,5 @@ TEST_CASE("text_output: an unwritable path or a file of another kind is an error
   }
   CHECK(write_text_file(folder / "none/a.txt", "text\n"));
 }
+
+}  // namespace text_output_test

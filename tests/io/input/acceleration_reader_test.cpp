@@ -4,6 +4,8 @@
 
 #include "io/input/memory_file.hpp"
 
+namespace acceleration_reader_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 
@@ -94,3 +96,5 @@ TEST_CASE("acceleration_reader: five columns, at least one segment", "[io][accel
   CHECK(errors_of("") == Messages{"a.txt: is empty" + lines});
   CHECK(errors_of("# only a header\n") == Messages{"a.txt: has no segments" + lines});
 }
+
+}  // namespace acceleration_reader_test

@@ -8,6 +8,8 @@
 #include "io/input/layout_reader.hpp"
 #include "io/input/memory_file.hpp"
 
+namespace announced_boxes_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 
@@ -70,3 +72,5 @@ TEST_CASE("announced_boxes: the layouts that come with the program agree with th
   }
   CHECK(count > 30);
 }
+
+}  // namespace announced_boxes_test

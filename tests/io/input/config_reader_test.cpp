@@ -4,6 +4,8 @@
 
 #include "io/input/memory_file.hpp"
 
+namespace config_reader_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 
@@ -220,3 +222,5 @@ TEST_CASE("config_reader: contradictions name the key to change", "[io][config_r
         Messages{"in/c.ini:4:1: a material has its own friction while FrictionModel is pairs: [Material 1] "
                  "Friction; remove it, or set FrictionModel = product"});
 }
+
+}  // namespace config_reader_test

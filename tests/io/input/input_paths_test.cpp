@@ -9,6 +9,8 @@
 
 #include "io/input/memory_file.hpp"
 
+namespace input_paths_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 
@@ -197,3 +199,5 @@ TEST_CASE("input_paths: a batch folder has both kinds", "[io][input_paths]") {
   CHECK(messages_of(read_batch_folder(folder.path("other"), true, warnings)) ==
         Messages{folder.path("other") + ": the folder has no layouts"});
 }
+
+}  // namespace input_paths_test

@@ -5,6 +5,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace layout_files_test {
+
 using namespace holdfast::internal;
 using results_fixture::Folder;
 
@@ -78,3 +80,5 @@ TEST_CASE("layout_files: the loads of a file are layouts of their own, and shard
   CHECK(shard->hashes()[1] == files.hashes()[0]);
   CHECK(shard->take(0, 1)->layout.boxes.size() == 1);
 }
+
+}  // namespace layout_files_test

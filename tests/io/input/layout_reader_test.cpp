@@ -4,6 +4,8 @@
 
 #include "io/input/memory_file.hpp"
 
+namespace layout_reader_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 
@@ -171,3 +173,5 @@ TEST_CASE("layout_reader: control characters in a file do not reach messages", "
   CHECK(errors_of(std::string("\x89HDF\0 0 0 1 1 1 1", 17)).front() ==
         std::string("a.txt:2:1: x1 of box 1 is not a number: ?HDF?") + kNumber);
 }
+
+}  // namespace layout_reader_test

@@ -8,6 +8,8 @@
 #include "io/input/memory_file.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace text_file_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::test;
 using results_fixture::Folder;
@@ -51,3 +53,5 @@ TEST_CASE("text_file: the hash is SHA-256", "[io][text_file]") {
   CHECK(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
+
+}  // namespace text_file_test

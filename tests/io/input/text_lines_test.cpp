@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace text_lines_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("text_lines: lines end with LF or CRLF and are counted from 1", "[io][text_lines]") {
@@ -40,3 +42,5 @@ TEST_CASE("text_lines: the text in a message is short and printable", "[io][text
   CHECK(trimmed(" \ta b\r") == "a b");
   CHECK(trimmed(" ").empty());
 }
+
+}  // namespace text_lines_test

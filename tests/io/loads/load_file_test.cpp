@@ -8,6 +8,8 @@
 #include "io/loads/load_json.hpp"
 #include "io/loads/load_writer.hpp"
 
+namespace load_file_test {
+
 using namespace holdfast::internal;
 using test::memory_file;
 using test::Messages;
@@ -274,3 +276,5 @@ TEST_CASE("load_file: named materials that nothing describes are said where othe
   settings.materials[MaterialName("carton")].friction = 0.4;
   CHECK(said_of(loads_of(text, settings)).find("not described: steel") != std::string::npos);
 }
+
+}  // namespace load_file_test

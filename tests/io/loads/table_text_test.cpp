@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace table_text_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("table_text: what separates cells", "[io][loads]") {
   CHECK(separator_of("\"a;b;c\",d\n") == ',');
   CHECK(separator_of("a b\n1 2\n") == ' ');
 }
+
+}  // namespace table_text_test

@@ -7,6 +7,8 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace chunk_codec_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -70,3 +72,5 @@ TEST_CASE("chunk_codec: a padded chunk is read back with its zeros, for any leng
 TEST_CASE("chunk_codec: a constant column compresses to almost nothing", "[io][results]") {
   CHECK(compress_chunk(std::vector<std::byte>(196'608), 4).size() < 2000);
 }
+
+}  // namespace chunk_codec_test

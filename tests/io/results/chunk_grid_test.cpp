@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+namespace chunk_grid_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("chunk_grid: continues an interrupted run", "[io][results]") {
   lay(after, cut, kCount, 700, resumed);
   CHECK((resumed == whole));
 }
+
+}  // namespace chunk_grid_test

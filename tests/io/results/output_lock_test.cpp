@@ -4,6 +4,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace output_lock_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -49,3 +51,5 @@ TEST_CASE("output_lock: a folder that cannot be created is an error", "[io][resu
   REQUIRE_FALSE(lock);
   CHECK(lock.error().what == "cannot be created");
 }
+
+}  // namespace output_lock_test

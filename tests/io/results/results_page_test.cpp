@@ -3,6 +3,8 @@
 #include "core/model/outcome.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace results_page_test {
+
 using namespace results_fixture;
 
 TEST_CASE("results_page: docs/results_file.md is up to date", "[io][results]") {
@@ -15,3 +17,5 @@ TEST_CASE("results_page: names every status bit", "[io][results]") {
   for (std::uint32_t bit = 1; to_string(static_cast<Status>(bit)) != "ok"; bit <<= 1U)
     CHECK(results_page().find("`" + to_string(static_cast<Status>(bit)) + "`") != std::string::npos);
 }
+
+}  // namespace results_page_test

@@ -7,6 +7,8 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace results_reader_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -128,3 +130,5 @@ TEST_CASE("results_reader: a file has no analyses that were not asked for", "[io
   CHECK(results.info().analyses.empty());
   CHECK_FALSE(read_worlds<WallForces>(results, 0, require_value(results.worlds(0, 1))));
 }
+
+}  // namespace results_reader_test

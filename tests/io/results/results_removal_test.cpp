@@ -6,6 +6,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace results_removal_test {
+
 using namespace results_fixture;
 
 TEST_CASE("results_removal: only a results file is replaced", "[io][results]") {
@@ -27,3 +29,5 @@ TEST_CASE("results_removal: results, an empty file and a missing file may be rep
   CHECK_FALSE(remove_results(path));
   CHECK_FALSE(std::filesystem::exists(path));
 }
+
+}  // namespace results_removal_test

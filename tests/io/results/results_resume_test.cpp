@@ -6,6 +6,8 @@
 
 #include "io/results/results_fixture.hpp"
 
+namespace results_resume_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -161,3 +163,5 @@ TEST_CASE("results_resume: parts that a kill has left beside the finished file a
   CHECK(require_value(find_finished(path, fingerprint(run.description))).complete);
   CHECK_FALSE(std::filesystem::exists(path + ".parts"));
 }
+
+}  // namespace results_resume_test

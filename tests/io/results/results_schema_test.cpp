@@ -7,6 +7,8 @@
 #include "io/results/hdf5_file.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace results_schema_test {
+
 using namespace results_fixture;
 
 TEST_CASE("results_schema: every dataset of the table is in the file with its type and shape", "[io][results]") {
@@ -69,3 +71,5 @@ TEST_CASE("results_schema: long datasets are those of boxes and samples, and hol
       CHECK(chunk_entries(schema()[i].axis) * size_of(schema()[i].type) * schema()[i].width <= kMostChunkBytes);
   }
 }
+
+}  // namespace results_schema_test

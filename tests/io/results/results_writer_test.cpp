@@ -12,6 +12,8 @@
 #include "io/results/summary.hpp"
 #include "same_bits.hpp"
 
+namespace results_writer_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -328,3 +330,5 @@ TEST_CASE("results_assembler: when stopped it does not change the parts", "[io][
   require_ok(assemble(path, run.description, &stop));
   CHECK(list_directory(folder / "") == std::vector<std::string>{"results.h5"});
 }
+
+}  // namespace results_writer_test

@@ -7,6 +7,8 @@
 #include "io/results/results_columns.hpp"
 #include "io/results/results_fixture.hpp"
 
+namespace summary_test {
+
 using namespace results_fixture;
 
 namespace {
@@ -109,3 +111,5 @@ TEST_CASE("summary: the results of a missing file are an error", "[io][results]"
   CHECK(write_summary_csv(folder / "none.h5", {}, folder / "out"));
   CHECK_FALSE(std::filesystem::exists(folder / "out.h5"));
 }
+
+}  // namespace summary_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+namespace kernel_patches_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -42,3 +44,5 @@ TEST_CASE("kernel_patches: each has a name of its own", "[parallel][kernel_patch
     CHECK(patch.find != patch.replace);
   }
 }
+
+}  // namespace kernel_patches_test

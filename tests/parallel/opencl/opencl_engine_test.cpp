@@ -5,6 +5,8 @@
 #include "core/engine/engine_support.hpp"
 #include "scenes.hpp"
 
+namespace opencl_engine_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -256,3 +258,5 @@ TEST_CASE("opencl_engine: a state that is not finite ends its world and no other
     CHECK(runs[world].record.row.state_hash == alone.record.row.state_hash);
   }
 }
+
+}  // namespace opencl_engine_test

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+namespace ordered_run_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -200,3 +202,5 @@ TEST_CASE("ordered_run: no more threads work than asked for", "[parallel][ordere
     CHECK(most <= way.threads);
   }
 }
+
+}  // namespace ordered_run_test

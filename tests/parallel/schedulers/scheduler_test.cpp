@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
+namespace scheduler_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("scheduler: OpenMP is there exactly where its name is, and the others always", "[parallel][scheduler]") {
@@ -20,3 +22,5 @@ TEST_CASE("scheduler: as many threads as asked for, or one per core", "[parallel
   CHECK(thread_count(0) >= 1);
   CHECK(thread_count(0) <= static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
 }
+
+}  // namespace scheduler_test

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
+namespace ticker_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("ticker: a last call sees what came before the end, whenever that comes", "[parallel][ticker]") {
@@ -23,3 +25,5 @@ TEST_CASE("ticker: a last call sees what came before the end, whenever that come
     }
   }
 }
+
+}  // namespace ticker_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace failure_order_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -76,3 +78,5 @@ TEST_CASE("failure_order: only what neither stayed nor failed rejects a layout",
   unstable.end.settling_peak_displacement = {0.2F};
   CHECK(rejects(unstable, {}));
 }
+
+}  // namespace failure_order_test

@@ -10,6 +10,8 @@
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
+namespace unit_runner_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 using results_fixture::Folder;
@@ -121,3 +123,5 @@ TEST_CASE("unit_runner: a layout with a mat cannot be used by an engine without,
     CHECK(same.layout.boxes.size() == 2);
   }
 }
+
+}  // namespace unit_runner_test

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace work_units_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("work_units: the worlds of a layout may be one unit", "[parallel][work
   CHECK(units[1].acceleration_end == 4);
   CHECK(units.sharing_layouts(1, 0) == 1);
 }
+
+}  // namespace work_units_test

@@ -2,6 +2,8 @@
 
 #include "scenes.hpp"
 
+namespace world_limits_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::scenes;
 
@@ -20,3 +22,5 @@ TEST_CASE("world_limits: steps count settling and run-out, and too many are refu
   settings.timeout = 1.0;
   CHECK(most_steps(acceleration, settings, 100.0) == Approx(300.0));
 }
+
+}  // namespace world_limits_test

@@ -5,6 +5,8 @@
 
 #include "validate/laboratory/scene.hpp"
 
+namespace rocking_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -193,3 +195,5 @@ TEST_CASE("rocking: dividing the intervals changes nothing beyond 1e-10", "[vali
   CHECK(once.largest_tilt == Approx(often.largest_tilt).margin(1e-10));
   CHECK(once.tilt == Approx(often.tilt).margin(1e-10));
 }
+
+}  // namespace rocking_test

@@ -5,6 +5,8 @@
 
 #include "validate/answers/rocking.hpp"
 
+namespace rocking_trains_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("rocking_trains: a train is sampled 100 times per second and ends with
   CHECK(largest == Approx(1.5 * kGravity / 3.0).epsilon(1e-3));
   CHECK(acceleration.segments.back().acceleration.isZero(0.0));
 }
+
+}  // namespace rocking_trains_test

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace sampled_wave_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("sampled_wave: the largest use is that of friction or of balance, whic
   CHECK(largest_use(acceleration, {9.0, 0.5, 0.4}, 10.0) == Approx(1.0));
   CHECK(largest_use(acceleration, {9.0, 0.5, 4.0}, 10.0) == Approx(0.8));
 }
+
+}  // namespace sampled_wave_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace sliding_block_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -50,3 +52,5 @@ TEST_CASE("sliding_block: an opposite acceleration stops the block, then moves i
   CHECK(end.displacement ==
         Approx(-0.5 * excess * 0.04 - 0.5 * speed * stop + 0.5 * excess * back * back).epsilon(1e-13));
 }
+
+}  // namespace sliding_block_test

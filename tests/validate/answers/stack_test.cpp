@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace stack_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("stack: the acceleration that tips decreases to the limit as the time 
   CHECK(late > 0.0);
   CHECK(late < 1e-4);
 }
+
+}  // namespace stack_test

@@ -7,6 +7,8 @@
 #include "validate/answers/sampled_wave.hpp"
 #include "validate/laboratory/scene.hpp"
 
+namespace stick_slip_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("stick_slip: stacked blocks with a kinetic share slide with it from th
     CHECK(together.upper == Approx(alone).epsilon(1e-12));
   }
 }
+
+}  // namespace stick_slip_test

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace toppling_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("toppling: after the shortest pulse the body just reaches the upright 
   const double to_the_top = body.arm * kGravity * (1.0 - std::cos(body.lean - pushed.angle()));
   CHECK(kinetic == Approx(to_the_top).epsilon(1e-10));
 }
+
+}  // namespace toppling_test

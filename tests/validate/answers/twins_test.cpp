@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace twins_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -54,3 +56,5 @@ TEST_CASE("twins: the distance is the largest of all boxes, infinite for differe
   CHECK(std::isinf(distance_between({}, {})));
   CHECK_FALSE(same_bits({}, {}));
 }
+
+}  // namespace twins_test

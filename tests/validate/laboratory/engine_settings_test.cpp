@@ -4,6 +4,8 @@
 
 #include "validate/laboratory/scene.hpp"
 
+namespace engine_settings_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("engine settings: every setting has a step that a scene's step factor can multiply", "[validate]") {
@@ -14,3 +16,5 @@ TEST_CASE("engine settings: every setting has a step that a scene's step factor 
     CHECK(settings.steps_per_second.has_value());
   }
 }
+
+}  // namespace engine_settings_test

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+namespace load_suite_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("load_suite: every layout has the four road accelerations", "[validate
   CHECK(worlds[0].scene.acceleration.segments[1].acceleration.x() == Approx(0.8 * 9.81));
   CHECK(worlds[0].scene.boxes[0].position == Vec3(0.5, 0.5, 0.5));
 }
+
+}  // namespace load_suite_test

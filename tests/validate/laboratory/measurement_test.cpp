@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+namespace measurement_test {
+
 using namespace holdfast::internal;
 
 TEST_CASE("measurement: errors are relative, relative to a scale, or of a verdict", "[validate][measurement]") {
@@ -27,3 +29,5 @@ TEST_CASE("measurement: classes are ordered from exact to coarse", "[validate][m
   CHECK(tolerance_of(ToleranceClass::fine) < tolerance_of(ToleranceClass::good));
   CHECK(tolerance_of(ToleranceClass::good) < tolerance_of(ToleranceClass::coarse));
 }
+
+}  // namespace measurement_test

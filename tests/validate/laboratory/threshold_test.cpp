@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace threshold_test {
+
 using holdfast::internal::threshold_near;
 
 TEST_CASE("threshold: found at any position", "[validate][threshold]") {
@@ -28,3 +30,5 @@ TEST_CASE("threshold: always and never exceeded", "[validate][threshold]") {
   CHECK(threshold_near(1.0, 1e-7, [](double) { return true; }) == 0.0);
   CHECK(std::isinf(threshold_near(1.0, 1e-7, [](double) { return false; })));
 }
+
+}  // namespace threshold_test

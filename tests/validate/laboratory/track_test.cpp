@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+namespace track_test {
+
 using namespace holdfast::internal;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("track: the stop is found by constant deceleration from the last motio
   }
   CHECK(stop_time(track, 0, 2.0) == Approx(1.0).epsilon(1e-12));
 }
+
+}  // namespace track_test

@@ -11,6 +11,8 @@
 #include "core/native/constants.hpp"
 #include "random.hpp"
 
+namespace box_box_random_test {
+
 using namespace holdfast::internal::native;
 using holdfast::internal::Random;
 using holdfast::internal::Vec3;
@@ -305,3 +307,5 @@ TEST_CASE("box_box: the path of aligned boxes agrees with that of rotated ones",
   CAPTURE(contacts);
   CHECK(contacts > 1000);
 }
+
+}  // namespace box_box_random_test

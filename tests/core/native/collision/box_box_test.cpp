@@ -6,6 +6,8 @@
 
 #include "core/native/collision/boxes.hpp"
 
+namespace box_box_test {
+
 using namespace holdfast::internal::native;
 using holdfast::internal::Vec3;
 
@@ -310,3 +312,5 @@ TEST_CASE("box_box: a mirrored scene has the mirrored contact, to the bit", "[co
     check(contact_of(side, b, kMargin), contact_of(HalfSpace{mirrored(side.normal), side.offset}, image_b, kMargin));
   }
 }
+
+}  // namespace box_box_test

@@ -9,15 +9,19 @@
 
 #include "random.hpp"
 
+template <>
+struct Catch::StringMaker<holdfast::internal::native::IndexPair> {
+  static std::string convert(const holdfast::internal::native::IndexPair& pair) {
+    return std::to_string(pair.i) + "-" + std::to_string(pair.j);
+  }
+};
+
+namespace broad_phase_test {
+
 using holdfast::internal::Random;
 using holdfast::internal::Vec3;
 using holdfast::internal::native::BroadPhase;
 using holdfast::internal::native::IndexPair;
-
-template <>
-struct Catch::StringMaker<IndexPair> {
-  static std::string convert(const IndexPair& pair) { return std::to_string(pair.i) + "-" + std::to_string(pair.j); }
-};
 
 namespace {
 
@@ -154,3 +158,5 @@ TEST_CASE("broad_phase: bounds that are not numbers overlap none and hide none",
   CHECK(found(phase, bounds) == expected);
   CHECK(found(phase, bounds) == expected);
 }
+
+}  // namespace broad_phase_test

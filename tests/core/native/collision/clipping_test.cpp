@@ -8,6 +8,8 @@
 #include "core/native/constants.hpp"
 #include "random.hpp"
 
+namespace clipping_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -118,3 +120,5 @@ TEST_CASE("clipping: two edges that cross touch where they are nearest", "[core]
   const OrientedBox beside = turned(box_at({0.8, 0.1, 2 * diagonal + gap}, {1, 1, 1}), Vec3::UnitY(), quarter);
   CHECK(edge_contact(a, beside, relative_pose(a, beside), {ContactAxis::Kind::edges, 0, 1}).count == 0);
 }
+
+}  // namespace clipping_test

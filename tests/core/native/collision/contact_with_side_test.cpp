@@ -5,6 +5,8 @@
 #include "core/native/collision/box_box.hpp"
 #include "core/native/collision/boxes.hpp"
 
+namespace contact_with_side_test {
+
 using namespace holdfast::internal::native;
 using holdfast::internal::Vec3;
 
@@ -93,3 +95,5 @@ TEST_CASE("box_box: a side of any inclination carries a box that lies on it", "[
     check_points(contact, side, laid);
   }
 }
+
+}  // namespace contact_with_side_test

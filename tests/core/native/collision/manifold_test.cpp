@@ -6,6 +6,8 @@
 
 #include "core/native/collision/boxes.hpp"
 
+namespace manifold_test {
+
 using namespace holdfast::internal::native;
 using holdfast::internal::Vec3;
 
@@ -90,3 +92,5 @@ TEST_CASE("manifold: points that are on neither body where one was have no cache
   REQUIRE(manifold.contact.count == 4);
   CHECK(points_with_impulse(manifold) == 2);
 }
+
+}  // namespace manifold_test

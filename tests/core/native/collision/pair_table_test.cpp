@@ -6,6 +6,8 @@
 
 #include "random.hpp"
 
+namespace pair_table_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -48,3 +50,5 @@ TEST_CASE("pair_table: whatever is set and erased, it holds what a sorted map ho
   }
   for (const auto& [pair, index] : expected) CHECK(table.find(pair.first, pair.second) == index);
 }
+
+}  // namespace pair_table_test

@@ -9,6 +9,8 @@
 #include "core/native/constants.hpp"
 #include "random.hpp"
 
+namespace separating_axis_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -114,3 +116,5 @@ TEST_CASE("separating_axis: of parallel faces the larger one is the reference, w
   CHECK(choose(large, small, 1e-3)->axis.kind == ContactAxis::Kind::face_of_a);
   CHECK(choose(small, large, 1e-3)->axis.kind == ContactAxis::Kind::face_of_b);
 }
+
+}  // namespace separating_axis_test

@@ -11,6 +11,8 @@
 #include "core/native/constants.hpp"
 #include "random.hpp"
 
+namespace position_correction_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -225,3 +227,5 @@ TEST_CASE("position_correction: a box that does not fit between walls stays betw
   CHECK(correction.shift(2).allFinite());
   CHECK(std::abs(correction.shift(2).x()) < 2.01e-3);
 }
+
+}  // namespace position_correction_test

@@ -11,6 +11,8 @@
 #include "core/native/solver/solved_problems.hpp"
 #include "same_bits.hpp"
 
+namespace admm_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -228,3 +230,5 @@ TEST_CASE("equilibrium: a spin refutes rest above the torque that friction holds
     CHECK(EquilibriumCheck().refutes_rest(problem, 100.0) == (share > 1.0));
   }
 }
+
+}  // namespace admm_test

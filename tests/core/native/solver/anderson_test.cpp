@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace anderson_test {
+
 using namespace holdfast::internal::native;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("anderson: pauses grow with every residual that jumps, and never end b
   // The iteration that jumps is the first of its pause.
   CHECK(paused == (jumps < 10 ? pause - 1 : pause));
 }
+
+}  // namespace anderson_test

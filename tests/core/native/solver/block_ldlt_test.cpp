@@ -9,6 +9,8 @@
 #include "random.hpp"
 #include "same_bits.hpp"
 
+namespace block_ldlt_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -262,3 +264,5 @@ TEST_CASE("block_ldlt: bodies are eliminated in the order of least degree, of se
     }
   }
 }
+
+}  // namespace block_ldlt_test

@@ -10,6 +10,8 @@
 #include "random.hpp"
 #include "same_bits.hpp"
 
+namespace body_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -103,3 +105,5 @@ TEST_CASE("body_kernels: every instruction set computes the same bits", "[core][
   });
   for (const std::vector<double>& result : results) CHECK(same_bits(result, results.front()));
 }
+
+}  // namespace body_kernels_test

@@ -11,6 +11,8 @@
 #include "core/native/solver/random_contacts.hpp"
 #include "same_bits.hpp"
 
+namespace contact_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -388,3 +390,5 @@ TEST_CASE("contact_kernels: the orthogonal projection gives the nearest point of
     }
   }
 }
+
+}  // namespace contact_kernels_test

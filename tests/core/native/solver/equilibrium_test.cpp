@@ -5,6 +5,8 @@
 
 #include "core/native/solver/contact_problem.hpp"
 
+namespace equilibrium_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -51,3 +53,5 @@ TEST_CASE("equilibrium: what is not a number is no balance", "[core][equilibrium
     CHECK(EquilibriumCheck().residual(free_body(velocity), 0.1) == std::numeric_limits<double>::infinity());
   }
 }
+
+}  // namespace equilibrium_test

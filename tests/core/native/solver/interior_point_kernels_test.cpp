@@ -8,6 +8,8 @@
 #include "core/native/collision/oriented_box.hpp"
 #include "random.hpp"
 
+namespace interior_point_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -148,3 +150,5 @@ TEST_CASE("interior_point_kernels: the longest step is that of the first cone or
   du[0].row[2][0] = std::nan("");
   CHECK(std::isnan(longest()));
 }
+
+}  // namespace interior_point_kernels_test

@@ -15,6 +15,8 @@
 #include "random.hpp"
 #include "same_bits.hpp"
 
+namespace interior_point_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -389,3 +391,5 @@ TEST_CASE("interior_point: a turned pile is decided as it was, with its motion t
     }
   }
 }
+
+}  // namespace interior_point_test

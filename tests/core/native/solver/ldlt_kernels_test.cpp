@@ -9,6 +9,8 @@
 #include "core/native/solver/random_contacts.hpp"
 #include "same_bits.hpp"
 
+namespace ldlt_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -272,3 +274,5 @@ TEST_CASE("ldlt_kernels: every instruction set computes the same bits", "[core][
     CHECK(same_bits(out.chain.right, first.chain.right));
   }
 }
+
+}  // namespace ldlt_kernels_test

@@ -6,6 +6,8 @@
 #include "core/native/solver/each_instruction_set.hpp"
 #include "random.hpp"
 
+namespace penalty_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -116,3 +118,5 @@ TEST_CASE("penalty_kernels: every instruction set computes the same bits", "[cor
     }
   }
 }
+
+}  // namespace penalty_kernels_test

@@ -7,6 +7,8 @@
 #include "core/native/solver/solved_problems.hpp"
 #include "same_bits.hpp"
 
+namespace problem_bytes_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -55,3 +57,5 @@ TEST_CASE("problem_bytes: what is no problem is refused", "[core][problem_bytes]
   CHECK(is_refused([](ContactProblem& p) { p.velocity.pop_back(); }));
   CHECK(is_refused([](ContactProblem& p) { p.pairs.emplace_back(0, 1000); }));
 }
+
+}  // namespace problem_bytes_test

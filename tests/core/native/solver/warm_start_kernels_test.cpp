@@ -10,6 +10,8 @@
 #include "core/native/solver/random_contacts.hpp"
 #include "same_bits.hpp"
 
+namespace warm_start_kernels_test {
+
 using namespace holdfast::internal;
 using namespace holdfast::internal::native;
 
@@ -189,3 +191,5 @@ TEST_CASE("warm_start_kernels: every instruction set computes the same bits", "[
   });
   for (const std::vector<double>& result : results) CHECK(same_bits(result, results.front()));
 }
+
+}  // namespace warm_start_kernels_test

@@ -1,0 +1,78 @@
+#include "core/native/island/island_solve.hpp"
+
+#include <catch2/catch.hpp>
+#include <utility>
+#include <vector>
+
+namespace island_solve_test {
+
+using namespace holdfast::internal;
+using namespace holdfast::internal::native;
+
+namespace {
+
+/// Writes down with which limits it is asked to solve, and ends with the residuals that it is told.
+class ScriptedSolver final : public ContactSolver {
+ public:
+  ScriptedSolver(std::vector<SolveLimits>& asked, std::vector<double> residuals)
+      : asked_(asked), residuals_(std::move(residuals)) {}
+
+  std::span<const std::uint32_t> order(std::size_t, std::span<const BodyPair>) override { return {}; }
+  SolveResult solve(ContactProblem&, const SolveLimits& limits) override {
+    asked_.push_back(limits);
+    return {.iterations = 7, .residual = residuals_.at(asked_.size() - 1) * limits.velocity_unit};
+  }
+
+ private:
+  std::vector<SolveLimits>& asked_;
+  std::vector<double> residuals_;
+};
+
+/// The limits of all solves that it takes.
+std::vector<SolveLimits> solves(std::vector<double> residuals) {
+  std::vector<SolveLimits> asked;
+  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::move(residuals)));
+  StepTerms terms;
+  terms.effective_gravity = {0, 0, -10};
+  SolveLimits limits;
+  limits.iterations = 20;
+  limits.more_iterations = 40;
+  limits.worst_residual = 0.1;
+  limits.accelerate = true;
+  IslandReport report;
+  solve.solve(limits, terms, 0.01, report);
+  CHECK(report.iterations == 7 * asked.size());
+  for (const SolveLimits& each : asked) CHECK(each.velocity_unit == Approx(0.1));
+  return asked;
+}
+
+}  // namespace
+
+TEST_CASE("island solve: what may pass is solved once, what may not goes on for longer", "[core][solve]") {
+  CHECK(solves({0.05}).size() == 1);
+  const std::vector<SolveLimits> asked = solves({0.2, 0.05});
+  REQUIRE(asked.size() == 2);
+  CHECK(asked[1].more_iterations == kMoreIterations * 60);
+  CHECK_FALSE(asked[1].accelerate);
+  CHECK(asked[1].sticking == asked[0].sticking);
+}
+
+TEST_CASE("island solve: what diverges starts again with less of the penalty", "[core][solve]") {
+  const std::vector<SolveLimits> asked = solves({2.0 * kDivergedResidual, 0.0});
+  REQUIRE(asked.size() == 2);
+  CHECK(asked[1].sticking == kCarefulShare * asked[0].sticking);
+  CHECK(asked[1].sliding == kCarefulShare * asked[0].sliding);
+}
+
+TEST_CASE("island solve: only large islands repeat a solve with fewer iterations", "[core][solve]") {
+  SolveLimits limits;
+  limits.iterations = 20;
+  std::vector<std::uint32_t> bodies(kSmallIslandBodies);
+  CHECK(repeated_limits(limits, {bodies, {}}).iterations == 20);
+  bodies.push_back(0);
+  CHECK(repeated_limits(limits, {bodies, {}}).iterations == static_cast<int>(20 * kRepeatedShare));
+  limits.iterations = 1;
+  CHECK(repeated_limits(limits, {bodies, {}}).iterations == kLeastIterations);
+}
+
+}  // namespace island_solve_test
