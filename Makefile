@@ -92,11 +92,11 @@ viewer-test: program viewer  ## Check the page's sources, and test it alone and 
 
 docs: program  ## Write the generated pages of docs/ again, its picture where Graphviz is installed, and the files made of outcome_fields.h
 	tools/outcome_types.py
-	build/release/bin/holdfast --config-page > docs/config.md
-	build/release/bin/holdfast --norms-page > docs/norms.md
-	build/release/bin/holdfast --results-page > docs/results_file.md
-	python3 tools/parameters_page.py build/release/bin/holdfast > docs/parameters.md
-	! command -v dot > /dev/null || dot -Tsvg docs/world_flow.dot -o docs/world_flow.svg
+	build/release/bin/holdfast --config-page > docs/reference/config.md
+	build/release/bin/holdfast --norms-page > docs/reference/norms.md
+	build/release/bin/holdfast --results-page > docs/reference/results_file.md
+	python3 tools/parameters_page.py build/release/bin/holdfast > docs/physics/parameters.md
+	! command -v dot > /dev/null || dot -Tsvg docs/develop/world_flow.dot -o docs/develop/world_flow.svg
 
 evidence: program  ## Write the tables and pictures of README.md and docs/ that come from runs again
 	@$(INSTALL) --test

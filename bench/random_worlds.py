@@ -339,7 +339,7 @@ def main():
                         "the same seed and at least as many worlds")
     parser.add_argument("--keep", type=Path, metavar="DIR", help="write layout, acceleration and configuration of the worlds "
                         "there in which the accuracies disagree, or one fails")
-    parser.add_argument("--into", type=Path, metavar="PAGE", help="page whose tables are replaced, such as docs/validation.md")
+    parser.add_argument("--into", type=Path, metavar="PAGE", help="page whose tables are replaced, such as docs/evidence/validation.md")
     parser.add_argument("--quiet", action="store_true", help="do not tell how far it is")
     options = parser.parse_args()
     if options.worlds < 1 or options.jobs < 1:

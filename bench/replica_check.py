@@ -41,7 +41,7 @@ def factors(random, deviation):
 
 
 def fresh_config(random, accuracy, materials):
-    """A configuration with friction drawn as docs/confidence.md says."""
+    """A configuration with friction drawn as docs/guide/confidence.md says."""
     container = CONTAINER * factors(random, math.sqrt(0.75) * SPREAD)
     text = f"[Native]\nAccuracy = {accuracy}\n[Simulation Settings]\nContainerFriction = {container!r}\n"
     for material in materials:

@@ -1,4 +1,4 @@
-# Debian 12's packages; tools/install_dependencies.sh installs them, docs/architecture.md says why each is there.
+# Debian 12's packages; tools/install_dependencies.sh installs them, docs/develop/architecture.md says why each is there.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED)
 find_package(fmt 9 REQUIRED)

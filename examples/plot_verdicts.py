@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws docs/verdicts.svg: how far four boxes go over time, and the limits that they are judged by.
+"""Draws docs/guide/verdicts.svg: how far four boxes go over time, and the limits that they are judged by.
 
 It screens four bundled layouts under a brake of 0.8 g for 0.3 s, with a sample every 2 ms, and draws one box of each.
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that every source includes only what its folder may: docs/architecture.md gives the rules and the reasons.
+"""Checks that every source includes only what its folder may: docs/develop/architecture.md gives the rules and the reasons.
 
 Prints one finding per line, `file:line: what`, and exits with 1 if there is any.
 """

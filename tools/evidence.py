@@ -9,10 +9,11 @@ it has "...": every part begins with a line that the command prints, its numbers
 
 Other pictures take minutes to hours, or need what this program does not have. They are drawn by hand when what they show changes:
 
-    docs/search.svg       the commands at the end of docs/search.md, some 35 minutes of processor time
-    docs/viewer/*         node tests/viewer/pictures.mjs RESULTS docs/viewer, as docs/viewer.md says; needs Chromium and the page
-    docs/validation/*     holdfast validate -o validation && tools/validation_report.py validation, hours
-    docs/peers.svg        bench/peers/compare.py, as bench/peers/README.md says; needs the sources of Box3D and Jolt
+    docs/guide/search.svg       the commands at the end of docs/guide/search.md, some 35 minutes of processor time
+    docs/guide/viewer/*         node tests/viewer/pictures.mjs RESULTS docs/guide/viewer, as docs/guide/viewer.md says; needs
+                                Chromium and the page
+    docs/evidence/validation/*  holdfast validate -o validation && tools/validation_report.py validation, hours
+    docs/evidence/peers.svg     bench/peers/compare.py, as bench/peers/README.md says; needs the sources of Box3D and Jolt
 """
 import os
 import pathlib
@@ -23,15 +24,15 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", *(f"docs/{name}.md" for name in ("confidence", "damage", "indicators", "load_shift", "margins", "walls"))]
+PAGES = ["README.md", *(f"docs/guide/{name}.md" for name in ("confidence", "damage", "indicators", "load_shift", "margins", "walls"))]
 INDENT = "    "
 PROGRAM = "PROGRAM"
 # Pictures, what draws them, and from which results.
 PICTURES = {
-    "docs/margins.svg": ["examples/plot_margins.py", "margins.h5"],
-    "docs/walls.svg": ["examples/plot_walls.py", "walls.h5"],
-    "docs/verdicts.svg": ["examples/plot_verdicts.py", "--program", PROGRAM],
-    "docs/indicators.svg": ["examples/indicators.py", "indicators.h5"],
+    "docs/guide/margins.svg": ["examples/plot_margins.py", "margins.h5"],
+    "docs/guide/walls.svg": ["examples/plot_walls.py", "walls.h5"],
+    "docs/guide/verdicts.svg": ["examples/plot_verdicts.py", "--program", PROGRAM],
+    "docs/guide/indicators.svg": ["examples/indicators.py", "indicators.h5"],
 }
 RESULTS = {
     "margins.h5": "margins -c configs/demo.ini --layouts configs/layouts --norm road",
@@ -123,7 +124,7 @@ def draw_report(program, results, folder):
     """A picture of the page that the report has for a layout, taken by Chromium; without one the picture stays."""
     browser = os.environ.get("HOLDFAST_BROWSER") or shutil.which("chromium")
     if not browser:
-        print("docs/report.png is not drawn: there is no chromium")
+        print("docs/guide/report.png is not drawn: there is no chromium")
         return
     page, picture = folder / "report.html", folder / "report.png"
     subprocess.run([program, "report", results, "-o", page], cwd=ROOT, check=True, capture_output=True)
@@ -132,7 +133,7 @@ def draw_report(program, results, folder):
     page.write_text(text[:front.start(1)] + text[front.end(1):], encoding="utf-8")
     subprocess.run([browser, "--headless", "--no-sandbox", "--hide-scrollbars", "--force-device-scale-factor=1",
                     "--window-size=720,1030", f"--screenshot={picture}", page.as_uri()], check=True, capture_output=True)
-    shutil.copy(picture, ROOT / "docs/report.png")
+    shutil.copy(picture, ROOT / "docs/guide/report.png")
 
 
 def main():

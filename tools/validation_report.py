@@ -59,7 +59,7 @@ DEVICE_ENGINE, BESIDE = "bullet-opencl", "bullet, 240 Hz, 50 it"
 DEVICE_COST = (
     "<p><code>bullet-opencl</code> is made for batches. A step takes a device about 340 launches of kernels, whatever is in it, "
     "so that the single boxes of these cases cost as much as a full load would. The time in the table, nearly all of it spent waiting "
-    "for the device, says nothing about a batch, and is left out of the picture: docs/opencl.md has what a world costs in one. Only "
+    "for the device, says nothing about a batch, and is left out of the picture: docs/develop/opencl.md has what a world costs in one. Only "
     "the quick cases are measured with it, and no real loads.</p>")
 STYLE = """body{font:15px/1.5 sans-serif;max-width:75em;margin:2em auto;padding:0 1em;color:#222}
 table{border-collapse:collapse;font-size:13px;margin:1em 0}td,th{border:1px solid #ccc;padding:2px 6px;text-align:right}

@@ -10,7 +10,7 @@ wall time, which needs a machine without other work; and the memory of a million
 Build before: cmake --preset release -DHOLDFAST_PYTHON=ON
               cmake --build --preset release --target holdfast call_cost holdfast_python
 
-Example: bench/calls/compare.py --into docs/performance.md
+Example: bench/calls/compare.py --into docs/evidence/performance.md
 """
 import argparse
 import json
@@ -197,7 +197,7 @@ def main():
     parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="default: all")
     parser.add_argument("--rounds", type=int, default=5, help="default: %(default)s")
     parser.add_argument("--calls", type=int, default=1_000_000, help="of which memory is watched (default: %(default)s)")
-    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/performance.md")
+    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/evidence/performance.md")
     arguments = parser.parse_args()
     tables = {}
     with tempfile.TemporaryDirectory(prefix="holdfast-calls-") as name:

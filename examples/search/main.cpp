@@ -1,5 +1,5 @@
 // Searches for the fullest loading of a container that holds all accelerations: a biased random-key genetic algorithm
-// with holdfast in the loop, or after it. docs/search.md compares the two.
+// with holdfast in the loop, or after it. docs/guide/search.md compares the two.
 //
 //     loading_search bench/instances.txt 7 configs/accelerations/road_*.txt --seconds 120
 #include <algorithm>

@@ -79,7 +79,7 @@ enum {
 /* Version of the library that is linked, such as "2.0.0". May be called from any thread. */
 HOLDFAST_API const char* holdfast_version(void);
 
-/* ---- Settings: keys of config.ini and their values, see docs/config.md. ---- */
+/* ---- Settings: keys of config.ini and their values, see docs/reference/config.md. ---- */
 
 typedef struct holdfast_settings holdfast_settings;
 
@@ -116,8 +116,8 @@ typedef struct holdfast_screen_options {
   int32_t mark_bad_layouts; /* 0: a bad layout is an error; 1: its worlds have HOLDFAST_BAD_LAYOUT */
   int32_t keep_boxes;       /* 1: holdfast_screen_boxes gives the boxes */
   size_t most_in_flight;    /* layouts that holdfast_screen_submit takes before one is polled; 0: 16 per thread */
-  const char* norm;         /* norm whose accelerations the screen begins with, such as "road", see docs/norms.md;
-                               "": none; NULL: as the settings say */
+  const char* norm; /* norm whose accelerations the screen begins with, such as "road", see docs/reference/norms.md;
+                       "": none; NULL: as the settings say */
 } holdfast_screen_options;
 
 /* Makes a screen, which starts no thread before it needs one.
@@ -252,7 +252,7 @@ HOLDFAST_API int holdfast_screen_boxes(holdfast_screen* screen, size_t index, ho
 /* What the replicas of a world say of it: HOLDFAST_REPLICAS_NONE, ... of HOLDFAST_REPLICA_VERDICTS. */
 enum { HOLDFAST_REPLICA_VERDICTS(HOLDFAST_C_NAME) };
 
-/* What became of the replicas of a world, see docs/confidence.md. */
+/* What became of the replicas of a world, see docs/guide/confidence.md. */
 typedef struct holdfast_replicas {
   size_t size;       /* sizeof(holdfast_replicas) */
   int32_t verdict;   /* HOLDFAST_REPLICAS_NONE, ... */
@@ -269,7 +269,7 @@ typedef struct holdfast_replicas {
  * replicas: set to it */
 HOLDFAST_API int holdfast_screen_replicas(holdfast_screen* screen, size_t index, holdfast_replicas* replicas);
 
-/* What impacts did to the boxes of a world, see docs/damage.md. */
+/* What impacts did to the boxes of a world, see docs/guide/damage.md. */
 typedef struct holdfast_damage {
   size_t size;             /* sizeof(holdfast_damage) */
   uint32_t boxes_beyond;   /* boxes beyond the damage boundary */
@@ -290,8 +290,8 @@ HOLDFAST_API int holdfast_screen_damage(holdfast_screen* screen, size_t index, h
  * HOLDFAST_BAD_ARGUMENT also where no analysis has a number of that name. */
 HOLDFAST_API int holdfast_screen_number(holdfast_screen* screen, size_t index, const char* name, double* number);
 
-/* How many g a layout stands, see docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
- * the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g. */
+/* How many g a layout stands, see docs/guide/margins.md. Entries are for the load pushed to the front, the rear, the
+ * left and the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g. */
 typedef struct holdfast_margins {
   size_t size;              /* sizeof(holdfast_margins) */
   double margin[4];         /* largest constant acceleration, for as long as anything moves, under which every box stays

@@ -92,7 +92,7 @@ class HOLDFAST_API Error : public std::exception {
 enum class LengthUnit : std::uint8_t { metre, centimetre };
 
 /// A box of a layout as it is loaded, its edges along the axes of the container. What is absent is as its material and
-/// the settings say (docs/loads.md). Lengths are in the unit of its layout.
+/// the settings say (docs/start/loads.md). Lengths are in the unit of its layout.
 struct Box {
   std::array<double, 3> corner_min = {};  ///< corner with the smallest coordinates
   std::array<double, 3> corner_max = {};  ///< corner with the largest coordinates
@@ -149,7 +149,7 @@ struct LayoutView {
   const Layout* layout = nullptr;
 };
 
-/// A type of container, vehicle body or pallet (docs/containers.md).
+/// A type of container, vehicle body or pallet (docs/reference/containers.md).
 struct ContainerType {
   std::string name;                     ///< as `Container::type` takes it
   std::string sentence;                 ///< what it is
@@ -162,7 +162,8 @@ struct ContainerType {
 /// The types of containers that are known by name. May be called from any thread.
 HOLDFAST_API std::vector<ContainerType> container_types();
 
-/// How a file of loads is read, where it does not say it itself; as the options of `holdfast check` (docs/loads.md).
+/// How a file of loads is read, where it does not say it itself; as the options of `holdfast check`
+/// (docs/start/loads.md).
 struct LoadFileOptions {
   std::optional<std::string> unit = {};       ///< of lengths: "m", "dm", "cm", "mm", "in" or "ft"
   std::optional<std::string> axes = {};       ///< such as "-z x y": those of the file that are length, width, height
@@ -205,8 +206,8 @@ struct Acceleration {
 /// Throws `Error`. May be called from any thread.
 HOLDFAST_API Acceleration read_acceleration(const std::string& path);
 
-/// The accelerations of a norm, such as "road" or "eumos-40509:0.5" (docs/norms.md). Throws `Error`, which says what is
-/// accepted. May be called from any thread.
+/// The accelerations of a norm, such as "road" or "eumos-40509:0.5" (docs/reference/norms.md). Throws `Error`, which
+/// says what is accepted. May be called from any thread.
 HOLDFAST_API std::vector<Acceleration> norm_accelerations(const std::string& name);
 
 /// What `evaluate` and `record` do with a layout that cannot be used.
@@ -220,16 +221,16 @@ struct Setting {
   std::string section, key, value;
 };
 
-/// The keys that the text of a config.ini gives (docs/config.md), in the order of that page. Throws `Error` with every
-/// mistake, by line and column. May be called from any thread.
+/// The keys that the text of a config.ini gives (docs/reference/config.md), in the order of that page. Throws `Error`
+/// with every mistake, by line and column. May be called from any thread.
 HOLDFAST_API std::vector<Setting> read_settings(const std::string& text);
 
 /// How a `Screen` works. What is absent is as `config` says.
 struct ScreenOptions {
-  std::string config = {};             ///< text of a config.ini, see docs/config.md; empty: all defaults
+  std::string config = {};             ///< text of a config.ini, see docs/reference/config.md; empty: all defaults
   std::vector<Setting> settings = {};  ///< keys that are set after `config`, in this order
   /// Name of a norm whose accelerations the screen has before those that it is given, such as "road"
-  /// (docs/norms.md); "": none.
+  /// (docs/reference/norms.md); "": none.
   std::optional<std::string> norm = {};
   std::optional<std::string> engine = {};    ///< such as "native"; see `engines`
   std::optional<std::string> accuracy = {};  ///< of the native engine: "screening", "standard", "reference"

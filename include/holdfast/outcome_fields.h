@@ -26,7 +26,7 @@
 
 /* clang-format off */
 
-/* What became of a world as a whole: the worst that ever happened in it. docs/verdicts.md */
+/* What became of a world as a whole: the worst that ever happened in it. docs/guide/verdicts.md */
 #define HOLDFAST_VERDICTS(X) \
   X(stayed,     STAYED,    0, "no box was ever beyond a limit") \
   X(moved,      MOVED,     1, "a box was displaced or tilted beyond its limit at some time, and none fell") \
@@ -59,7 +59,7 @@
   X(still_moving, STILL_MOVING, 2, "a box was still moving when the world ended") \
   X(marginal,     MARGINAL,     4, "a friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides")
 
-/* What the replicas of a world say of it: docs/confidence.md. */
+/* What the replicas of a world say of it: docs/guide/confidence.md. */
 #define HOLDFAST_REPLICA_VERDICTS(X) \
   X(none,      REPLICAS_NONE,      0, "there are no replicas") \
   X(holds,     REPLICAS_HOLD,      1, "the share that fails is surely below 1/8") \
@@ -80,10 +80,10 @@
   X(recorded, u64,         layout,       "/worlds/layout",          "",            1, "1", "index of the layout: row of /inputs/layouts") \
   X(recorded, u64,         acceleration, "/worlds/acceleration",    "",            1, "1", "index of the acceleration: row of /inputs/accelerations") \
   X(derived,  verdict,     verdict,      "/summary/worlds/verdict", "verdict",     1, "1", "the worst that ever happened: 0 stayed, 1 moved, 2 fell, 3 unstable (while settling, before any acceleration), 4 failed, 6 not_needed (left out by FirstFailure)") \
-  X(recorded, status,      status,       "/worlds/status",          "status",      1, "1", "what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md") \
+  X(recorded, status,      status,       "/worlds/status",          "status",      1, "1", "what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/reference/results_file.md") \
   X(message,  text,        message,      "/worlds/status_text",     "status_text", 1, "none", "an explanation if the status is not 0") \
   X(recorded, time,        status_time,  "/worlds/status_time",     "status_time_s", 3, "s", "end of the last step before the first bit of the status was set: peaks are up to here; NaN where the status is 0, or nothing was simulated") \
-  X(recorded, caveat,      caveats,      "/worlds/caveats",         "caveats",     3, "1", "what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in docs/results_file.md") \
+  X(recorded, caveat,      caveats,      "/worlds/caveats",         "caveats",     3, "1", "what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in docs/reference/results_file.md") \
   X(recorded, stop_reason, stop_reason,  "/worlds/stop_reason",     "stop_reason", 1, "1", "why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with StopWhen or while settling)") \
   X(stored,   u64,         box_begin,    "/worlds/box_begin",       "",            1, "1", "first box of the world: row of /boxes and /summary/boxes") \
   X(recorded, u32,         boxes,        "/worlds/box_count",       "boxes",       1, "1", "boxes of the world, with those that are fixed to the container; 0 when it was not run") \

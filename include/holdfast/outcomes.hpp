@@ -66,7 +66,7 @@ struct Series {
   std::vector<std::array<float, 3>> angular_velocity;  ///< per sample and box, rad/s
 };
 
-/// What the boxes did to a side of the container: docs/walls.md. Forces are outwards; on fixed boxes the length.
+/// What the boxes did to a side of the container: docs/guide/walls.md. Forces are outwards; on fixed boxes the length.
 struct WallForce {
   double peak_force = 0;                  ///< largest mean over a step, N
   double peak_time = 0;                   ///< start of that step, s
@@ -76,7 +76,7 @@ struct WallForce {
   std::array<double, 3> impulse = {};     ///< from t = 0 to the end, N s
 };
 
-/// What became of the replicas of a world, with [Screening] Replicas: docs/confidence.md.
+/// What became of the replicas of a world, with [Screening] Replicas: docs/guide/confidence.md.
 struct ReplicaOutcome {
   ReplicaVerdict verdict = ReplicaVerdict::none;
   std::uint32_t count = 0;   ///< of the replicas whose end is known
@@ -88,7 +88,7 @@ struct ReplicaOutcome {
   std::vector<float> box_share;  ///< per box, share of the replicas in which it did, with `ScreenOptions::keep_boxes`
 };
 
-/// What impacts did to the boxes of a world, with [Screening] Damage: docs/damage.md.
+/// What impacts did to the boxes of a world, with [Screening] Damage: docs/guide/damage.md.
 struct DamageOutcome {
   bool known = false;              ///< it was asked for, and the world was accelerated
   std::uint32_t boxes_beyond = 0;  ///< boxes beyond the damage boundary
@@ -130,8 +130,8 @@ struct MarginSpread {
   std::array<double, 4> high = {};    ///< 95 % of them stand less
 };
 
-/// How many g a layout stands: docs/margins.md. Entries are for the load pushed to the front, the rear, the left and
-/// the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g.
+/// How many g a layout stands: docs/guide/margins.md. Entries are for the load pushed to the front, the rear, the left
+/// and the right. A critical box is a position in the layout, from 1; 0: none goes beyond up to 1.5 g.
 struct LayoutMargins {
   /// Largest constant acceleration, for as long as anything moves, under which every box stays in its place, within
   /// 5 mm, up to 1.5 g; negative where the layout is unstable under gravity alone, not a number where `Screen::cancel`
@@ -148,7 +148,7 @@ struct LayoutMargins {
   MarginSpread spread;       ///< with `[Screening] Replicas`
 };
 
-/// What geometry alone says of a layout: docs/indicators.md.
+/// What geometry alone says of a layout: docs/guide/indicators.md.
 struct LayoutIndicators {
   std::array<double, 3> centre_of_gravity = {};  ///< m
   /// From the middle of the container to the centre of gravity, over the container's inner size: -0.5 to 0.5.

@@ -61,7 +61,7 @@ def read_acceleration(path: str | os.PathLike[str]) -> Acceleration:
 
 
 def norm_accelerations(name: str) -> list[Acceleration]:
-    """The accelerations of a norm, such as "road" (docs/norms.md).
+    """The accelerations of a norm, such as "road" (docs/reference/norms.md).
 
     >>> [one.name for one in norm_accelerations("road")]
     ['road-front-0g8', 'road-rear-0g5', 'road-left-0g5', 'road-right-0g5']

@@ -5,7 +5,7 @@ import enum
 
 
 class Verdict(enum.IntEnum):
-    """What became of a world as a whole: the worst that ever happened in it. docs/verdicts.md"""
+    """What became of a world as a whole: the worst that ever happened in it. docs/guide/verdicts.md"""
 
     STAYED = 0  #: no box was ever beyond a limit
     MOVED = 1  #: a box was displaced or tilted beyond its limit at some time, and none fell
@@ -54,7 +54,7 @@ class Caveat(enum.IntFlag):
 
 
 class ReplicaVerdict(enum.IntEnum):
-    """What the replicas of a world say of it: docs/confidence.md."""
+    """What the replicas of a world say of it: docs/guide/confidence.md."""
 
     NONE = 0  #: there are no replicas
     HOLDS = 1  #: the share that fails is surely below 1/8

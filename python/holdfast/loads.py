@@ -33,7 +33,7 @@ class LoadWarning(UserWarning):
 
 @dataclass(frozen=True)
 class Box:
-    """A box of a :class:`Load` as it is loaded. What is absent is as its material and the settings say (docs/loads.md).
+    """A box of a :class:`Load` as it is loaded. What is absent is as its material and the settings say (docs/start/loads.md).
 
     >>> Box((0, 0, 0), (1.2, 0.8, 1.4), name="Pump", mass=412.5).corner_max
     (1.2, 0.8, 1.4)
@@ -117,7 +117,7 @@ class ContainerType(NamedTuple):
 
 
 def containers() -> list[ContainerType]:
-    """The types of containers that are known by name (docs/containers.md).
+    """The types of containers that are known by name (docs/reference/containers.md).
 
     >>> [one.size for one in containers() if one.name == "40hc"]
     [(12.032, 2.352, 2.698)]
@@ -167,7 +167,7 @@ class Load:
     def read(cls, path: Union[str, os.PathLike[str]], *, format: Optional[str] = None, unit: Optional[str] = None,
              axes: Optional[str] = None, columns: Optional[str] = None, container: Optional[str] = None, config: str = "",
              sheet: Union[int, str] = 0) -> list[Load]:
-        """All loads of a file: StableCargo's text, a table of text, JSON, or a spreadsheet (docs/loads.md).
+        """All loads of a file: StableCargo's text, a table of text, JSON, or a spreadsheet (docs/start/loads.md).
 
         What is to be known of it, such as items without a place, is a :class:`LoadWarning`.
 
@@ -207,7 +207,7 @@ class Load:
 
     @classmethod
     def from_dict(cls, load: Mapping[str, Any]) -> Load:
-        """The load of an object as JSON has it: name, container, boxes, and a unit of lengths (docs/loads.md).
+        """The load of an object as JSON has it: name, container, boxes, and a unit of lengths (docs/start/loads.md).
 
         >>> Load.from_dict({"boxes": [[0, 0, 0, 80, 60, 100, 1]], "unit": "cm"}).boxes[0].corner_max
         (0.8, 0.6, 1.0)
@@ -231,7 +231,7 @@ class Load:
         return made
 
     def to_json(self) -> str:
-        """The text of a file with this load, which :meth:`read` and the program read (docs/loads.md)."""
+        """The text of a file with this load, which :meth:`read` and the program read (docs/start/loads.md)."""
         return json.dumps({"holdfast": 1, "loads": [self.to_dict()]}, ensure_ascii=False) + "\n"
 
     @property

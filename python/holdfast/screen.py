@@ -43,7 +43,7 @@ class Screen:
 
     :param accelerations: at least one, unless there is a norm: :class:`Acceleration`, path of a file, or array of shape
         (segments, 5)
-    :param norm: name of a norm, such as "road" (docs/norms.md), whose accelerations come first
+    :param norm: name of a norm, such as "road" (docs/reference/norms.md), whose accelerations come first
     :param accuracy: of the native engine: "screening", "standard" (default), "reference"
     :param engine: such as "native" (default), see :func:`engines`
     :param threads: worlds that are simulated at the same time; 0: one per core (default)
@@ -51,7 +51,7 @@ class Screen:
     :param errors: "raise": a bad layout is an :class:`Error`, before anything is simulated; "mark": its worlds have a status
         and a message, and the others are simulated; what is neither an array nor a sequence is an :class:`Error` in any case
     :param keep_boxes: whether verdicts have :meth:`Verdicts.box_outcomes`
-    :param config: text of a config.ini, for all that is not a parameter here (docs/config.md)
+    :param config: text of a config.ini, for all that is not a parameter here (docs/reference/config.md)
     :param scheduler: "tbb", "openmp" or "serial"; never changes a result
     :param most_in_flight: layouts that :meth:`stream` has in flight at once; 0: 16 per thread
     :raises Error: a setting or an acceleration cannot be used
@@ -246,7 +246,7 @@ class Screen:
     def record(self, layouts: Layouts, path: str | os.PathLike[str], *, offsets: Optional[npt.ArrayLike] = None,
                names: Optional[Iterable[str]] = None, series: bool = True, resume: bool = False,
                overwrite: bool = False, command_line: str = "") -> bool:
-        """Evaluates layouts into a results file, as ``holdfast screen`` writes it (docs/results_file.md).
+        """Evaluates layouts into a results file, as ``holdfast screen`` writes it (docs/reference/results_file.md).
 
         What is finished survives whatever ends the process.
 

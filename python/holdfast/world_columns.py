@@ -16,7 +16,7 @@ class WorldColumns:
         "acceleration), 4 failed, 6 not_needed (left out by FirstFailure). See :class:`Verdict`."
     )
     status = Column(
-        "What went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md. See "
+        "What went wrong, one bit per cause; 0: nothing; the bits are listed in docs/reference/results_file.md. See "
         ":class:`Status`."
     )
     status_time = Column(
@@ -25,7 +25,7 @@ class WorldColumns:
     )
     caveats = Column(
         "What has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in "
-        "docs/results_file.md. See :class:`Caveat`."
+        "docs/reference/results_file.md. See :class:`Caveat`."
     )
     stop_reason = Column(
         "Why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with "

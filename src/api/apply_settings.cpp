@@ -17,7 +17,7 @@ PlacedSetting placed(const holdfast::Setting& given) {
   if (auto found = place_setting(given.section, given.key)) return std::move(*found);
   throw exception_of({{.what = "unknown key",
                        .value = printable('[' + given.section + "] " + given.key),
-                       .accepted = "docs/config.md has a list"}});
+                       .accepted = "docs/reference/config.md has a list"}});
 }
 
 }  // namespace

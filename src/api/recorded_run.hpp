@@ -40,7 +40,7 @@ struct RecordedEnd {
 };
 
 /// Runs the plan and writes its results file: continues an earlier run, simulates, assembles the parts. What is
-/// finished survives whatever ends the process (docs/results_file.md).
+/// finished survives whatever ends the process (docs/reference/results_file.md).
 /// @param plan      `finished_worlds` is set here
 /// @param lock      on the results file, held by the caller
 RecordedEnd record_run(ScreeningPlan plan, const Recording& recording, const OutputLock& lock, RunObserver& observer,

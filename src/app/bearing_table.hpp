@@ -9,7 +9,7 @@
 
 namespace holdfast::internal {
 
-/// The text that `check` prints about the weight on each box at rest; docs/bearing.md explains it.
+/// The text that `check` prints about the weight on each box at rest; docs/guide/bearing.md explains it.
 struct BearingFindings {
   std::string text;             ///< lines to print; empty where nothing was asked for
   std::vector<Error> warnings;  ///< boxes that certainly carry more than their limit; those that cannot stand

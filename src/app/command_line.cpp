@@ -452,14 +452,14 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
   add_page(program, "--help-config", "Print every key of config.ini and exit",
            [] { return settings_help(native::accuracy_default); });
   // For `make docs` alone, and not listed.
-  add_page(program, "--config-page", "Print docs/config.md and exit", [] {
+  add_page(program, "--config-page", "Print docs/reference/config.md and exit", [] {
     return settings_page(native::accuracy_default);
   })->group("");
   add_page(program, "--accuracies", "Print what each accuracy stands for, as JSON, and exit", accuracies_json)
       ->group("");
-  add_page(program, "--norms-page", "Print docs/norms.md and exit", norms_page)->group("");
-  add_page(program, "--containers-page", "Print docs/containers.md and exit", containers_page)->group("");
-  add_page(program, "--results-page", "Print docs/results_file.md and exit", results_page)->group("");
+  add_page(program, "--norms-page", "Print docs/reference/norms.md and exit", norms_page)->group("");
+  add_page(program, "--containers-page", "Print docs/reference/containers.md and exit", containers_page)->group("");
+  add_page(program, "--results-page", "Print docs/reference/results_file.md and exit", results_page)->group("");
   add_page(program, "--man-page", "Print the manual page and exit", [&] { return man_page(program); })->group("");
   add_page(program, "--bash-completion", "Print the completion for bash and exit", [&] {
     return bash_completion(program);

@@ -5,7 +5,8 @@
 namespace holdfast::internal {
 
 /// Most shards that a job is divided into: far more than ranks, so that the last ones end together, and few enough that
-/// what a shard costs beside its worlds (30 ms, to open, lock and sync its file) is little. docs/scaling.md replays it.
+/// what a shard costs beside its worlds (30 ms, to open, lock and sync its file) is little. docs/guide/scaling.md
+/// replays it.
 inline constexpr std::uint64_t kMostShards = 16'384;
 
 /// Runs a job on all ranks of MPI_COMM_WORLD: each takes the next shard from a counter until there are no more, and

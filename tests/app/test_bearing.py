@@ -9,7 +9,7 @@ from scipy.sparse import coo_matrix
 from cli import CliTest, layout_text
 
 DENSITY = 250.0  # kg/m3, the default of the program
-GAP = OVERLAP = 0.1  # cm, as in docs/bearing.md
+GAP = OVERLAP = 0.1  # cm, as in docs/guide/bearing.md
 PRINTED = 0.006  # kg, half of the last digit that is printed
 ROW = re.compile(r" +(\d+) +([\d.]+) +([\d.]+) +([\d.]+) +-(  tips|  unsupported)?$", re.MULTILINE)
 

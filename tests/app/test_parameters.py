@@ -1,4 +1,4 @@
-"""docs/parameters.md: every number of the native engine, from its sources and the program; and who speaks of them."""
+"""docs/physics/parameters.md: every number of the native engine, from its sources and the program; and who speaks of them."""
 import json
 import re
 import subprocess
@@ -7,9 +7,9 @@ import unittest
 
 from cli import HOLDFAST, SOURCE, CliTest, run
 
-PAGE = SOURCE / "docs/parameters.md"
+PAGE = SOURCE / "docs/physics/parameters.md"
 NATIVE = SOURCE / "src/core/native"
-DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def power_of_ten(number):
@@ -29,7 +29,7 @@ class Parameters(CliTest):
 
     def test_the_page_is_up_to_date(self):
         made = subprocess.run([sys.executable, SOURCE / "tools/parameters_page.py", HOLDFAST], capture_output=True, text=True, check=True)
-        self.assertTrue(made.stdout == self.page, "docs/parameters.md differs from the engine; run: make docs")
+        self.assertTrue(made.stdout == self.page, "docs/physics/parameters.md differs from the engine; run: make docs")
 
     def test_it_has_every_constant_and_every_option_once(self):
         constants = re.findall(r"constexpr[^=;]*\b(k[A-Z]\w*)", (NATIVE / "constants.hpp").read_text())
@@ -56,7 +56,7 @@ class Parameters(CliTest):
                                 f"{path}: {anchor}")
 
     def test_names_in_the_page_about_physics_are_links(self):
-        text = (SOURCE / "docs/physics.md").read_text()
+        text = (SOURCE / "docs/physics/method.md").read_text()
         defined = re.findall(r"^\[`(\w+)`\]: parameters\.md#(\w+)$", text, re.MULTILINE)
         linked = set(re.findall(r"\[`(\w+)`\](?![(:])", text))
         self.assertEqual(sorted(linked), sorted(name for name, _ in defined))

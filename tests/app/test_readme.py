@@ -62,7 +62,7 @@ class Snippets(CliTest):
 
     def test_snippets_compile(self):
         count = 0
-        for path in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
+        for path in [SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))]:
             for content in blocks(path.relative_to(SOURCE), "cpp", "c++"):
                 body = "".join(line for line in content.splitlines(True) if not line.startswith("#include"))
                 self.compiled(["g++", "-std=c++20"], "snippet.cpp",
@@ -168,7 +168,7 @@ class Readme(CliTest):
 
     def test_python_snippets_about_the_results_file(self):
         shutil.copy(self.folder / "demo/results.h5", self.folder / "results.h5")
-        snippets = blocks("docs/results_file.md", "python")
+        snippets = blocks("docs/reference/results_file.md", "python")
         self.assertGreater(len(snippets), 0)
         for snippet in snippets:
             with self.subTest(snippet=snippet):
@@ -215,7 +215,7 @@ class Checkout(CliTest):
         return subprocess.run(["git", *words], cwd=self.folder, text=True, capture_output=True, timeout=PATIENCE, check=True).stdout
 
     def pages(self):
-        return [path.relative_to(SOURCE) for path in (SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")))]
+        return [path.relative_to(SOURCE) for path in (SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md")))]
 
     def command_lines(self, page):
         """Of fenced and of indented blocks."""

@@ -14,9 +14,9 @@ DROP, MOVE, TILT = 0.05, 0.10, 10.0  # the defaults, m and degrees
 
 
 def documented_datasets(everything=True):
-    """(path, type, length, units) of every dataset that docs/results_file.md names; or of those that every file has."""
+    """(path, type, length, units) of every dataset that docs/reference/results_file.md names; or of those that every file has."""
     group, found = "", []
-    for line in (SOURCE / "docs/results_file.md").read_text().splitlines():
+    for line in (SOURCE / "docs/reference/results_file.md").read_text().splitlines():
         if line.startswith("#"):
             group = line[4:] if line.startswith("### /") else ""
         if line.startswith("Only in files of runs with") and not everything:
@@ -29,8 +29,8 @@ def documented_datasets(everything=True):
 
 
 def asking_options():
-    """The options that ask for every analysis which docs/results_file.md names: --load-shift for LoadShift."""
-    page = (SOURCE / "docs/results_file.md").read_text()
+    """The options that ask for every analysis which docs/reference/results_file.md names: --load-shift for LoadShift."""
+    page = (SOURCE / "docs/reference/results_file.md").read_text()
     keys = {key for line in re.findall(r"Only in files of runs with (.*), see", page) for key in re.findall(r"`(\w+)`", line)}
     options = ["--" + re.sub(r"(?<=.)([A-Z])", r"-\1", key).lower() for key in keys - {"Walls", "Replicas"}]
     return [*sorted(options), "--replicas", 32]

@@ -116,7 +116,7 @@ class ToolsTest(unittest.TestCase):
         before = os.getcwd()
         os.chdir(SOURCE)
         try:
-            self.assertEqual(doctest.testfile(str(SOURCE / "docs/python.md"), module_relative=False).failed, 0)
+            self.assertEqual(doctest.testfile(str(SOURCE / "docs/reference/python.md"), module_relative=False).failed, 0)
         finally:
             os.chdir(before)
 
@@ -142,8 +142,8 @@ class ToolsTest(unittest.TestCase):
                     self.assertTrue(getattr(public, member).__doc__, f"{name}.{member}")
 
     def test_pip_installs_a_package_that_stands_alone(self):
-        """By the commands of docs/python.md, in a copy of the sources with the build of this test."""
-        [block] = [block for block in re.findall(r"^```sh\n(.*?)^```", (SOURCE / "docs/python.md").read_text(), re.MULTILINE | re.DOTALL)
+        """By the commands of docs/reference/python.md, in a copy of the sources with the build of this test."""
+        [block] = [block for block in re.findall(r"^```sh\n(.*?)^```", (SOURCE / "docs/reference/python.md").read_text(), re.MULTILINE | re.DOTALL)
                    if "pip install" in block]
         commands = [line for line in block.splitlines() if not line.startswith("tools/install_dependencies.sh")]
         environment = {**os.environ, "PIP_QUIET": "1", "PIP_NO_CACHE_DIR": "1", "PIP_NO_INDEX": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}

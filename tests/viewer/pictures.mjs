@@ -1,4 +1,4 @@
-// Takes the pictures of docs/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
+// Takes the pictures of docs/guide/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
 //
 // With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
 // RESULTS is a file with series, whose fleet is shown: in docs/ the layouts of configs/layouts and bench/layouts under the norm of the

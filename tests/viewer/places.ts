@@ -10,4 +10,4 @@ export const PACKAGES = path.resolve(BUILD, "../../viewer/package.json");
 export const ENGINE = path.join(BUILD, "engine.mjs");
 export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/bin/holdfast");
 /** Pictures of the documentation. */
-export const PICTURES = path.resolve(BUILD, "../../docs/viewer");
+export const PICTURES = path.resolve(BUILD, "../../docs/guide/viewer");

@@ -14,7 +14,7 @@ enum class Footing {
   unsupported,  ///< nothing is beneath it
 };
 
-/// What rests on a box, as far as statics says: docs/bearing.md.
+/// What rests on a box, as far as statics says: docs/guide/bearing.md.
 struct BearingRange {
   double least = 0.0;    ///< over all equilibria, kg; NaN where the search ends without an answer
   double largest = 0.0;  ///< the same

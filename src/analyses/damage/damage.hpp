@@ -66,7 +66,7 @@ struct WorldDamage {
 /// The hardest impacts over the accelerations of each layout.
 Result<std::string> damage_table(ResultsReader& results);
 
-/// What impacts do to boxes: docs/damage.md.
+/// What impacts do to boxes: docs/guide/damage.md.
 extern const Analysis kDamage;
 
 }  // namespace holdfast::internal

@@ -78,7 +78,7 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
 /// The indicators of layouts, in the order of the run.
 Result<std::string> indicator_table(ResultsReader& results);
 
-/// What geometry alone says of a layout: docs/indicators.md.
+/// What geometry alone says of a layout: docs/guide/indicators.md.
 extern const Analysis kIndicators;
 
 }  // namespace holdfast::internal

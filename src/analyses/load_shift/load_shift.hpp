@@ -36,7 +36,7 @@ struct LoadShift {
   }
 };
 
-/// How far the centre of gravity of a load moves: docs/load_shift.md.
+/// How far the centre of gravity of a load moves: docs/guide/load_shift.md.
 extern const Analysis kLoadShift;
 
 }  // namespace holdfast::internal

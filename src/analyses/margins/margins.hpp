@@ -85,7 +85,7 @@ struct LayoutMargins {
 /// The margins of layouts, with their spread where the file has it, the weakest first.
 Result<std::string> margin_table(ResultsReader& results);
 
-/// How many g each layout stands, and each of its replicas: docs/margins.md.
+/// How many g each layout stands, and each of its replicas: docs/guide/margins.md.
 extern const Analysis kMargins, kMarginSpread;
 
 }  // namespace holdfast::internal

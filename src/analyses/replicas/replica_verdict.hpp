@@ -86,7 +86,7 @@ struct ReplicaOutcome {
 /// How many layouts hold under each acceleration, and which worlds are uncertain.
 Result<std::string> replica_table(ResultsReader& results);
 
-/// Each world again, with friction, accelerations and places that are not known exactly: docs/confidence.md.
+/// Each world again, with friction, accelerations and places that are not known exactly: docs/guide/confidence.md.
 extern const Analysis kReplicas;
 
 }  // namespace holdfast::internal

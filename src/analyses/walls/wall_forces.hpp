@@ -84,7 +84,7 @@ inline constexpr double kLastingSeconds = 0.05;
 /// The largest forces on the walls over the accelerations of each layout.
 Result<std::string> wall_table(ResultsReader& results);
 
-/// Forces on the sides of the container: docs/walls.md.
+/// Forces on the sides of the container: docs/guide/walls.md.
 extern const Analysis kWalls;
 
 }  // namespace holdfast::internal

@@ -9,7 +9,7 @@
 namespace holdfast::internal {
 
 /// The forces that a norm tests the sides of a vehicle body or container with, outwards, N; NaN where it has none.
-/// docs/walls.md has the sources.
+/// docs/guide/walls.md has the sources.
 /// @param payload weight of the load, N
 std::array<double, kPushedCount> wall_limits(std::optional<WallNorm> norm, double payload);
 

@@ -28,7 +28,7 @@ struct LineValue {
 /// What is wrong with a key or a value; nothing when it can be used. The caller knows the place.
 using Mistake = std::optional<Error>;
 
-/// Reads a box that is an object, value by value: its keys are those of docs/loads.md.
+/// Reads a box that is an object, value by value: its keys are those of docs/start/loads.md.
 class BoxReader {
  public:
   /// Begins with a box.
@@ -74,7 +74,7 @@ class BoxReader {
   std::array<std::size_t, 7> places_ = {};
 };
 
-/// Reads a container: a name of a type, or an object with the keys of docs/loads.md.
+/// Reads a container: a name of a type, or an object with the keys of docs/start/loads.md.
 class ContainerReader {
  public:
   Mistake whole(const LineValue& value);  ///< the value of the key `container`

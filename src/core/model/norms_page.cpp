@@ -107,7 +107,7 @@ std::string norms_help() {
     append_wrapped(help, norm.source, 4);
   }
   help += "\nFriction of pairs, for [Contact] BoxBox, BoxFloor and BoxWall with FrictionModel = pairs;\n" +
-          std::string(kFrictionSource) + ". docs/norms.md has more, also about BoxFriction.\n";
+          std::string(kFrictionSource) + ". docs/reference/norms.md has more, also about BoxFriction.\n";
   std::string pairs;
   for (const FrictionPair& pair : friction_pairs())
     pairs += (pairs.empty() ? "" : ", ") + std::string(pair.name) + '=' + number_text(pair.dry);

@@ -4,7 +4,7 @@
 
 namespace holdfast::internal {
 
-/// docs/norms.md, generated from the tables of norms and of friction.
+/// docs/reference/norms.md, generated from the tables of norms and of friction.
 std::string norms_page();
 
 /// The same tables for a terminal, as `holdfast norms` prints them.

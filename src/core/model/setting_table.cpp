@@ -256,16 +256,18 @@ std::vector<SettingKey> make_table() {
   add(Truth{}, "Margins", "", "false", MEMBER(screening.margins),
       "Whether the largest constant acceleration that each layout stands is found as well, towards the front, the "
       "rear, "
-      "the left and the right; docs/margins.md says what it means.");
+      "the left and the right; docs/guide/margins.md says what it means.");
   add(Truth{}, "WallForces", "", "false", MEMBER(screening.wall_forces),
-      "Whether the forces of the boxes on the sides of the container are recorded; docs/walls.md says what they mean.");
+      "Whether the forces of the boxes on the sides of the container are recorded; docs/guide/walls.md says what they "
+      "mean.");
   add(OneOf<WallNorms>{}, "Walls", "", "", MEMBER(screening.walls),
       "The norm whose test forces the forces on the sides are compared with; they are then recorded as well.");
   add(Truth{}, "LoadShift", "", "false", MEMBER(screening.load_shift),
-      "Whether the displacement of the load's centre of gravity is recorded; docs/load_shift.md says what it means.");
+      "Whether the displacement of the load's centre of gravity is recorded; docs/guide/load_shift.md says what it "
+      "means.");
   add(Truth{}, "Damage", "", "false", MEMBER(screening.damage),
       "Whether the accelerations and the impacts of boxes are recorded and compared with a damage boundary; "
-      "docs/damage.md says what they mean.");
+      "docs/guide/damage.md says what they mean.");
   add(Milliseconds{}, "DamageWindow", "ms", "20", MEMBER(screening.damage_window),
       "Time over which the acceleration of a box is averaged.");
   add(NotNegative{}, "CriticalAcceleration", "g", "15", MEMBER(screening.critical_acceleration),
@@ -276,9 +278,10 @@ std::vector<SettingKey> make_table() {
   add(Truth{}, "Indicators", "", "false", MEMBER(screening.indicators),
       "Whether base support, supported sides, centre of gravity and fill of the layouts are recorded, which geometry "
       "alone "
-      "gives; docs/indicators.md says what they mean.");
+      "gives; docs/guide/indicators.md says what they mean.");
   add(ReplicaCount{}, "Replicas", "", "0", MEMBER(screening.replicas),
-      "How often each world is simulated again with friction that is not known exactly; docs/confidence.md says what "
+      "How often each world is simulated again with friction that is not known exactly; docs/guide/confidence.md says "
+      "what "
       "is "
       "told. Drawing ends early where the answer is clear.");
   add(Spread{}, "FrictionSpread", "", "0.1", MEMBER(screening.friction_spread),
@@ -292,7 +295,7 @@ std::vector<SettingKey> make_table() {
   section = "Native";
   add(OneOf<Accuracies>{}, "Accuracy", "", "standard", MEMBER(native.accuracy),
       "A preset of step, tolerances and iteration limits, which the following keys change one by one; "
-      "docs/parameters.md has all of its numbers, and says what small and large islands are.");
+      "docs/physics/parameters.md has all of its numbers, and says what small and large islands are.");
   add(Rate{}, "StepsPerSecond", "1/s", "", MEMBER(native.steps_per_second),
       "Least number of steps per simulated second, instead of SimulationStepsPerSecond.");
   add(Positive{}, "Tolerance", "", "", MEMBER(native.tolerance),

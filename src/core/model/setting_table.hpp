@@ -13,7 +13,7 @@
 
 namespace holdfast::internal {
 
-/// One key of config.ini: everything the reader, `--help-config`, docs/config.md and the results file need.
+/// One key of config.ini: everything the reader, `--help-config`, docs/reference/config.md and the results file need.
 struct SettingKey {
   std::string_view section;        ///< as in the file, without brackets; `Material N` stands for all materials
   std::string_view name;           ///< as in the file; `A, B` stands for all pairs of [Friction]

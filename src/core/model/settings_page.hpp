@@ -9,7 +9,7 @@ namespace holdfast::internal {
 /// A sentence about what an absent key stands for where an engine decides; "" where the table of keys says it.
 using EngineDefault = std::string (*)(const SettingKey& key);
 
-/// The page docs/config.md as Markdown, generated from the table of keys.
+/// The page docs/reference/config.md as Markdown, generated from the table of keys.
 std::string settings_page(EngineDefault engine_default);
 
 /// The same keys as plain text of at most 100 columns, for a terminal.

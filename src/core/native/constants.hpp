@@ -7,7 +7,7 @@
 // counter that could overflow) stand where they are used; what depends on the accuracy stands in `native_options`.
 //
 // Before a constant stands what it means and trades, after `@measured` what other values change, and behind it its
-// unit, or what it is a share or a multiple of. `tools/parameters_page.py` makes docs/parameters.md of this.
+// unit, or what it is a share or a multiple of. `tools/parameters_page.py` makes docs/physics/parameters.md of this.
 //
 // Measured are the 90 worlds of `configs/` at `screening` (time and verdicts), and the 778 measurements of `holdfast
 // validate --quick --engine native` without loads, 655 of which pass. "Insensitive" is a value where no case fails that
@@ -339,7 +339,8 @@ inline constexpr double kAndersonLargestWeight = 100.0;  // 1
 //
 // Measured at `screening` on 32 real loads under three accelerations of the road (96 worlds), half of them with 1 mm of
 // play, on 8 loads of 300 boxes and 6 of 600 that brake or change lane, whose time scatters by 5 % with rounding alone,
-// and on the harsh loads of docs/performance.md. No measurement of `validate` passes or fails with any of these values.
+// and on the harsh loads of docs/evidence/peers.md. No measurement of `validate` passes or fails with any of these
+// values.
 
 /// Bodies slower than this many |g − a| h in `kSlowSteps` steps fall asleep.
 /// @measured Half and twice: insensitive.

@@ -15,7 +15,7 @@ class WorldMemoryPool;
 }
 
 /// The project's own engine: hard contacts solved to a tolerance, and no work where nothing changes;
-/// docs/physics.md derives it.
+/// docs/physics/method.md derives it.
 class NativeEngine final : public Engine {
  public:
   /// @param settings those that `unsupported_by_native` has nothing against

@@ -8,7 +8,8 @@
 namespace holdfast::internal::native {
 
 // Before a field stands what it means, behind it its unit, or what it is a share or a multiple of: as in
-// `constants.hpp`, `tools/parameters_page.py` makes docs/parameters.md of this and of the values of each accuracy.
+// `constants.hpp`, `tools/parameters_page.py` makes docs/physics/parameters.md of this and of the values of each
+// accuracy.
 
 /// How hard the moving steps of an island are solved.
 struct Effort {

@@ -16,9 +16,9 @@ inline constexpr int kDeepestJson = 60;
 /// Loads that are written in JSON, not checked yet.
 ///
 /// An object with the key `holdfast` is ours: `{"holdfast": 1, "unit": "m", "loads": [{"name", "container",
-/// "boxes"}]}`, or one load per line after a first line `{"holdfast": 1}`; docs/loads.md describes its keys. Any other
-/// JSON is taken as tables: each list of objects is one, keys of objects in objects are joined by points (`center.x`),
-/// and what stands above a table is said of all its rows. Of several such lists each is a load.
+/// "boxes"}]}`, or one load per line after a first line `{"holdfast": 1}`; docs/start/loads.md describes its keys. Any
+/// other JSON is taken as tables: each list of objects is one, keys of objects in objects are joined by points
+/// (`center.x`), and what stands above a table is said of all its rows. Of several such lists each is a load.
 /// @param path of the file, for messages
 /// @param name of the file, without the folder
 Result<LoadsOfFile> read_json_loads(std::string_view text, const std::string& path, const std::string& name,

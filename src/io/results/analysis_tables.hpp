@@ -26,8 +26,8 @@ struct CsvFields {
 /// description of what is found.
 struct AnalysisTables {
   std::string_view name;      ///< of its group in the results file, and of its file in CSV
-  std::string_view asked_by;  ///< keys of the configuration that ask for it, for docs/results_file.md
-  std::string_view page;      ///< of docs/ that explains it
+  std::string_view asked_by;  ///< keys of the configuration that ask for it, for docs/reference/results_file.md
+  std::string_view page;      ///< of docs/guide/ that explains it
   int file_order = 0;         ///< of its datasets: rising, and negative before those of worlds
 
   std::vector<DatasetSpec> (*datasets)() = nullptr;

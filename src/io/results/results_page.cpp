@@ -38,7 +38,7 @@ Within a world, rows are sorted by sample, then by box: `row = row_begin + sampl
 The file stores displacements, not positions; the position of a centre of mass is
 `initial_position + displacement`, plus `settling_displacement` when `ReferencePose = settled`, unless the world is
 unstable: it was not accelerated, its series is that of settling, with negative times, and displacements are from the
-layout's pose. What the verdicts and peaks mean is in [verdicts.md](verdicts.md).
+layout's pose. What the verdicts and peaks mean is in [verdicts.md](../guide/verdicts.md).
 The container's frame has x along its length (front wall at 0), y across, z up.
 
 ## How to read it
@@ -144,8 +144,8 @@ std::string length_of(const DatasetSpec& spec) {
 /// What has to be asked for so that a dataset is there.
 std::string asked_by(const DatasetSpec& spec) {
   if (spec.analysis == nullptr) return "";
-  return fmt::format("\nOnly in files of runs with {}, see [{}]({}).\n", spec.analysis->asked_by, spec.analysis->page,
-                     spec.analysis->page);
+  return fmt::format("\nOnly in files of runs with {}, see [{}](../guide/{}).\n", spec.analysis->asked_by,
+                     spec.analysis->page, spec.analysis->page);
 }
 
 std::string_view folder_of(std::string_view path) { return path.substr(0, path.rfind('/')); }

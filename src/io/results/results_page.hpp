@@ -4,7 +4,7 @@
 
 namespace holdfast::internal {
 
-/// The page docs/results_file.md: how to read the file, and every dataset of the schema.
+/// The page docs/reference/results_file.md: how to read the file, and every dataset of the schema.
 std::string results_page();
 
 }  // namespace holdfast::internal

@@ -100,7 +100,7 @@ inline constexpr std::uint64_t kFormatVersion = 3;
 inline constexpr std::string_view kFormatName = "holdfast results";
 
 /// Every dataset of the file, in the order in which they are written. The writer, the assembler, the reader,
-/// docs/results_file.md and the tests all use this table.
+/// docs/reference/results_file.md and the tests all use this table.
 const std::vector<DatasetSpec>& schema();
 
 /// Index of a dataset in `schema`; the path must be in the table.

@@ -12,10 +12,10 @@ namespace norms_page_test {
 
 using namespace holdfast::internal;
 
-TEST_CASE("norms_page: docs/norms.md is up to date", "[core][norms_page]") {
-  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/norms.md", std::ios::binary);
+TEST_CASE("norms_page: docs/reference/norms.md is up to date", "[core][norms_page]") {
+  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/reference/norms.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
-  INFO("docs/norms.md differs from the tables; run: holdfast --norms-page > docs/norms.md");
+  INFO("docs/reference/norms.md differs from the tables; run: holdfast --norms-page > docs/reference/norms.md");
   CHECK((page == norms_page()));
 }
 

@@ -12,10 +12,12 @@ namespace settings_page_test {
 
 using namespace holdfast::internal;
 
-TEST_CASE("settings_page: docs/config.md is up to date", "[core][settings_page]") {
-  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/config.md", std::ios::binary);
+TEST_CASE("settings_page: docs/reference/config.md is up to date", "[core][settings_page]") {
+  std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/reference/config.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
-  INFO("docs/config.md differs from the table of keys; run: holdfast --config-page > docs/config.md");
+  INFO(
+      "docs/reference/config.md differs from the table of keys; run: holdfast --config-page > "
+      "docs/reference/config.md");
   CHECK((page == settings_page(native::accuracy_default)));
 }
 

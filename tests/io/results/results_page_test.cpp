@@ -7,9 +7,9 @@ namespace results_page_test {
 
 using namespace results_fixture;
 
-TEST_CASE("results_page: docs/results_file.md is up to date", "[io][results]") {
-  INFO("regenerate it: holdfast --results-page > docs/results_file.md");
-  const bool up_to_date = file_bytes(HOLDFAST_SOURCE_DIR "/docs/results_file.md") == results_page();
+TEST_CASE("results_page: docs/reference/results_file.md is up to date", "[io][results]") {
+  INFO("regenerate it: holdfast --results-page > docs/reference/results_file.md");
+  const bool up_to_date = file_bytes(HOLDFAST_SOURCE_DIR "/docs/reference/results_file.md") == results_page();
   CHECK(up_to_date);
 }
 

@@ -1,6 +1,6 @@
 // Written by tools/outcome_types.py from include/holdfast/outcome_fields.h.
 
-/** What became of a world as a whole: the worst that ever happened in it. docs/verdicts.md */
+/** What became of a world as a whole: the worst that ever happened in it. docs/guide/verdicts.md */
 export const VERDICT_CODES = {
   /** no box was ever beyond a limit */
   stayed: 0,
@@ -65,7 +65,7 @@ export const CAVEAT_BITS = {
 } as const;
 export type CaveatName = keyof typeof CAVEAT_BITS;
 
-/** What the replicas of a world say of it: docs/confidence.md. */
+/** What the replicas of a world say of it: docs/guide/confidence.md. */
 export const REPLICA_VERDICT_CODES = {
   /** there are no replicas */
   none: 0,
@@ -89,14 +89,17 @@ export interface WorldOutcome {
    * failed, 6 not_needed (left out by FirstFailure)
    */
   verdict: VerdictName;
-  /** what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/results_file.md */
+  /** what went wrong, one bit per cause; 0: nothing; the bits are listed in docs/reference/results_file.md */
   status: number;
   /**
    * end of the last step before the first bit of the status was set: peaks are up to here, s; NaN where the status is
    * 0, or nothing was simulated
    */
   statusTime: number;
-  /** what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in docs/results_file.md */
+  /**
+   * what has to be known beside the verdict, one bit each; 0: nothing; the bits are listed in
+   * docs/reference/results_file.md
+   */
   caveats: number;
   /**
    * why the world ended: 0 not run, 1 timeout, 2 sleeping, 3 failed, 4 decided (a box was beyond a limit, with StopWhen

@@ -1,4 +1,4 @@
-/** What the page knows of a results file: plain columns, in the units and frame of docs/results_file.md. */
+/** What the page knows of a results file: plain columns, in the units and frame of docs/reference/results_file.md. */
 
 import type { Openings } from "./openings";
 
