@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What settling, running out and an early end cost: the table of docs/evidence/performance.md.
+"""What settling, running out and an early end cost: the numbers of docs/evidence/performance.md.
 
   bench/journey_cost.py [--candidates 120] [--rounds 5] [--accuracy screening]
 

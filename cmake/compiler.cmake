@@ -21,7 +21,7 @@ target_compile_options(holdfast_options INTERFACE
   -Wno-missing-field-initializers)  # designated initialisers name what they set; the rest has defaults
 # Nor whatever the processor: Eigen's vectorised sums of three or four numbers add in another order than its plain ones,
 # and which of the two it takes depends on the instruction set that the compiler is allowed. Costs nothing that can be
-# measured (docs/evidence/performance.md); what needs SIMD has it from Highway.
+# measured (docs/develop/notebook/2026-11-24_equal_bits.md); what needs SIMD has it from Highway.
 target_compile_definitions(holdfast_options INTERFACE EIGEN_DONT_VECTORIZE)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns of overlaps and overflows inside std::string's own operator+ (GCC bugs 105651 and 105329).

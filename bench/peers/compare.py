@@ -199,7 +199,7 @@ def main():
     parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
     parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
     parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")
-    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/evidence/performance.md")
+    parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/evidence/peers.md")
     parser.add_argument("--plot", type=Path, help="where it goes, instead of front.svg in the output folder")
     arguments = parser.parse_args()
     comparison = Comparison(arguments)

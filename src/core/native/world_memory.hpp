@@ -24,8 +24,8 @@ struct WorldMemory {
 };
 
 /// Keeps the memory of worlds that have ended for those that come: the first access to a new page of memory is a call
-/// of the system, and a short world has many (docs/evidence/performance.md). May be used by several threads, none of
-/// which ever waits, nor would it in the child of a fork.
+/// of the system, and a short world has many (docs/develop/notebook/2026-11-25_kept_memory.md). May be used by several
+/// threads, none of which ever waits, nor would it in the child of a fork.
 class WorldMemoryPool {
  public:
   explicit WorldMemoryPool(const NativeOptions& options) : options_(options) {}
