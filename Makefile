@@ -90,13 +90,19 @@ viewer-test: program viewer  ## Check the page's sources, and test it alone and 
 	node tests/viewer/results.mjs build/release/bin/holdfast build/viewer/results
 	node --test build/viewer/tests/
 
-docs: program  ## Write the generated pages of docs/ again, its picture where Graphviz is installed, and the files made of outcome_fields.h
+docs: program  ## Write the generated pages of docs/ and the files made of outcome_fields.h again, and make the site build/site
 	tools/outcome_types.py
 	build/release/bin/holdfast --config-page > docs/reference/config.md
 	build/release/bin/holdfast --norms-page > docs/reference/norms.md
+	build/release/bin/holdfast --containers-page > docs/reference/containers.md
 	build/release/bin/holdfast --results-page > docs/reference/results_file.md
+	python3 tools/commands_page.py build/release/bin/holdfast > docs/reference/commands.md
 	python3 tools/parameters_page.py build/release/bin/holdfast > docs/physics/parameters.md
 	! command -v dot > /dev/null || dot -Tsvg docs/develop/world_flow.dot -o docs/develop/world_flow.svg
+	@$(INSTALL) --docs
+	tools/site_source.py build/site_source
+	mkdocs build --strict --clean --quiet
+	@echo 'The site is built: build/site/index.html'
 
 evidence: program  ## Write the tables and pictures of README.md and docs/ that come from runs again
 	@$(INSTALL) --test

@@ -24,7 +24,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", *(f"docs/guide/{name}.md" for name in ("confidence", "damage", "indicators", "load_shift", "margins", "walls"))]
+PAGES = ["README.md", "docs/start/first_screening.md",
+         *(f"docs/guide/{name}.md" for name in ("confidence", "damage", "indicators", "load_shift", "margins", "walls"))]
 INDENT = "    "
 PROGRAM = "PROGRAM"
 # Pictures, what draws them, and from which results.

@@ -6,6 +6,7 @@
 #   tools/install_dependencies.sh --python  to build, run and test, with the Python package
 #   tools/install_dependencies.sh --viewer  to build the page that shows results; --viewer-test also to test it in a browser
 #   tools/install_dependencies.sh --viewer-engine  to build the engine that the page runs
+#   tools/install_dependencies.sh --docs    to make a site of the documentation
 set -euo pipefail
 
 packages=(
@@ -76,6 +77,9 @@ viewer_test_packages=(
   chromium           # the browser that the tests of the page drive
   webp               # makes the film of README out of pictures
 )
+docs_packages=(
+  mkdocs             # makes a site of docs/, with a search
+)
 
 case "${1-}" in
   '') ;;
@@ -85,8 +89,9 @@ case "${1-}" in
   --viewer) packages=(${viewer_packages[@]+"${viewer_packages[@]}"}) ;;
   --viewer-engine) packages=("${viewer_engine_packages[@]}" ${viewer_packages[@]+"${viewer_packages[@]}"}) ;;
   --viewer-test) packages+=("${test_packages[@]}" ${viewer_packages[@]+"${viewer_packages[@]}"} "${viewer_test_packages[@]}") ;;
-  -h | --help) sed -n '2,8s/^# //p' "$0"; exit 0 ;;
-  *) echo "$0: unknown option: $1; accepted: --test, --dev, --python, --viewer, --viewer-engine, --viewer-test, --help" >&2; exit 2 ;;
+  --docs) packages=("${docs_packages[@]}") ;;
+  -h | --help) sed -n '2,9s/^# //p' "$0"; exit 0 ;;
+  *) echo "$0: unknown option: $1; accepted: --test, --dev, --python, --viewer, --viewer-engine, --viewer-test, --docs, --help" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then

@@ -42,7 +42,7 @@ class WithoutPlugins(CliTest):
 
     def test_the_command_names_a_target(self):
         self.assertIn(f"add_custom_target({COMMAND.split()[-1]} ", (SOURCE / "CMakeLists.txt").read_text())
-        self.assertIn(COMMAND, (SOURCE / "README.md").read_text())
+        self.assertIn(COMMAND, (SOURCE / "docs/start/install.md").read_text())
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
-"""The manual page and the completion of bash: all commands and options, from the program's own table."""
+"""The manual page, the page of commands and the completion of bash: all commands and options, from the program's own table."""
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 
-from cli import CliTest, run, schedulers
+from cli import HOLDFAST, SOURCE, CliTest, run, schedulers
 
 
 class Pages(CliTest):
@@ -23,6 +24,18 @@ class Pages(CliTest):
         for command, options in self.options.items():
             named = set(re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^\.B (.*)", sections[command], re.MULTILINE))))
             self.assertEqual(named, options, command)
+
+    def test_the_page_of_commands_is_up_to_date(self):
+        made = subprocess.run([sys.executable, SOURCE / "tools/commands_page.py", HOLDFAST], capture_output=True, text=True, check=True)
+        page = (SOURCE / "docs/reference/commands.md").read_text(encoding="utf-8")
+        self.assertTrue(made.stdout == page, "docs/reference/commands.md differs from the program; run: make docs")
+
+    def test_the_page_of_commands_has_every_command_and_option(self):
+        page = (SOURCE / "docs/reference/commands.md").read_text(encoding="utf-8")
+        sections = dict(re.findall(r"^## holdfast (\w+)\n(.*?)(?=^## |\Z)", page, re.MULTILINE | re.DOTALL))
+        self.assertEqual(set(sections), set(self.commands))
+        for command, options in self.options.items():
+            self.assertEqual(set(re.findall(r"^\| `(?:-\w,)?(--[a-z-]+)", sections[command], re.MULTILINE)), options, command)
 
     @unittest.skipUnless(shutil.which("groff"), "without groff")
     def test_groff_has_nothing_to_say_about_it(self):

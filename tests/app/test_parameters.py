@@ -13,7 +13,7 @@ DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def power_of_ten(number):
-    """10⁻⁴ for 1e-4, as the README writes it."""
+    """10⁻⁴ for 1e-4, as the guide writes it."""
     mantissa, exponent = f"{number:e}".split("e")
     assert float(mantissa) == 1.0, number
     return "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
@@ -55,15 +55,19 @@ class Parameters(CliTest):
                 self.assertTrue(anchor in self.anchors or re.search(rf"^#+ {anchor}$", self.page, re.MULTILINE | re.IGNORECASE),
                                 f"{path}: {anchor}")
 
-    def test_names_in_the_page_about_physics_are_links(self):
-        text = (SOURCE / "docs/physics/method.md").read_text()
+    def test_names_in_the_pages_about_physics_are_links(self):
+        for name in ("model", "method", "limits"):
+            with self.subTest(page=name):
+                self.names_are_links((SOURCE / f"docs/physics/{name}.md").read_text())
+
+    def names_are_links(self, text):
         defined = re.findall(r"^\[`(\w+)`\]: parameters\.md#(\w+)$", text, re.MULTILINE)
         linked = set(re.findall(r"\[`(\w+)`\](?![(:])", text))
         self.assertEqual(sorted(linked), sorted(name for name, _ in defined))
         self.assertEqual([name.lower() for name, _ in defined], [anchor for _, anchor in defined])
         self.assertEqual(re.findall(r"(?<!\[)`k[A-Z]\w*`", text), [])
 
-    def test_the_table_of_the_readme(self):
+    def test_the_table_of_accuracies(self):
         large = re.search(r"Islands of more than (\d+) bodies", self.page)[1]
         for name, options in self.accuracies.items():
             small, larger = (options[island]["tolerance"] for island in ("small_island", "large_island"))
@@ -71,7 +75,7 @@ class Parameters(CliTest):
             if larger != small:
                 tolerance += f"; {power_of_ten(larger)} for islands of more than {large} boxes"
             row = rf"^\| `{name}`[^|]*\| 1/{options['steps_per_second']:g} s \| {tolerance} \|"
-            self.assertRegex((SOURCE / "README.md").read_text(), re.compile(row, re.MULTILINE))
+            self.assertRegex((SOURCE / "docs/guide/accuracy.md").read_text(), re.compile(row, re.MULTILINE))
 
 
 if __name__ == "__main__":

@@ -120,9 +120,9 @@ class ToolsTest(unittest.TestCase):
         finally:
             os.chdir(before)
 
-    def test_the_snippet_of_the_readme_runs(self):
-        snippets = re.findall(r"^```python\n(.*?)^```", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL)
-        [snippet] = [snippet for snippet in snippets if "import holdfast" in snippet]
+    def test_the_first_snippet_of_the_page_runs(self):
+        snippets = re.findall(r"^```python\n(.*?)^```", (SOURCE / "docs/reference/python.md").read_text(), re.MULTILINE | re.DOTALL)
+        [snippet] = [snippet for snippet in snippets if snippet.startswith("import holdfast\n")]
         self.assertEqual(self.done(sys.executable, "-c", snippet, cwd=SOURCE), "[ True]\n")
 
     def test_types_are_right_and_the_stub_is_that_of_the_module(self):

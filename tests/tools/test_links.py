@@ -35,11 +35,18 @@ class Links(unittest.TestCase):
     def test_files_are_there(self):
         """No folders: a site has no page for them."""
         count = 0
-        for page in [*site_source.pages(), pathlib.Path("configs/README.md"), pathlib.Path("bench/peers/README.md")]:
+        for page in site_source.pages():
             for path, _ in site_source.links(page):
                 self.assertTrue((SOURCE / path).is_file(), f"{page}: {path}")
                 count += 1
         self.assertGreater(count, 100)
+
+    def test_pages_elsewhere_link_to_what_is_there(self):
+        for name in ("configs/README.md", "bench/peers/README.md"):
+            for path, place in site_source.links(pathlib.Path(name)):
+                self.assertTrue((SOURCE / path).exists(), f"{name}: {path}")
+                if place:
+                    self.assertIn(place, places(path), f"{name}: {path}#{place}")
 
     def test_places_in_pages_are_there(self):
         count = 0
@@ -51,7 +58,10 @@ class Links(unittest.TestCase):
         self.assertGreater(count, 50)
 
     def test_every_page_is_in_the_contents_once(self):
-        contents = re.findall(r"[\w/]+\.md", (SOURCE / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2])
+        """Entries of the notebook have contents of their own."""
+        contents = re.findall(r"[\w/-]+\.md", (SOURCE / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2])
+        notebook = pathlib.Path("docs/develop/notebook/README.md")
+        contents += [str(path) for path, _ in site_source.links(notebook) if path.parent == notebook.parent]
         self.assertEqual(sorted(contents), sorted(map(str, site_source.pages())))
 
     def test_the_copy_for_the_site_has_what_pages_link_to(self):
