@@ -30,6 +30,10 @@ class Pages(CliTest):
         page = (SOURCE / "docs/reference/commands.md").read_text(encoding="utf-8")
         self.assertTrue(made.stdout == page, "docs/reference/commands.md differs from the program; run: make docs")
 
+    def test_the_page_of_containers_is_up_to_date(self):
+        page = (SOURCE / "docs/reference/containers.md").read_text(encoding="utf-8")
+        self.assertTrue(run("--containers-page").stdout == page, "docs/reference/containers.md differs from the program; run: make docs")
+
     def test_the_page_of_commands_has_every_command_and_option(self):
         page = (SOURCE / "docs/reference/commands.md").read_text(encoding="utf-8")
         sections = dict(re.findall(r"^## holdfast (\w+)\n(.*?)(?=^## |\Z)", page, re.MULTILINE | re.DOTALL))
