@@ -12,7 +12,7 @@ import shutil
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LINK = re.compile(r"\]\(([^)\s]+)\)|^\[[^\]]+\]: (\S+)$", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)\s]+)\)|^\[[^\]]*\]: (\S+)$", re.MULTILINE)
 
 
 def pages():
@@ -23,7 +23,7 @@ def pages():
 
 def prose(text):
     """The text without code, in which nothing is a link."""
-    return re.sub(r"^```.*?^```$|`[^`\n]+`(?!\])", "", text, flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"^```.*?^```$|`[^`\n]+`", "", text, flags=re.MULTILINE | re.DOTALL)
 
 
 def links(page):

@@ -72,7 +72,7 @@ class Links(unittest.TestCase):
                     self.assertTrue((pathlib.Path(folder) / "source" / path).is_file(), f"{page}: {path}")
 
     def test_what_is_a_link(self):
-        text = "[a](b.md#c) `[no](no.md)` [`code`](d.md)\n```\n[no](no.md)\n```\n[e]: f.md\n"
+        text = "[a](b.md#c) `[no](no.md)` [`code`](d.md) and `other`\n```\n[no](no.md)\n```\n[`e`]: f.md\n"
         found = [match[1] or match[2] for match in site_source.LINK.finditer(site_source.prose(text))]
         self.assertEqual(found, ["b.md#c", "d.md", "f.md"])
 
