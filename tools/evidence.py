@@ -10,7 +10,7 @@ it has "...": every part begins with a line that the command prints, its numbers
 Other pictures take minutes to hours, or need what this program does not have. They are drawn by hand when what they show changes:
 
     docs/guide/search.svg       the commands at the end of docs/guide/search.md, some 35 minutes of processor time
-    docs/guide/viewer/*         node tests/viewer/pictures.mjs RESULTS docs/guide/viewer, as docs/guide/viewer.md says; needs
+    docs/guide/viewer/*         node tests/viewer/pictures.mjs RESULTS docs/guide/viewer, as docs/develop/viewer_page.md says; needs
                                 Chromium and the page
     docs/evidence/validation/*  holdfast validate -o validation && tools/validation_report.py validation, hours
     docs/evidence/peers.svg     bench/peers/compare.py, as bench/peers/README.md says; needs the sources of Box3D and Jolt
