@@ -19,29 +19,30 @@ constexpr std::string_view kAccelerationsIntro = R"(# Norms, and friction by nam
 
 ## Accelerations of a norm
 
-`--norm road` of `screen`, `run` and `serve`, `[Screening] Norm` in a config.ini, and `norm` in C++, C and Python make all
-accelerations of a norm, without a file. Those of files come after them, where files are given as well.
+`--norm road` of `screen`, `run` and `serve`, `[Screening] Norm` in a config.ini, and `norm` in C++, C and Python make
+all accelerations of a norm, without a file. Those of files come after them, where files are given as well.
 
-An acceleration is named after the side of the container that the load is pressed towards: braking presses it towards the front.
-Sizes are in g, 9.81 m/s². c_z is what is left of the load's weight meanwhile, as a share; it is 1 where the table does not say
-it. A c_z below 1 is a third component of the container's acceleration, a_z = -(1 - c_z) · 9.81 m/s², which lowers weight and friction alike.
+An acceleration is named after the side of the container that the load is pressed towards: braking presses it towards
+the front. Sizes are in g, 9.81 m/s². c_z is what is left of the load's weight meanwhile, as a share; it is 1 where the
+table does not say it. A c_z below 1 is a third component of the container's acceleration, a_z = -(1 - c_z) · 9.81 m/s²,
+which lowers weight and friction alike.
 
 | norm | accelerations | source |
 | --- | --- | --- |
 )";
 
 constexpr std::string_view kAccelerationsNotes = R"(
-Results call an acceleration `road-front-0g8`: norm, direction, size. The run prints the numbers and their source when it begins; the
-results file keeps the norm as `Screening/Norm`, and the segments of each acceleration.
+Results call an acceleration `road-front-0g8`: norm, direction, size. The run prints the numbers and their source when
+it begins; the results file keeps the norm as `Screening/Norm`, and the segments of each acceleration.
 
-**Over time.** Norms state a size and no duration. Here an acceleration begins after 0.5 s of rest, is held for 1 s, and 1.5 s of rest
-follow, in which boxes that move slide out or fall. Worlds under `road` move to the last bit as under the files
-`road_*.txt` of `configs/accelerations`. EUMOS 40509 states a duration: K g is reached in 50 ms, in five pieces of 10 ms with the mean of
-the even rise, and held for 0.3 s. A load unit is tested in the directions that the test is ordered for; here K acts in all four, and
-the verdicts on the others are to be ignored.
+**Over time.** Norms state a size and no duration. Here an acceleration begins after 0.5 s of rest, is held for 1 s, and
+1.5 s of rest follow, in which boxes that move slide out or fall. Worlds under `road` move to the last bit as under the
+files `road_*.txt` of `configs/accelerations`. EUMOS 40509 states a duration: K g is reached in 50 ms, in five pieces of
+10 ms with the mean of the even rise, and held for 0.3 s. A load unit is tested in the directions that the test is
+ordered for; here K acts in all four, and the verdicts on the others are to be ignored.
 
-**Sliding and tipping.** A norm calculates the two apart, with a size for each where they differ; in a simulation boxes do both at
-once. A verdict therefore answers one question per acceleration:
+**Sliding and tipping.** A norm calculates the two apart, with a size for each where they differ; in a simulation boxes
+do both at once. A verdict therefore answers one question per acceleration:
 
 | acceleration | what breaks the norm | what does not |
 | --- | --- | --- |
@@ -50,15 +51,17 @@ once. A verdict therefore answers one question per acceleration:
 | `rail-en12195`, `tipping` | boxes that tilted or fell | boxes that only moved: `sliding` is the stricter question |
 | `road-tipping` | boxes that tilted or fell | boxes that only moved, which are to hold 0.5 g across: `road` asks that |
 
-What stays under `sliding` is safe in both senses, because it is the larger size, or the smaller weight. The counts `moved_boxes`, `tilted_boxes` and
-`fallen_boxes` of a world say which it was; a box that tips counts as moved too where it went beyond MoveThreshold.
+What stays under `sliding` is safe in both senses, because it is the larger size, or the smaller weight. The counts
+`moved_boxes`, `tilted_boxes` and `fallen_boxes` of a world say which it was; a box that tips counts as moved too where
+it went beyond MoveThreshold.
 
-Left out, because their numbers could not be verified: rail of the CTU Code (0.5 g, with 1.0 g for shocks), limits of sea areas
-by the height of waves, and 0.6 g rearward for tipping on the road, which one source has and another has not.
+Left out, because their numbers could not be verified: rail of the CTU Code (0.5 g, with 1.0 g for shocks), limits of
+sea areas by the height of waves, and 0.6 g rearward for tipping on the road, which one source has and another has not.
 
 ## Friction by name
 
-A name stands for the coefficient of a **pair** of materials. Where friction is set per kind of pair, any name is accepted:
+A name stands for the coefficient of a **pair** of materials. Where friction is set per kind of pair, any name is
+accepted:
 
 ```ini
 [Contact]
@@ -67,9 +70,10 @@ BoxFloor = timber-plywood
 BoxWall = 0.3
 ```
 
-With `FrictionModel = product`, the default, the keys `BoxFriction` and `[Material N] Friction` are one factor of a product of two
-sides. A pair of the same material gives its square root there, so that two such boxes have the coefficient of the table:
-`BoxFriction = cardboard-cardboard` is the default. Boxes of two such materials have the geometric mean, which is in no table. Other names are an error, because they do not say what one side alone has; so are
+With `FrictionModel = product`, the default, the keys `BoxFriction` and `[Material N] Friction` are one factor of a
+product of two sides. A pair of the same material gives its square root there, so that two such boxes have the
+coefficient of the table: `BoxFriction = cardboard-cardboard` is the default. Boxes of two such materials have the
+geometric mean, which is in no table. Other names are an error, because they do not say what one side alone has; so are
 names for `ContainerFriction` and `GroundFriction`. Results keep the number.
 
 With the ending `-wet`, as in `timber-steel-wet`, a name stands for the wet surface, where the table has it.

@@ -36,7 +36,8 @@ left-handed frame) would be mirrored; convert these to `UpAxis = z`. Acceleratio
 )";
 
 constexpr std::string_view kStopWhenNote =
-    R"(What the verdicts mean, and what "beyond a limit" is, says [verdicts.md](../guide/verdicts.md). StopWhen says when a world ends:
+    R"(What the verdicts mean, and what "beyond a limit" is, says [verdicts.md](../guide/verdicts.md). StopWhen says when a
+world ends:
 
 | StopWhen | a world ends early |
 | --- | --- |
@@ -44,18 +45,20 @@ constexpr std::string_view kStopWhenNote =
 | `moved` | with the first step at whose end a box is beyond DropThreshold, MoveThreshold or TiltThreshold |
 | `fallen` | with the first step at whose end a box is beyond DropThreshold |
 
-A world that ends early has the stop reason `decided`. Its verdict is at least what it says, since a box that has moved may fall later, and
-its counts of boxes, its peaks and its last sample are those of that moment. It keeps this verdict when it is judged by looser limits later.
-Whether a world stays never depends on StopWhen: every world that does not end early has the verdict, and to the last bit the state, that
-it has under `end`. An acceleration that a norm states for sliding or for tipping alone is never cut short.
+A world that ends early has the stop reason `decided`. Its verdict is at least what it says, since a box that has moved
+may fall later, and its counts of boxes, its peaks and its last sample are those of that moment. It keeps this verdict
+when it is judged by looser limits later. Whether a world stays never depends on StopWhen: every world that does not end
+early has the verdict, and to the last bit the state, that it has under `end`. An acceleration that a norm states for
+sliding or for tipping alone is never cut short.
 
-FirstFailure spares a layout the accelerations that come after the first one that it does not hold: one under which its verdict is neither
-`stayed` nor `failed`. The worlds that are left out have the status and the verdict `not_needed`; they are counted by themselves, never
-as failed. Every world that is simulated is to the last bit what it is without FirstFailure. The accelerations are tried in the order of
-how many layouts they have rejected so far, equals in the order of the run. "So far" is at fixed places, so that what is simulated does
-not depend on threads and time: the order is drawn up before layout 1, 9, 17, 33, 65, 129, 257, 513, 769, ... of the run, or of the call
-of the library, from all layouts before, and holds until the next one. A layout that is submitted by itself takes the accelerations in
-their given order.
+FirstFailure spares a layout the accelerations that come after the first one that it does not hold: one under which its
+verdict is neither `stayed` nor `failed`. The worlds that are left out have the status and the verdict `not_needed`;
+they are counted by themselves, never as failed. Every world that is simulated is to the last bit what it is without
+FirstFailure. The accelerations are tried in the order of how many layouts they have rejected so far, equals in the
+order of the run. "So far" is at fixed places, so that what is simulated does not depend on threads and time: the order
+is drawn up before layout 1, 9, 17, 33, 65, 129, 257, 513, 769, ... of the run, or of the call of the library, from all
+layouts before, and holds until the next one. A layout that is submitted by itself takes the accelerations in their
+given order.
 
 )";
 

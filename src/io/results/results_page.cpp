@@ -24,9 +24,9 @@ Every dataset has the attributes `units` and `description`.
 ## How worlds, boxes and samples are stored
 
 A **world** is one layout under one acceleration, and has one row in `/worlds`. Worlds have different numbers of boxes
-and samples. Therefore the datasets in `/boxes` contain the boxes of all worlds, one world after the other; `/series/time`
-and similar datasets contain all samples; `/series/displacement` and similar datasets contain all (sample, box) pairs.
-The row of a world says where its entries begin:
+and samples. Therefore the datasets in `/boxes` contain the boxes of all worlds, one world after the other;
+`/series/time` and similar datasets contain all samples; `/series/displacement` and similar datasets contain all
+(sample, box) pairs. The row of a world says where its entries begin:
 
 | entries of a world | first | number |
 | --- | --- | --- |
@@ -70,10 +70,10 @@ table["verdict"] = table["verdict"].map(verdicts)
 The run is described by `dict(f.attrs)`, `f["inputs/config"].asstr()[()]`, and `dict(f["inputs/settings"].attrs)`, which
 has every effective setting as `Section/Key`.
 
-A file may come from somebody else. `summary`, `merge`, `report` and `view` read it in a process of its own, which may take
-512 MB (`--memory`; `merge` as much for each thread) and 10 s of processor time for a single call of HDF5. Whatever is in
-it, they do what is asked or say in one line why not. They refuse a file with links, with data in other files or datasets,
-with filters that are not part of HDF5, and with chunks above 1 MB: files of holdfast have none of these.
+A file may come from somebody else. `summary`, `merge`, `report` and `view` read it in a process of its own, which may
+take 512 MB (`--memory`; `merge` as much for each thread) and 10 s of processor time for a single call of HDF5. Whatever
+is in it, they do what is asked or say in one line why not. They refuse a file with links, with data in other files or
+datasets, with filters that are not part of HDF5, and with chunks above 1 MB: files of holdfast have none of these.
 
 ## Which attributes it has
 
@@ -103,10 +103,10 @@ it is on disk. A kill or a power cut therefore loses at most the open part, and 
 that precedes them. `results.h5.parts/lock` prevents a second run into the same file. At the end the parts are assembled
 into `results.h5` and removed: for a moment the disk must have space for the results twice.
 
-`--resume` continues after the last finished part, if software, settings, engine, layouts and accelerations are the same.
-This includes layouts that the run had not reached: the first part has the SHA-256 of all layouts, as they were when the
-run began, in `/inputs/layout_hashes`. A layout that changes during the run, before it is read, is left out as a bad
-layout. The results file of a resumed run has the same bytes as that of an uninterrupted run, except for times and
+`--resume` continues after the last finished part, if software, settings, engine, layouts and accelerations are the
+same. This includes layouts that the run had not reached: the first part has the SHA-256 of all layouts, as they were
+when the run began, in `/inputs/layout_hashes`. A layout that changes during the run, before it is read, is left out as
+a bad layout. The results file of a resumed run has the same bytes as that of an uninterrupted run, except for times and
 processor seconds.
 
 A part is a results file of its worlds, with their summary. Its indices are those of the whole run: `box_begin`,
