@@ -26,8 +26,8 @@ def indented_blocks(document):
 
 
 def commands(document):
-    """The command lines of its shell blocks; of a console block, those behind a prompt."""
-    found = []
+    """The command lines of its shell blocks; of a console block, those behind a prompt; and those above a table."""
+    found = [content.splitlines()[0] for content in indented_blocks(document) if content.startswith("holdfast ")]
     for content in blocks(document, "sh", "bash", "shell"):
         found += content.replace("\\\n", " ").splitlines()
     for content in blocks(document, "console"):
