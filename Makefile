@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format docs evidence dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
+.PHONY: help demo test bench fuzz lint format docs site evidence dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -99,6 +99,9 @@ docs: program  ## Write the generated pages of docs/ and the files made of outco
 	python3 tools/commands_page.py build/release/bin/holdfast > docs/reference/commands.md
 	python3 tools/parameters_page.py build/release/bin/holdfast > docs/physics/parameters.md
 	! command -v dot > /dev/null || dot -Tsvg docs/develop/world_flow.dot -o docs/develop/world_flow.svg
+	@$(MAKE) --no-print-directory site
+
+site:  ## Make the site build/site of the pages of docs/ as they are
 	@$(INSTALL) --docs
 	tools/site_source.py build/site_source
 	mkdocs build --strict --clean --quiet
