@@ -72,6 +72,7 @@ std::vector<ReadAcceleration> read_accelerations(const ScreeningJob& job, double
     std::vector<Error> warnings;
     accelerations.push_back({{input_name(path), file ? file->sha256 : "", {}}, ""});
     take(path, file ? parse_acceleration(*file, warnings) : Result<Acceleration>(file.errors()));
+    warn(warnings);
   }
   return accelerations;
 }

@@ -1,11 +1,14 @@
 #include "io/input/acceleration_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
 #include "core/model/acceleration_check.hpp"
+#include "core/model/push_direction.hpp"
 #include "io/input/text_lines.hpp"
 
 namespace holdfast::internal {
@@ -15,8 +18,31 @@ namespace {
 constexpr const char* kAccelerationLine = "initial-time duration ax ay az";
 constexpr std::array kAccelerationNames{"the initial time", "the duration", "ax", "ay", "az"};
 
+/// Largest accelerations along the floor that are probably meant in g, in m/s²: norms for cargo ask for 0.2 to 1 g on
+/// the road and at sea, and a load that stands so few m/s² has shown nothing. 1 m/s² itself is a gentle push that
+/// people try.
+constexpr double kLeastInG = 0.05;
+constexpr double kMostInG = 0.99;
+
+/// Whether a line states the unit of the accelerations, and not a segment.
+bool is_unit_line(const std::vector<Field>& fields) { return fields[0].text == "unit"; }
+
+/// The unit of a line that states one, in m/s², or nothing if it is none.
+std::optional<double> parse_unit(long line, const std::vector<Field>& fields, ErrorList& errors) {
+  const std::string_view unit = fields.size() == 2 ? fields[1].text : "";
+  if (unit == "g") return kStandardGravity;
+  if (unit == "m/s2" || unit == "m/s²") return 1.0;
+  errors.add({.line = line,
+              .column = fields.back().column,
+              .what = "no unit of acceleration",
+              .value = shown(fields.back().text),
+              .accepted = "unit g, or unit m/s2"});
+  return std::nullopt;
+}
+
 /// The segment of a line, or nothing if its numbers are not valid.
-std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields, ErrorList& errors) {
+/// @param unit of its acceleration, m/s²
+std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields, double unit, ErrorList& errors) {
   const auto refuse = [&](std::size_t i, std::string what, std::string accepted) {
     errors.add({.line = line,
                 .column = fields[i].column,
@@ -45,24 +71,42 @@ std::optional<Segment> parse_segment(long line, const std::vector<Field>& fields
              i < 2 ? "a finite number of s" : "a finite number of m/s²");
   }
   if (!good) return std::nullopt;
-  const Segment segment{numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}, line};
+  const Segment segment{numbers[0], numbers[1], unit * Vec3(numbers[2], numbers[3], numbers[4]), line};
   if (const auto fault = check_segment(segment)) return refuse(fault->column, fault->error.what, fault->error.accepted);
   return segment;
 }
 
+/// Warns of accelerations that are so small that they may be meant in g.
+void warn_of_unit(const TextFile& file, const Acceleration& acceleration, std::vector<Error>& warnings) {
+  double largest = 0.0;
+  for (const Segment& segment : acceleration.segments)
+    largest = std::max(largest, segment.acceleration.head<2>().norm());
+  if (largest < kLeastInG || largest > kMostInG) return;
+  warnings.push_back({.file = file.path,
+                      .what = "the values are in m/s², and the largest along the floor is small",
+                      .value = rounded_text(largest) + " m/s²",
+                      .accepted = "if they are in g: a first line 'unit g'; 'unit m/s2' says that they are meant"});
+}
+
 }  // namespace
 
-Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& /*warnings*/) {
+Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& warnings) {
   Acceleration acceleration;
   acceleration.name = file.name;
   acceleration.sha256 = file.sha256;
   ErrorList errors(file.path);
   LineReader lines(file.text);
   std::vector<Field> fields;
+  std::optional<double> unit;
+  bool is_first = true;
   while (lines.next()) {
     split_fields(lines.line(), fields);
     if (fields.empty()) continue;
-    const std::optional<Segment> segment = parse_segment(lines.number(), fields, errors);
+    if (std::exchange(is_first, false) && is_unit_line(fields)) {
+      unit = parse_unit(lines.number(), fields, errors);
+      continue;
+    }
+    const std::optional<Segment> segment = parse_segment(lines.number(), fields, unit.value_or(1.0), errors);
     auto disagreement = segment ? append_segment(acceleration.segments, *segment) : std::nullopt;
     if (!disagreement) continue;
     disagreement->line = lines.number();
@@ -73,6 +117,7 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
     errors.add({.what = trimmed(file.text).empty() ? "is empty" : "has no segments",
                 .accepted = std::string("an acceleration has one line per segment: ") + kAccelerationLine});
   if (!errors.empty()) return errors.take();
+  if (!unit) warn_of_unit(file, acceleration, warnings);
   return acceleration;
 }
 

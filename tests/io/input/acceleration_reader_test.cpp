@@ -36,6 +36,34 @@ TEST_CASE("acceleration_reader: the published example", "[io][acceleration_reade
   CHECK(acceleration->end_time() == Approx(13.65));
 }
 
+TEST_CASE("acceleration_reader: a first line may say that values are in g", "[io][acceleration_reader]") {
+  const Result<Acceleration> acceleration = parse("# by hand\nunit g\n0 1 0.8 0 -0.5\n");
+  REQUIRE(acceleration);
+  CHECK(acceleration->segments[0].acceleration == 9.81 * Vec3(0.8, 0, -0.5));
+  CHECK(acceleration->segments[0].line == 3);
+  CHECK(parse("unit m/s2\n0 1 0.8 0 0\n")->segments[0].acceleration == Vec3(0.8, 0, 0));
+  CHECK(messages_of(parse("unit k\n0 1 1 0 0\n").errors()) ==
+        Messages{"a.txt:1:6: no unit of acceleration: k; unit g, or unit m/s2"});
+  CHECK_FALSE(parse("0 1 1 0 0\nunit g\n"));
+}
+
+TEST_CASE("acceleration_reader: values that are as small as those of norms in g are told",
+          "[io][acceleration_reader]") {
+  const auto warnings_of = [](const std::string& text) {
+    std::vector<Error> warnings;
+    REQUIRE(parse_acceleration(memory_file(text), warnings));
+    return messages_of(warnings);
+  };
+  CHECK(
+      warnings_of("0 1 0 0 0\n1 1 0.8 0 0\n2 1 0 -0.5 0\n") ==
+      Messages{"a.txt: the values are in m/s², and the largest along the floor is small: 0.8 m/s²; if they are in g: a "
+               "first line 'unit g'; 'unit m/s2' says that they are meant"});
+  CHECK(warnings_of("0 1 0.6 0 -1\n").size() == 1);
+  for (const char* const text : {"0 1 7.848 0 0\n", "0 1 1 0 0\n", "0 1 2 0 0\n", "0 1 0 0 -1\n", "0 1 0.01 0 0\n",
+                                 "unit g\n0 1 0.8 0 0\n", "unit m/s2\n0 1 0.8 0 0\n"})
+    CHECK(warnings_of(text).empty());
+}
+
 TEST_CASE("acceleration_reader: white space, comments and gaps are accepted", "[io][acceleration_reader]") {
   const Result<Acceleration> acceleration = parse("\xEF\xBB\xBF\t0.5\t1 +1 0 0 # brake\r\n\r\n#\r\n  3 1 0 0 0");
   REQUIRE(acceleration);
