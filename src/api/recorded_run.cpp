@@ -71,7 +71,9 @@ std::optional<Error> report_finished(const Recording& recording, const Progress&
     observer.world_finished(world, index++);
   };
   return visit_finished(recording.path, finished,
-                        {report_world, [&](const LayoutRecord& layout) { observer.layout_finished(layout); }});
+                        {.world = report_world,
+                         .layout_begins = [&](const LayoutRecord& layout) { observer.layout_begins(layout); },
+                         .layout = [&](const LayoutRecord& layout) { observer.layout_finished(layout); }});
 }
 
 /// Counts the failures of the finished worlds as the run that finished them did.
@@ -82,7 +84,7 @@ std::optional<Error> count_failures(const Recording& recording, const Progress& 
     failures.enter(world.row.layout);
     failures.count(world, recording.description.thresholds);
   };
-  return visit_finished(recording.path, finished, {count_world, nullptr});
+  return visit_finished(recording.path, finished, {.world = count_world});
 }
 
 /// Adds what a resumed run would find. What was written to the part that failed is lost: only finished parts count.

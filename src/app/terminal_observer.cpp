@@ -90,6 +90,7 @@ void TerminalObserver::layout_begins(const LayoutRecord& layout) {
   const std::vector<Box>& boxes = layout.layout->boxes;
   if (std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return box.name.empty(); })) return;
   std::vector<std::string>& names = box_names_[layout.index];
+  names.clear();  // an earlier run may have begun the layout
   for (const Box& box : boxes) names.push_back(box.name);
 }
 

@@ -41,8 +41,8 @@ class RunObserver {
   /// What is odd about an input and does not keep it from being used.
   virtual void warned(const Error& /*warning*/) {}
 
-  /// A layout of this run that can be used, before its first world is finished. Not called for layouts of which an
-  /// earlier run has finished all worlds.
+  /// A layout that can be used, before its first world is finished; one that an earlier run began has boxes with their
+  /// names alone.
   virtual void layout_begins(const LayoutRecord& /*layout*/) {}
 
   /// What analyses find of a layout is found, in a run that was asked for such. Called before its first world is

@@ -40,7 +40,7 @@ std::string LoadNames::container(std::uint64_t layout) {
   return layout >= info.layout_begin && i < containers_.size() ? containers_[i] : "";
 }
 
-std::string LoadNames::text(std::string_view path, std::uint64_t layout, std::uint64_t box) {
+const std::vector<std::string>& LoadNames::texts_of_layout(std::string_view path, std::uint64_t layout) {
   Column& column = columns_[path];
   if (column.layout != layout) {
     column = {.layout = layout};
@@ -50,7 +50,12 @@ std::string LoadNames::text(std::string_view path, std::uint64_t layout, std::ui
       if (const Result<EntryRange> boxes = results_.layout_boxes(layout - info.layout_begin, 1))
         column.texts = texts(path, boxes->begin, boxes->counts.front());
   }
-  return box >= 1 && box <= column.texts.size() ? column.texts[box - 1] : "";
+  return column.texts;
+}
+
+std::string LoadNames::text(std::string_view path, std::uint64_t layout, std::uint64_t box) {
+  const std::vector<std::string>& texts = texts_of_layout(path, layout);
+  return box >= 1 && box <= texts.size() ? texts[box - 1] : "";
 }
 
 std::vector<std::string> LoadNames::texts(std::string_view path, std::uint64_t begin, std::uint64_t count) {

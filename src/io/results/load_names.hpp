@@ -17,6 +17,12 @@ class LoadNames {
  public:
   explicit LoadNames(ResultsReader& results) : results_(results) {}
 
+  /// The names of all boxes of a layout, empty for those that have none; nothing where none has.
+  /// @param layout its number in the run
+  const std::vector<std::string>& box_names(std::uint64_t layout) {
+    return texts_of_layout("/inputs/layouts/box_name", layout);
+  }
+
   /// @param layout its number in the run
   /// @param box    from 1
   std::string box_name(std::uint64_t layout, std::uint64_t box);
@@ -35,6 +41,7 @@ class LoadNames {
     std::vector<std::string> texts = {};
   };
 
+  const std::vector<std::string>& texts_of_layout(std::string_view path, std::uint64_t layout);
   std::string text(std::string_view path, std::uint64_t layout, std::uint64_t box);
   std::vector<std::string> texts(std::string_view path, std::uint64_t begin, std::uint64_t count);
 

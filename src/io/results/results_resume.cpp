@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/results/hdf5_file.hpp"
+#include "io/results/load_names.hpp"
 #include "io/results/results_columns.hpp"
 #include "io/results/results_inputs.hpp"
 #include "io/results/results_part.hpp"
@@ -53,21 +54,27 @@ bool has_layouts(const RunTables& tables) {
   return std::any_of(tables.begin(), tables.end(), [](const AnalysisTables* table) { return table->read_layouts; });
 }
 
-void visit_layouts(ResultsReader& results, const std::function<void(const LayoutRecord&)>& visit) {
+void visit_layouts(ResultsReader& results, const FinishedVisitor& visitor) {
   const ResultsInfo& info = results.info();
+  LoadNames names(results);
   std::vector<LayoutRecord> layouts;
-  for (std::size_t i = 0; i < info.layouts.size(); ++i)
-    layouts.push_back({info.layout_begin + i, std::make_shared<Layout>(Layout{.name = info.layouts[i]}), {}});
+  for (std::size_t i = 0; i < info.layouts.size(); ++i) {
+    auto layout = std::make_shared<Layout>(Layout{.name = info.layouts[i]});
+    for (const std::string& name : names.box_names(info.layout_begin + i)) layout->boxes.emplace_back().name = name;
+    layouts.push_back({info.layout_begin + i, std::move(layout), {}});
+    if (visitor.layout_begins) visitor.layout_begins(layouts.back());
+  }
+  if (!has_layouts(info.analyses) || !visitor.layout) return;
   for (const AnalysisTables* analysis : info.analyses)
     if (analysis->read_layouts != nullptr) fail_if(analysis->read_layouts(results, 0, layouts));
-  for (const LayoutRecord& layout : layouts) visit(layout);
+  for (const LayoutRecord& layout : layouts) visitor.layout(layout);
 }
 
 void visit_file(const std::string& path, const FinishedVisitor& visitor) {
   Result<ResultsReader> results = ResultsReader::open(path);
   if (!results) throw h5::Failure(results.error());
   const ResultsInfo& info = results->info();
-  if (has_layouts(info.analyses) && visitor.layout) visit_layouts(*results, visitor.layout);
+  if (visitor.layout_begins || visitor.layout) visit_layouts(*results, visitor);
   for (std::uint64_t begin = 0; begin < info.world_count; begin += kSliceWorlds) {
     Result<std::vector<WorldRow>> rows = results->worlds(begin, std::min(kSliceWorlds, info.world_count - begin));
     if (!rows) throw h5::Failure(rows.error());

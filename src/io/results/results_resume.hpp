@@ -36,8 +36,10 @@ Result<Progress> find_finished(const std::string& path, const std::string& finge
 /// Called with what an earlier run finished.
 struct FinishedVisitor {
   std::function<void(const WorldRecord&)> world;  ///< without boxes and series
+  /// With boxes that have their names alone, and none where no box has one; may be empty.
+  std::function<void(const LayoutRecord&)> layout_begins = nullptr;
   /// Of a run that was asked for analyses of layouts, with these; may be empty.
-  std::function<void(const LayoutRecord&)> layout;
+  std::function<void(const LayoutRecord&)> layout = nullptr;
 };
 
 /// Calls the visitor with every finished world and layout, part by part in the order of the run; within a part the

@@ -92,7 +92,7 @@ TEST_CASE("results_resume: finished worlds are read as they were written", "[io]
     });
     CHECK(got.end.end_kinetic_energy == world.end.end_kinetic_energy);
   };
-  CHECK_FALSE(visit_finished(path, progress, {compare, nullptr}));
+  CHECK_FALSE(visit_finished(path, progress, {.world = compare}));
   CHECK(next == put.size());
 }
 
