@@ -39,6 +39,8 @@ test_packages=(
   python3-h5py       # the tests read results files as a user would
   python3-scipy      # the linear programs that tests compare the proof of rest with
   python3-pandas     # tables in examples and benchmarks
+  python3-openpyxl   # a spreadsheet, which the test of `Load.read` writes and reads
+  python3-jsonschema # the schema of loads in JSON, against what the program writes and refuses
   python3-matplotlib # plots in examples and benchmarks
   weasyprint         # PDF of `holdfast report`
 )

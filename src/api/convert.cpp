@@ -258,6 +258,32 @@ Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleratio
   return read;
 }
 
+holdfast::Box public_box(const Box& box) {
+  const auto numbers = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
+  holdfast::Box converted{.corner_min = numbers(box.corner_min),
+                          .corner_max = numbers(box.corner_max),
+                          .material = box.material.is_number() ? box.material.id() : 0,
+                          .name = box.name,
+                          .mass = box.mass,
+                          .mat = box.mat,
+                          .fixed = box.fixed,
+                          .order = box.order,
+                          .bearing_limit = box.bearing_limit};
+  if (!box.material.is_number()) converted.material_name = box.material.text();
+  if (box.centre_of_mass) converted.centre_of_mass = numbers(*box.centre_of_mass);
+  return converted;
+}
+
+holdfast::Container public_container(const GivenContainer& container) {
+  holdfast::Container converted{
+      .type = container.type, .open_sides = container.open_sides, .bed_height = container.bed_height};
+  if (container.size) converted.size = std::array{container.size->x(), container.size->y(), container.size->z()};
+  if (!container.drop_sides) return converted;
+  converted.drop_sides.emplace();
+  for (const DropSide& drop : *container.drop_sides) converted.drop_sides->push_back({drop.side, drop.height});
+  return converted;
+}
+
 holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) {
   holdfast::Layout converted{.name = layout.name, .boxes = {}};
   const auto number = [&](double length) {
@@ -266,18 +292,10 @@ holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit) 
   const auto numbers = [&](const Vec3& v) { return std::array{number(v.x()), number(v.y()), number(v.z())}; };
   converted.boxes.reserve(layout.boxes.size());
   for (const Box& box : layout.boxes) {
-    holdfast::Box& to = converted.boxes.emplace_back();
+    holdfast::Box& to = converted.boxes.emplace_back(public_box(box));
     to.corner_min = numbers(box.corner_min);
     to.corner_max = numbers(box.corner_max);
-    to.material = box.material.is_number() ? box.material.id() : 0;
-    if (!box.material.is_number()) to.material_name = box.material.text();
-    to.name = box.name;
-    to.mass = box.mass;
     if (box.centre_of_mass) to.centre_of_mass = numbers(*box.centre_of_mass);
-    to.mat = box.mat;
-    to.fixed = box.fixed;
-    to.order = box.order;
-    to.bearing_limit = box.bearing_limit;
   }
   if (!layout.container) return converted;
   const ContainerShape& shape = *layout.container;

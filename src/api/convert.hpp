@@ -7,6 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/world_record.hpp"
+#include "core/model/given_container.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/verdict.hpp"
 #include "holdfast/holdfast.hpp"
@@ -40,6 +41,12 @@ ReadLayout read_layout(const holdfast::LayoutView& layout, const std::string& na
 
 /// An acceleration of the caller, checked as an acceleration file is.
 Result<Acceleration> read_acceleration(const holdfast::Acceleration& acceleration);
+
+/// The box with everything that it has, its lengths as they are.
+holdfast::Box public_box(const Box& box);
+
+/// What a layout says of its container, its lengths as they are.
+holdfast::Container public_container(const GivenContainer& container);
 
 /// The layout with everything that it has, its lengths in a unit.
 holdfast::Layout public_layout(const Layout& layout, holdfast::LengthUnit unit);

@@ -8,15 +8,12 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/utf8.hpp"
-#include "core/model/container_catalogue.hpp"
-#include "core/model/container_sides.hpp"
+#include "core/model/given_container.hpp"
+#include "core/model/load_limits.hpp"
 
 namespace holdfast::internal {
 
 namespace {
-
-/// Shortest length of a container, m.
-constexpr double kLeastLength = 1e-3;
 
 Vec3 lengths_of(const std::array<double, 3>& numbers, holdfast::LengthUnit unit) {
   return {metres(numbers[0], unit), metres(numbers[1], unit), metres(numbers[2], unit)};
@@ -26,7 +23,7 @@ Vec3 lengths_of(const std::array<double, 3>& numbers, holdfast::LengthUnit unit)
 /// @param what it is, with its box
 std::optional<double> within(std::optional<double> number, double least, const char* what, std::size_t index,
                              const Box& box, ErrorList& errors) {
-  if (!number || (*number >= least && *number <= kMostOfBox)) return number;
+  if (!number || (*number >= least && *number <= kMostOfLoad)) return number;
   if (errors.full()) {
     errors.count_more();
     return std::nullopt;
@@ -43,11 +40,6 @@ std::optional<double> within(std::optional<double> number, double least, const c
 std::optional<double> entry(std::span<const double> numbers, std::size_t index) {
   if (numbers.empty() || std::isnan(numbers[index])) return std::nullopt;
   return numbers[index];
-}
-
-void add(ErrorList& errors, const char* what, std::string value, const char* accepted) {
-  if (errors.full()) return errors.count_more();
-  errors.add({.what = what, .value = std::move(value), .accepted = accepted});
 }
 
 }  // namespace
@@ -90,53 +82,17 @@ void check_counts(const holdfast::LayoutView& layout, std::size_t boxes, ErrorLi
   check(layout.box_names.size(), "names of boxes");
 }
 
-std::optional<ContainerShape> shape_of_type(std::string_view type, ErrorList& errors) {
-  if (const ContainerType* const known = find_container(type)) return known->shape();
-  add(errors, "no type of container", kept_name(type), "a name that `holdfast containers` lists, such as 40hc");
-  return std::nullopt;
-}
-
 ContainerShape shape_of(const holdfast::Container& given, holdfast::LengthUnit unit, const Settings& settings,
                         ErrorList& errors) {
-  ContainerShape shape = settings.container;
-  shape.type.clear();
-  if (!given.type.empty()) {
-    auto known = shape_of_type(given.type, errors);
-    if (known) shape = std::move(*known);
-  }
-  if (given.size) {
-    shape.size = lengths_of(*given.size, unit);
-    if (!(shape.size.array() >= kLeastLength && shape.size.array() <= kMostOfBox).all())
-      add(errors, "the size of the container is not possible",
-          rounded_text(shape.size.x()) + " x " + rounded_text(shape.size.y()) + " x " + rounded_text(shape.size.z()) +
-              " m",
-          "three lengths above 0");
-  }
-  if (given.open_sides) {
-    shape.open_sides = *given.open_sides;
-    for (const std::string& side : shape.open_sides)
-      if (!can_be_open(side)) add(errors, "an open side that is none", side, "front, rear, left, right or roof");
-  }
+  GivenContainer container{.type = given.type, .open_sides = given.open_sides};
+  if (given.size) container.size = lengths_of(*given.size, unit);
+  if (given.bed_height) container.bed_height = metres(*given.bed_height, unit);
   if (given.drop_sides) {
-    shape.drop_sides.clear();
-    for (const holdfast::DropSide& drop : *given.drop_sides) {
-      shape.drop_sides.push_back({drop.side, metres(drop.height, unit)});
-      if (!can_be_open(drop.side) || drop.side == "roof")
-        add(errors, "a drop side that is no wall", drop.side, "front, rear, left or right");
-      if (!(shape.drop_sides.back().height >= kLeastLength && shape.drop_sides.back().height <= kMostOfBox))
-        add(errors, "the height of a drop side is not possible", rounded_text(shape.drop_sides.back().height) + " m",
-            "a length above 0");
-    }
+    container.drop_sides.emplace();
+    for (const holdfast::DropSide& drop : *given.drop_sides)
+      container.drop_sides->push_back({drop.side, metres(drop.height, unit)});
   }
-  for (const DropSide& drop : shape.drop_sides)
-    if (std::find(shape.open_sides.begin(), shape.open_sides.end(), drop.side) != shape.open_sides.end())
-      add(errors, "a side is both open and a drop side", drop.side, "each side in one of the two");
-  if (given.bed_height) {
-    shape.bed_height = metres(*given.bed_height, unit);
-    if (!(shape.bed_height >= 0.0 && shape.bed_height <= kMostOfBox))
-      add(errors, "the height of the bed is not possible", rounded_text(shape.bed_height) + " m", "a length from 0");
-  }
-  return shape;
+  return shape_of(container, settings, errors);
 }
 
 }  // namespace holdfast::internal

@@ -13,12 +13,6 @@
 /// What a layout of the caller says of its boxes and its container beside corners and materials.
 namespace holdfast::internal {
 
-/// Least mass of a box, kg.
-inline constexpr double kLeastMass = 1e-6;
-
-/// Largest mass, coefficient or length of a layout: more is a mistake, as in files of loads.
-inline constexpr double kMostOfBox = 1e6;
-
 /// A length of the caller in metres. Divided as the readers of files do it, so that equal numbers give equal bits.
 inline double metres(double length, holdfast::LengthUnit unit) {
   return unit == holdfast::LengthUnit::centimetre ? length / 100.0 : length;
@@ -47,8 +41,5 @@ void check_counts(const holdfast::LayoutView& layout, std::size_t boxes, ErrorLi
 /// The container that the caller means; what it does not say is as its type or the settings say.
 ContainerShape shape_of(const holdfast::Container& given, holdfast::LengthUnit unit, const Settings& settings,
                         ErrorList& errors);
-
-/// The container of that type; nothing, and an error, where there is none.
-std::optional<ContainerShape> shape_of_type(std::string_view type, ErrorList& errors);
 
 }  // namespace holdfast::internal

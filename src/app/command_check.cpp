@@ -43,6 +43,7 @@ const char* name_of(InputKind kind) {
 struct Finding {
   std::vector<Error> errors;
   std::vector<Error> warnings;
+  std::string form;  ///< what a layout is written in
   std::string description;
   std::string bearing;  ///< lines about the weight that boxes bear
 };
@@ -135,6 +136,7 @@ class InputCheck {
     std::size_t boxes = 0;
     double mass = 0.0;
     finding.warnings = loads.notes;
+    finding.form = loads.form;
     for (const ReadLoad& load : loads.loads) {
       const std::vector<Box>& all = load.layout.boxes;
       boxes += all.size();
@@ -205,7 +207,7 @@ ExitCode run_check_command(const CheckOptions& options) {
     const Finding finding = check.check(input);
     warn(finding.warnings);
     fail(ExitCode::bad_usage, finding.errors);
-    const char* kind = name_of(input.kind);
+    const std::string kind = finding.form.empty() ? name_of(input.kind) : fmt::format("layout ({})", finding.form);
     if (finding.errors.empty()) {
       print_to(stdout, "{}: ok: {}, {}\n{}", input.path, kind, finding.description, finding.bearing);
     } else {

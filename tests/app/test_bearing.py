@@ -7,6 +7,7 @@ from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
 from cli import CliTest, layout_text
+from test_readme import indented_blocks
 
 DENSITY = 250.0  # kg/m3, the default of the program
 GAP = OVERLAP = 0.1  # cm, as in docs/guide/bearing.md
@@ -103,6 +104,14 @@ class Bearing(CliTest):
         self.assertGreater(standing, 8)
         self.assertGreater(tipping, 2)
         self.assertGreater(ranges, 20)
+
+    def test_the_example_of_the_page_is_what_the_program_prints(self):
+        content, command, expected = indented_blocks("docs/bearing.md")[:3]
+        name = command.split()[2]
+        self.write(name, content)
+        done = self.run_here(*command.split()[1:])
+        self.assert_exit(done, 0)
+        self.assertEqual((done.stderr, done.stdout), ("", expected))
 
     def test_without_limits_and_option_nothing_is_said(self):
         self.write("pile.txt", layout_text(pile(1, 5, 0.8)))

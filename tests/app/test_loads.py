@@ -1,15 +1,19 @@
 """Loads as people have them: tables, JSON, units, axes, containers, from the file to the results."""
+import copy
 import json
 import pathlib
+import re
 import unittest
 
 import h5py
+import jsonschema
 import numpy as np
 
 from cli import CliTest, SOURCE, run
 
 FORMATS = SOURCE / "tests/io/loads/formats"
 TRAILER = SOURCE / "configs/loads/trailer.csv"
+SCHEMA = jsonschema.Draft202012Validator(json.loads((SOURCE / "configs/loads/load.schema.json").read_text(encoding="utf-8")))
 # What the command line has to say beside the file.
 OPTIONS = {"inches.txt": ["--unit", "in"], "packer_yup.json": ["--format", "y-up"], "planner_export.csv": ["--axes", "-z x y"]}
 
@@ -40,6 +44,99 @@ class Loads(CliTest):
                     for load, size in zip(expected, sizes):
                         if load["container"] not in ("the run's", [5.87, 2.33, 2.2]):
                             np.testing.assert_allclose(size, load["container"])
+
+    def test_check_says_what_a_file_is_taken_for(self):
+        for file, form in ((TRAILER, "comma-separated table"), (FORMATS / "spreadsheet_semicolon.csv", "semicolon-separated table"),
+                           (FORMATS / "order_plan.json", "JSON of another program"), (FORMATS / "inches.txt", "text")):
+            self.assertIn(f": ok: layout ({form}), ", run("check", file, *OPTIONS.get(file.name, [])).stdout)
+        lines = self.folder / "lines.jsonl"
+        run("convert", TRAILER, "-o", lines)
+        self.assertEqual(run("check", lines).stdout.splitlines()[0], f"{lines}: ok: layout (JSON, one load per line), 20 boxes, 12690 kg")
+        self.write("sheet.txt", "Artikel Ort Maße\nKiste 0 0 0 80 60 50 4\n")
+        self.assertIn("bad: layout (text, since no line names the places and sizes of boxes), ", self.run_here("check", "sheet.txt").stdout)
+
+    def test_a_file_whose_height_is_another_axis_is_noticed_where_all_boxes_fit(self):
+        """Two rows of three boxes across and two layers, with y upwards, in a container that is as high as it is wide."""
+        rows = [f"{100 * i},{70 * layer},{60 * row + 20},100,70,60" for i in range(3) for row in range(2) for layer in range(2)]
+        self.write("up.csv", "x,y,z,dx,dy,dz\n" + "\n".join(rows) + "\n")
+        self.write("up.txt", "12\n" + "".join(f"{x} {y} {z} {x + a} {y + b} {z + c} 1\n" for x, y, z, a, b, c in (
+            map(int, row.split(",")) for row in rows)))
+        mended = 'all boxes stand with --axes "x -z y"'
+        for name in ("up.csv", "up.txt"):
+            checked = self.run_here("check", name)
+            self.assert_exit(checked, 0)
+            self.assertEqual(checked.stderr.count(mended), 1, checked.stderr)
+            screened = self.run_here("screen", "--layouts", name, "--norm", "road", "-o", f"{name}.h5", "--quiet")
+            self.assertEqual(screened.stderr.count(mended), 1, screened.stderr)
+            self.assertEqual(self.run_here("check", name, "--axes", "x -z y").stderr, "")
+        for folder in ("bench/layouts", "bench/layouts_unstable", "configs/layouts"):
+            self.assertNotIn("another axis", run("check", SOURCE / folder).stderr)
+
+    def test_accelerations_that_may_be_in_g_are_told(self):
+        self.write("box.txt", "1\n0 0 0 80 60 50 1\n")
+        self.write("brake.txt", "0 0.5 0.8 0 0\n")
+        self.write("brake_g.txt", "unit g\n0 0.5 0.8 0 0\n")
+        self.assertIn("if they are in g: a first line 'unit g'", self.run_here("check", "brake.txt").stderr)
+        done = self.run_here("screen", "--layouts", "box.txt", "--accelerations", "brake.txt", "brake_g.txt", "-o", "g.h5", "--quiet")
+        self.assertEqual(done.stderr.count("unit g"), 1, done.stderr)
+        with h5py.File(self.folder / "g.h5") as found:
+            np.testing.assert_array_equal(found["inputs/accelerations/value"][:, 0], [0.8, 0.8 * 9.81])
+        self.assertEqual(run("check", SOURCE / "configs/accelerations").stderr, "")
+
+    def test_json_that_is_written_is_that_of_the_schema(self):
+        self.assertEqual(set(SCHEMA.schema["$defs"]["containerType"]["enum"]),
+                         set(re.findall(r"^([a-z0-9-]+)  ", run("containers").stdout, re.MULTILINE)))
+        for file in (TRAILER, *(path for path in FORMATS.iterdir() if path.is_file())):
+            lines = self.folder / "loads.jsonl"
+            done = run("convert", file, "-o", lines, "--overwrite", *OPTIONS.get(file.name, []))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            head, *loads = map(json.loads, lines.read_text(encoding="utf-8").splitlines())
+            self.assertGreater(len(loads), 0)
+            for instance in (head, *loads, {**head, "unit": "m", "container": "40hc", "loads": loads}):
+                SCHEMA.validate(instance)
+
+    def test_what_the_reader_refuses_the_schema_refuses_too(self):
+        box = {"corner_min": [0, 0, 0], "corner_max": [1, 1, 1], "name": "Pump", "material": "wood", "mass": 80.5, "mat": 0.6,
+               "centre_of_mass": [0, 0, 0.1], "fixed": False, "order": 2, "bearing_limit": 300}
+        good = {"holdfast": 1, "unit": "m", "container": {"type": "40hc", "size": [6, 2.4, 2.4], "open_sides": ["rear"], "drop_sides": {"left": 0.6},
+                                                          "bed_height": 0.9},
+                "loads": [{"name": "a", "unit": "m", "container": "trailer-box", "boxes": [box, [2, 0, 0, 3, 1, 1, 3]]}]}
+
+        def refused(changed):
+            path = self.write("loads.json", json.dumps(changed))
+            return run("check", path).returncode != 0, not SCHEMA.is_valid(changed)
+
+        self.assertEqual(refused(good), (False, False))
+        wrong_in_box = [("colour", "red"), ("name", 3), ("material", -1), ("material", 1.5), ("material", ""), ("material", None),
+                        ("mass", "heavy"), ("mass", 0), ("mass", 1e7), ("mat", -0.1), ("mat", [0.6]), ("bearing_limit", -1), ("fixed", 1),
+                        ("order", 1.5), ("order", "first"), ("corner_min", [0, 0]), ("corner_min", [0, 0, "0"]), ("corner_max", 1),
+                        ("corner_max", {"x": 1, "y": 1, "z": 1}), ("corner_max", [1, 1, 1e7]), ("corner_max", [1, 1, 1, 1]),
+                        ("centre_of_mass", 0.1), ("centre_of_mass", [0, 0, None])]
+        changes = [(("loads", 0, "boxes", 0, key), value) for key, value in wrong_in_box]
+        changes += [(("loads", 0, "boxes", 1), value) for value in ([2, 0, 0, 3, 1, 1], [2, 0, 0, 3, 1, 1, 1, 1], [2, 0, 0, 3, 1, "1", 1],
+                                                                    [2, 0, 0, 3, 1, 1, "wood"], [2, 0, 0, 3, 1, 1, -1], [2, 0, 0, 1e7, 1, 1, 1], 3,
+                                                                    "box", {"corner_min": [2, 0, 0]})]
+        changes += [(("loads", 0, key), value) for key, value in (("boxes", []), ("boxes", {}), ("boxs", []), ("name", 7), ("unit", "yd"),
+                                                                  ("container", "barn"), ("container", 40), ("container", {"tpye": "40hc"}))]
+        changes += [(("container", key), value) for key, value in (
+            ("size", [6, 2.4]), ("size", [6, 2.4, 0]), ("size", "large"), ("open_sides", "rear"), ("open_sides", ["floor"]),
+            ("drop_sides", {"roof": 1}), ("drop_sides", {"left": 0}), ("drop_sides", ["left"]), ("bed_height", -1), ("type", "barn"))]
+        changes += [(("holdfast",), 2), (("holdfast",), "1"), (("loads",), {}), (("loads",), [3]), (("laods",), []), (("unit",), 1)]
+        for path, value in changes:
+            with self.subTest(path=path, value=value):
+                changed = copy.deepcopy(good)
+                inner = changed
+                for part in path[:-1]:
+                    inner = inner[part]
+                inner[path[-1]] = value
+                self.assertEqual(refused(changed), (True, True))
+        for path in (("loads", 0, "boxes"), ("loads", 0, "boxes", 0, "corner_max")):
+            changed = copy.deepcopy(good)
+            inner = changed
+            for part in path[:-1]:
+                inner = inner[part]
+            del inner[path[-1]]
+            self.assertEqual(refused(changed), (True, True))
 
     def test_the_masses_of_a_file_are_those_of_the_worlds(self):
         results = self.folder / "trailer.h5"
@@ -95,6 +192,22 @@ class Loads(CliTest):
                 np.testing.assert_array_equal(one[name][:], two[name][:])
         again = run("screen", "--layouts", table, "--norm", "road", "-o", whole, "--resume", "--quiet")
         self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_a_resumed_or_merged_run_names_boxes_as_a_new_one_does(self):
+        table = self.write("named.csv", "load,name,x,y,z,length,width,height\n" + "".join(
+            f"L{i},{name},{80 * k},0,0,80,60,{150 + i}\n" for i in range(4) for k, name in enumerate(("", "Pump", "Motor ä"))))
+        shove = self.write("shove.txt", "0 1 6 -9 0\n")
+        arguments = ["screen", "--layouts", table, "--accelerations", shove, "--json", "--quiet"]
+        new = run(*arguments, "-o", self.folder / "new.h5")
+        names = [json.loads(line).get("critical_box_name") for line in new.stdout.splitlines()]
+        self.assertEqual(len(names), 4)
+        self.assertTrue({"Pump", "Motor ä"} & set(names), names)
+        for part in ("1/2", "2/2"):
+            run(*arguments, "-o", self.folder / "merged.h5", "--part", part)
+        self.assertEqual(run("merge", self.folder / "merged.h5", "--quiet").returncode, 0)
+        for results in ("new.h5", "merged.h5"):
+            again = run(*arguments, "-o", self.folder / results, "--resume")
+            self.assertEqual([json.loads(line).get("critical_box_name") for line in again.stdout.splitlines()], names)
 
     def test_a_spreadsheet_file_is_told_to_be_saved_as_text(self):
         path = self.folder / "load.xlsx"

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/serve/load_parts.hpp"
-#include "core/base/closest_word.hpp"
-#include "core/base/number_text.hpp"
+#include "api/convert.hpp"
 #include "core/base/utf8.hpp"
 #include "core/model/length_unit.hpp"
+#include "io/loads/json_parts.hpp"
+#include "io/loads/json_text.hpp"
 
 namespace holdfast::internal {
 
@@ -144,15 +142,9 @@ class RequestReader {
   }
 
   void take_key() {
-    const auto* const found = std::find(kKeys.begin(), kKeys.end(), text_);
-    key_ = static_cast<Key>(found - kKeys.begin());
-    if (key_ == Key::unknown) {
-      const auto meant = closest_word(text_, kKeys);
-      wrong("unknown key", text_,
-            meant ? fmt::format("did you mean '{}'?", *meant) : fmt::format("accepted are {}", fmt::join(kKeys, ", ")));
-    } else if (std::exchange(given_[static_cast<std::size_t>(key_)], true)) {
-      wrong("a key that is given twice", text_, "each key once");
-    }
+    std::size_t index = 0;
+    note_if(given_.give(text_, "", index));
+    key_ = static_cast<Key>(index);
   }
 
   /// A key of an object within the line's.
@@ -228,7 +220,7 @@ class RequestReader {
     else if (token != Token::list_begins)
       wrong_in_box(0, box_name() + " is neither a list nor an object", shown());
     // From the first object on, boxes are boxes of a layout.
-    if (box_is_object_ && !request_.layout) take_rows();
+    if (box_is_object_ && !boxes_) take_rows();
     numbers_before_ = request_.numbers.size();
   }
 
@@ -247,7 +239,7 @@ class RequestReader {
       begin_ = request_.places.back();
       note_in_box(0, box_reader_.box_ends());
       request_.number_places.emplace(request_.places.size() - 1, box_reader_.places());
-      request_.layout->boxes.push_back(box_reader_.box());
+      boxes_->push_back(box_reader_.take());
       return;
     }
     const std::size_t count = request_.numbers.size() - numbers_before_;
@@ -255,28 +247,22 @@ class RequestReader {
       begin_ = request_.places.back();
       return wrong_in_box(0, box_name() + " does not have seven numbers", fmt::format("{} numbers", count));
     }
-    if (request_.layout) take_rows();
+    if (boxes_) take_rows();
   }
 
   /// Makes boxes of the layout of the rows that have been read. After a mistake only the id matters.
   void take_rows() {
-    if (!request_.layout) request_.layout.emplace();
-    std::vector<holdfast::Box>& boxes = request_.layout->boxes;
+    if (!boxes_) boxes_.emplace();
+    std::vector<Box>& boxes = *boxes_;
     const std::vector<double> numbers = std::exchange(request_.numbers, {});
     for (std::size_t i = 0; !error_ && i + kNumbers.size() <= numbers.size(); i += kNumbers.size()) {
-      const double* const row = &numbers[i];
-      const double material = row[kNumbers.size() - 1];
-      if (!(material >= 0.0 && material <= std::numeric_limits<int>::max() && material == std::floor(material))) {
-        const std::size_t box = boxes.size();
-        note({.what = fmt::format("the material of box {} is not an id", box + 1),
-              .value = rounded_text(material),
-              .accepted = "a whole number from 0",
-              .box = static_cast<long>(box) + 1,
-              .box_number = static_cast<long>(kNumbers.size())});
-        error_->column = column_of(line_, request_, static_cast<std::ptrdiff_t>(box), kNumbers.size() - 1);
-        return;
-      }
-      boxes.push_back({{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, static_cast<int>(material)});
+      const std::size_t box = boxes.size();
+      Mistake wrong = box_of_row(std::span(numbers).subspan(i, kNumbers.size()), box + 1, boxes.emplace_back());
+      if (!wrong) continue;
+      wrong->box = static_cast<long>(box) + 1;
+      wrong->box_number = static_cast<long>(kNumbers.size());
+      note(std::move(*wrong));
+      error_->column = column_of(line_, request_, static_cast<std::ptrdiff_t>(box), kNumbers.size() - 1);
     }
   }
 
@@ -293,37 +279,29 @@ class RequestReader {
 
   /// What needs the whole line: the container, and units that a screen does not have.
   void finish_layout() {
-    if (given(Key::container)) {
-      if (!request_.layout) take_rows();
-      if (error_) return;
-      request_.layout->container = container_reader_.container();
-    }
+    if (given(Key::container) && !boxes_) take_rows();
+    if (error_) return;
+    const bool is_own_unit = unit_factor_ == 1.0 || unit_factor_ == 0.01;
     if (unit_factor_ == 0.01) request_.options.unit = holdfast::LengthUnit::centimetre;
-    if (unit_factor_ == 1.0 || unit_factor_ == 0.01) return;
-    const auto turn = [&](auto& lengths) {
-      for (double& length : lengths) length = in_metres(length, unit_factor_);
-    };
-    for (std::size_t i = 0; i < request_.numbers.size(); ++i)
+    for (std::size_t i = 0; !is_own_unit && i < request_.numbers.size(); ++i)
       if (i % kNumbers.size() != kNumbers.size() - 1)
         request_.numbers[i] = in_metres(request_.numbers[i], unit_factor_);
-    if (!request_.layout) return;
-    for (holdfast::Box& box : request_.layout->boxes) {
-      turn(box.corner_min);
-      turn(box.corner_max);
-      if (box.centre_of_mass) turn(*box.centre_of_mass);
+    if (!boxes_) return;
+    request_.layout.emplace();
+    for (Box& box : *boxes_) {
+      if (!is_own_unit) turn_to_metres(box, unit_factor_);
+      request_.layout->boxes.push_back(public_box(box));
     }
-    if (!request_.layout->container) return;
-    holdfast::Container& container = *request_.layout->container;
-    if (container.size) turn(*container.size);
-    if (container.bed_height) container.bed_height = in_metres(*container.bed_height, unit_factor_);
-    if (container.drop_sides)
-      for (holdfast::DropSide& drop : *container.drop_sides) drop.height = in_metres(drop.height, unit_factor_);
+    if (!given(Key::container)) return;
+    GivenContainer container = container_reader_.container();
+    if (!is_own_unit) turn_to_metres(container, unit_factor_);
+    request_.layout->container = public_container(container);
   }
 
   void take_unit(Token token) {
-    const std::optional<double> factor = token == Token::text ? length_unit(text_) : std::nullopt;
-    if (!factor) return wrong("unknown unit", shown(), R"("m", "dm", "cm", "mm", "in" or "ft")");
-    unit_factor_ = *factor;
+    std::optional<double> factor;
+    note_if(read_unit(value_of(token), factor));
+    unit_factor_ = factor.value_or(unit_factor_);
   }
 
   void take_acceleration(Token token) {
@@ -371,7 +349,7 @@ class RequestReader {
     if (position > line_.size()) {
       error.what = "the line ends within its JSON";
       error.accepted = expected_in(reason);
-    } else if (reason.find("out_of_range") != std::string_view::npos) {
+    } else if (is_too_large(reason)) {
       error.what = "a number that is too large";
       error.value = shown();
       error.accepted = "numbers up to 1.8e308";
@@ -382,13 +360,6 @@ class RequestReader {
       error.accepted = is_not_finite ? "finite numbers" : expected_in(reason);
     }
     note(std::move(error));
-  }
-
-  /// What the parser says that it expected, if it does.
-  static std::string expected_in(std::string_view reason) {
-    constexpr std::string_view kExpected = "; expected ";
-    const std::size_t place = reason.find(kExpected);
-    return place == std::string_view::npos ? "" : std::string(reason.substr(place + kExpected.size()));
   }
 
   std::size_t begin_of_next() const { return std::min(line_.find_first_not_of(" \t\r,:", end_), line_.size()); }
@@ -410,7 +381,7 @@ class RequestReader {
           .box_number = number});
   }
 
-  LineValue value_of(Token token) const {
+  JsonValue value_of(Token token) const {
     constexpr std::size_t kMost = 60;
     return {.token = token,
             .truth = truth_,
@@ -441,7 +412,7 @@ class RequestReader {
     error_->column = static_cast<long>(begin_) + 1;
   }
 
-  bool given(Key key) const { return given_.at(static_cast<std::size_t>(key)); }
+  bool given(Key key) const { return given_.has(static_cast<std::size_t>(key)); }
 
   std::string_view line_;
   std::span<const std::string> names_;
@@ -454,10 +425,11 @@ class RequestReader {
   std::size_t depth_ = 0;   // of lists and objects around the token
   bool is_object_ = false;  // the line
   Key key_ = Key::unknown;
-  std::array<bool, kKeys.size()> given_ = {};
+  KeySet<kKeys.size()> given_{kKeys};
   std::size_t id_begin_ = 0;
   std::size_t numbers_before_ = 0;  // those of the boxes before the one at hand
   bool box_is_object_ = false;
+  std::optional<std::vector<Box>> boxes_;  // in place of numbers, where a box is an object or there is a container
   BoxReader box_reader_;
   ContainerReader container_reader_;
   double unit_factor_ = 1.0;  // m

@@ -27,6 +27,8 @@ std::string kept_name(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kWhite);
   if (begin == std::string_view::npos) return {};
   text = text.substr(begin, text.find_last_not_of(kWhite) - begin + 1);
+  const bool is_plain = std::all_of(text.begin(), text.end(), [](char sign) { return sign >= ' ' && sign <= '~'; });
+  if (is_plain && text.size() <= kMost) return std::string(text);
   std::string valid;
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);

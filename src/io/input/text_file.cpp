@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,15 +39,14 @@ Result<TextFile> read_text_file(const std::string& path) {
   file.path = path;
   file.name = std::filesystem::path(path).filename().string();
   // Block by block, regardless of the size that the system reports: some files of the kernel report none.
-  constexpr std::size_t kBlock = std::size_t{1} << 16U;
-  for (std::size_t size = 0; size <= kMostTextBytes;) {
-    file.text.resize(size + kBlock);
-    const ssize_t count = ::read(input.number, file.text.data() + size, kBlock);
+  std::array<char, std::size_t{1} << 16U> block;
+  file.text.reserve(std::min(static_cast<std::size_t>(status.st_size), kMostTextBytes));
+  while (file.text.size() <= kMostTextBytes) {
+    const ssize_t count = ::read(input.number, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return cannot_be_read(path);
-    size += static_cast<std::size_t>(count);
-    file.text.resize(size);
     if (count == 0) break;
+    file.text.append(block.data(), static_cast<std::size_t>(count));
   }
   if (file.text.size() > kMostTextBytes) {
     return Error{.file = path,
@@ -64,8 +65,9 @@ std::string sha256_of(std::string_view bytes) {
   SHA256_Update(&context, bytes.data(), bytes.size());
   unsigned char digest[SHA256_DIGEST_LENGTH];
   SHA256_Final(digest, &context);
+  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
-  for (const unsigned char byte : std::span(digest)) text += fmt::format("{:02x}", byte);
+  for (const unsigned char byte : std::span(digest)) (text += kDigits[byte >> 4U]) += kDigits[byte & 15U];
   return text;
 }
 

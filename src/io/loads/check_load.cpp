@@ -36,14 +36,9 @@ bool is_sound(const Box& box) {
 }
 
 /// Whether a box, shown another way, is inside a container.
-bool is_inside(const ContainerShape& shape, const Vec3& low, const Vec3& high) {
-  const ContainerSettings container = [&] {
-    ContainerSettings settings;
-    static_cast<ContainerShape&>(settings) = shape;
-    return settings;
-  }();
+bool is_inside(const ContainerSettings& container, const Vec3& low, const Vec3& high) {
   for (const ContainerSide& side : kContainerSides) {
-    const double depth = side.far ? high[side.axis] - shape.size[side.axis] : -low[side.axis];
+    const double depth = side.far ? high[side.axis] - container.size[side.axis] : -low[side.axis];
     if (depth > kLayoutTolerance + 1e-9 && !is_open(container, side)) return false;
   }
   return true;
@@ -74,8 +69,8 @@ class WholeLook {
   /// Boxes that are outside the container, fixed ones left out.
   std::size_t outside_count() const {
     return static_cast<std::size_t>(std::count_if(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
-      return is_sound(box) && !properties_of(settings_, box).fixed &&
-             !is_inside(container_, box.corner_min, box.corner_max);
+      return is_sound(box) && !is_inside(container_, box.corner_min, box.corner_max) &&
+             !properties_of(settings_, box).fixed;
     }));
   }
 
@@ -149,10 +144,11 @@ class WholeLook {
     // The first one: the catalogue begins with what is most common.
     const std::span<const ContainerType> types = container_catalogue();
     const auto found = std::find_if(types.begin(), types.end(), [&](const ContainerType& type) {
-      const ContainerShape shape = type.shape();
-      return shape.open_sides.empty() && std::all_of(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
-               return is_inside(shape, box.corner_min, box.corner_max);
-             });
+      ContainerSettings container;
+      static_cast<ContainerShape&>(container) = type.shape();
+      return container.open_sides.empty() &&
+             std::all_of(layout_.boxes.begin(), layout_.boxes.end(),
+                         [&](const Box& box) { return is_inside(container, box.corner_min, box.corner_max); });
     });
     if (found == types.end()) return std::nullopt;
     return Error{.file = path_,

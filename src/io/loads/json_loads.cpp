@@ -2,294 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
-#include "core/base/closest_word.hpp"
-#include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
-#include "core/base/utf8.hpp"
-#include "core/model/container_catalogue.hpp"
-#include "core/model/container_sides.hpp"
-#include "core/model/layout_check.hpp"
-#include "core/model/length_unit.hpp"
-#include "io/input/layout_reader.hpp"
 #include "io/input/text_lines.hpp"
+#include "io/loads/json_text.hpp"
+#include "io/loads/own_json.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A part of a JSON pointer (RFC 6901).
-std::string pointer_part(std::string_view key) {
-  std::string part;
-  for (const char letter : key) part += letter == '~' ? "~0" : letter == '/' ? "~1" : std::string(1, letter);
-  return part;
-}
-
-std::string type_text(const Json& json) {
-  if (json.is_object()) return "an object";
-  if (json.is_array()) return "a list";
-  return shown(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-/// Reads JSON of ours.
-class OwnReader {
- public:
-  OwnReader(const std::string& path, const std::string& name, const Settings& settings)
-      : path_(path), name_(name), settings_(settings) {}
-
-  /// The object with `holdfast`; loads of it are added.
-  void read_root(const Json& root, long line) {
-    line_ = line;
-    errors_ = ErrorList(path_);
-    constexpr std::array<std::string_view, 4> kKeys = {"holdfast", "unit", "container", "loads"};
-    check_keys(root, "", kKeys);
-    if (const auto version = root.find("holdfast"); version != root.end() && *version != 1)
-      wrong("/holdfast", "a version that is not known", type_text(*version), "1");
-    unit_ = unit_of_load_ = read_unit(root, "", 1.0);
-    if (const auto container = root.find("container"); container != root.end())
-      container_ = read_container(*container, "/container");
-    const auto loads = root.find("loads");
-    if (loads != root.end() && !loads->is_array()) wrong("/loads", "no list", type_text(*loads), "a list of loads");
-    if (!errors_.empty()) {
-      found_.loads.push_back({.layout = {.name = name_}, .errors = errors_.take()});
-      return;
-    }
-    if (loads == root.end() || !loads->is_array()) return;
-    for (std::size_t i = 0; i < loads->size(); ++i) read_load((*loads)[i], "/loads/" + std::to_string(i), line);
-  }
-
-  /// One load.
-  void read_load(const Json& json, const std::string& at, long line) {
-    line_ = line;
-    errors_ = ErrorList(path_);
-    ReadLoad load;
-    load.layout.name = name_;
-    if (json.is_object()) {
-      constexpr std::array<std::string_view, 4> kKeys = {"name", "container", "unit", "boxes"};
-      check_keys(json, at, kKeys);
-      if (const auto name = json.find("name"); name != json.end()) {
-        if (name->is_string())
-          load.layout.name += '#' + kept_name(name->get_ref<const std::string&>());
-        else
-          wrong(at + "/name", "no text", type_text(*name), "a text");
-      } else if (line_ > 0 || found_.loads.size() > 0) {
-        load.layout.name += '#' + std::to_string(found_.loads.size() + 1);
-      }
-      unit_of_load_ = read_unit(json, at, unit_);
-      load.layout.container = container_;
-      if (const auto container = json.find("container"); container != json.end())
-        load.layout.container = read_container(*container, at + "/container");
-      read_boxes(json, at, load.layout);
-    } else {
-      wrong(at, "no load", type_text(json), R"({"name": ..., "boxes": [...]})");
-    }
-    load.errors = errors_.take();
-    found_.loads.push_back(std::move(load));
-  }
-
-  LoadsOfFile take() { return std::move(found_); }
-
- private:
-  void wrong(const std::string& at, std::string what, std::string value, std::string accepted) {
-    if (errors_.full()) return errors_.count_more();
-    errors_.add({.line = line_,
-                 .what = shown(at) + (at.empty() ? "" : ": ") + std::move(what),
-                 .value = std::move(value),
-                 .accepted = std::move(accepted)});
-  }
-
-  void check_keys(const Json& object, const std::string& at, std::span<const std::string_view> keys) {
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      const auto meant = closest_word(key, keys);
-      std::string accepted = "accepted are";
-      for (const std::string_view known : keys) accepted += ' ' + std::string(known);
-      wrong(at + '/' + pointer_part(key), "unknown key", shown(key),
-            meant ? "did you mean '" + std::string(*meant) + "'?" : accepted);
-    }
-  }
-
-  double read_unit(const Json& object, const std::string& at, double otherwise) {
-    const auto unit = object.find("unit");
-    if (unit == object.end()) return otherwise;
-    const auto factor = unit->is_string() ? length_unit(unit->get_ref<const std::string&>()) : std::nullopt;
-    if (!factor) wrong(at + "/unit", "no unit of length", type_text(*unit), "m, dm, cm, mm, in or ft");
-    return factor.value_or(otherwise);
-  }
-
-  std::optional<double> read_number(const Json& json, const std::string& at, double least) {
-    constexpr double kMost = 1e6;
-    const double number = json.is_number() ? json.get<double>() : 0.0;
-    if (json.is_number() && number >= least && number <= kMost) return number;
-    wrong(at, json.is_number() ? "not possible" : "no number", type_text(json),
-          least == -kMost ? "a number"
-          : least > 0.0   ? "a number above 0"
-                          : "a number from 0");
-    return std::nullopt;
-  }
-
-  /// Three lengths in a unit, as metres.
-  std::optional<Vec3> read_vector(const Json& json, const std::string& at, double unit, double least) {
-    if (!json.is_array() || json.size() != 3) {
-      wrong(at, "not three numbers", type_text(json), "a list of three numbers");
-      return std::nullopt;
-    }
-    Vec3 vector;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto number = read_number(json[i], at + '/' + std::to_string(i), least);
-      if (!number) return std::nullopt;
-      vector[static_cast<Eigen::Index>(i)] = in_metres(*number, unit);
-    }
-    return vector;
-  }
-
-  std::optional<ContainerShape> read_container(const Json& json, const std::string& at) {
-    const auto find_type = [&](const Json& name, const std::string& where) -> const ContainerType* {
-      const ContainerType* const type = name.is_string() ? find_container(name.get_ref<const std::string&>()) : nullptr;
-      if (type == nullptr)
-        wrong(where, "no type of container", type_text(name), "a name that `holdfast containers` lists, such as 40hc");
-      return type;
-    };
-    if (!json.is_object()) {
-      const ContainerType* const type = find_type(json, at);
-      return type == nullptr ? std::nullopt : std::optional(type->shape());
-    }
-    constexpr std::array<std::string_view, 5> kKeys = {"type", "size", "open_sides", "drop_sides", "bed_height"};
-    check_keys(json, at, kKeys);
-    ContainerShape shape = settings_.container;
-    shape.type.clear();
-    if (const auto type = json.find("type"); type != json.end())
-      if (const ContainerType* const known = find_type(*type, at + "/type")) shape = known->shape();
-    if (const auto size = json.find("size"); size != json.end())
-      if (const auto vector = read_vector(*size, at + "/size", unit_of_load_, 1e-3 / unit_of_load_))
-        shape.size = *vector;
-    if (const auto sides = json.find("open_sides"); sides != json.end()) {
-      shape.open_sides.clear();
-      for (const Json& side : *sides) {
-        const bool is_side = side.is_string() && can_be_open(side.get_ref<const std::string&>());
-        if (is_side)
-          shape.open_sides.push_back(side.get<std::string>());
-        else
-          wrong(at + "/open_sides", "no side", type_text(side), "front, rear, left, right or roof");
-      }
-    }
-    if (const auto sides = json.find("drop_sides"); sides != json.end()) {
-      shape.drop_sides.clear();
-      for (const auto& [side, height] : sides->items()) {
-        if (!can_be_open(side) || side == "roof")
-          wrong(at + "/drop_sides", "no wall", shown(side), "front, rear, left or right");
-        else if (const auto number = read_number(height, at + "/drop_sides/" + side, 1e-3))
-          shape.drop_sides.push_back({side, in_metres(*number, unit_of_load_)});
-      }
-    }
-    for (const DropSide& drop : shape.drop_sides)
-      if (std::find(shape.open_sides.begin(), shape.open_sides.end(), drop.side) != shape.open_sides.end())
-        wrong(at + "/drop_sides", "a side that is open as well", drop.side, "each side in one of the two");
-    if (const auto bed = json.find("bed_height"); bed != json.end())
-      if (const auto number = read_number(*bed, at + "/bed_height", 0.0))
-        shape.bed_height = in_metres(*number, unit_of_load_);
-    return shape;
-  }
-
-  void read_boxes(const Json& load, const std::string& at, Layout& layout) {
-    const auto boxes = load.find("boxes");
-    if (boxes == load.end() || !boxes->is_array() || boxes->empty()) {
-      const bool is_there = boxes != load.end();
-      return wrong(at + "/boxes", is_there && boxes->is_array() ? "has no boxes" : "no list of boxes",
-                   is_there ? type_text(*boxes) : "", "a list with at least one box");
-    }
-    if (boxes->size() > kMostBoxes)
-      return wrong(at + "/boxes", "too many boxes", std::to_string(boxes->size()),
-                   "at most " + std::to_string(kMostBoxes));
-    layout.boxes.reserve(boxes->size());
-    for (std::size_t i = 0; i < boxes->size(); ++i) read_box((*boxes)[i], at + "/boxes/" + std::to_string(i), layout);
-  }
-
-  void read_box(const Json& json, const std::string& at, Layout& layout) {
-    Box box;
-    box.line = line_;
-    if (json.is_array()) return read_row(json, at, layout);
-    if (!json.is_object()) return wrong(at, "no box", type_text(json), "an object with corner_min and corner_max");
-    constexpr std::array<std::string_view, 10> kKeys = {"corner_min", "corner_max",   "name",           "material",
-                                                        "mass",       "mat",          "centre_of_mass", "fixed",
-                                                        "order",      "bearing_limit"};
-    check_keys(json, at, kKeys);
-    const auto with = [&](const char* key, auto read) {
-      if (const auto value = json.find(key); value != json.end()) read(*value, at + '/' + key);
-    };
-    constexpr double kAny = -1e6;
-    int corners = 0;
-    with("corner_min", [&](const Json& value, const std::string& where) {
-      if (const auto corner = read_vector(value, where, unit_of_load_, kAny)) box.corner_min = *corner, ++corners;
-    });
-    with("corner_max", [&](const Json& value, const std::string& where) {
-      if (const auto corner = read_vector(value, where, unit_of_load_, kAny)) box.corner_max = *corner, ++corners;
-    });
-    for (const char* const key : {"corner_min", "corner_max"})
-      if (!json.contains(key)) wrong(at, std::string("has no ") + key, "", "two corners, each a list of three numbers");
-    box.material = MaterialName(kUsualMaterial);
-    with("name", [&](const Json& value, const std::string& where) {
-      if (!value.is_string()) return wrong(where, "no text", type_text(value), "a text");
-      box.name = kept_name(value.get_ref<const std::string&>());
-    });
-    with("material", [&](const Json& value, const std::string& where) {
-      if (value.is_string())
-        box.material = MaterialName(kept_name(value.get_ref<const std::string&>()));
-      else if (value.is_number_integer() && value >= 0 && value <= std::numeric_limits<int>::max())
-        box.material = MaterialName(value.get<int>());
-      else
-        wrong(where, "no material", type_text(value), "a name or a whole number from 0");
-    });
-    with("mass", [&](const Json& v, const std::string& where) { box.mass = read_number(v, where, 1e-6); });
-    with("mat", [&](const Json& v, const std::string& where) { box.mat = read_number(v, where, 0.0); });
-    with("bearing_limit",
-         [&](const Json& v, const std::string& where) { box.bearing_limit = read_number(v, where, 0.0); });
-    with("centre_of_mass", [&](const Json& value, const std::string& where) {
-      box.centre_of_mass = read_vector(value, where, unit_of_load_, kAny);
-    });
-    with("fixed", [&](const Json& value, const std::string& where) {
-      if (!value.is_boolean()) return wrong(where, "neither true nor false", type_text(value), "true or false");
-      box.fixed = value.get<bool>();
-    });
-    with("order", [&](const Json& value, const std::string& where) {
-      if (!value.is_number_integer()) return wrong(where, "no whole number", type_text(value), "such as 1");
-      box.order = value.get<long>();
-    });
-    if (corners == 2) layout.boxes.push_back(std::move(box));
-  }
-
-  /// A box as a list of seven numbers: two corners and a material.
-  void read_row(const Json& json, const std::string& at, Layout& layout) {
-    const bool is_row =
-        json.size() == 7 && std::all_of(json.begin(), json.end(), [](const Json& n) { return n.is_number(); });
-    if (!is_row || !json[6].is_number_integer() || json[6] < 0 || json[6] > std::numeric_limits<int>::max())
-      return wrong(at, "no box", type_text(json), "an object, or a list of seven numbers: two corners and a material");
-    Box box;
-    box.line = line_;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const auto number = read_number(json[i], at + '/' + std::to_string(i), -1e6);
-      if (!number) return;
-      (i < 3 ? box.corner_min : box.corner_max)[static_cast<Eigen::Index>(i % 3)] = in_metres(*number, unit_of_load_);
-    }
-    box.material = MaterialName(json[6].get<int>());
-    layout.boxes.push_back(std::move(box));
-  }
-
-  const std::string& path_;
-  const std::string& name_;
-  const Settings& settings_;
-  ErrorList errors_{""};
-  LoadsOfFile found_;
-  std::optional<ContainerShape> container_;  ///< of all loads
-  double unit_ = 1.0;
-  double unit_of_load_ = 1.0;
-  long line_ = 0;
-};
 
 /// A list of objects as a table.
 class JsonRows final : public LoadRows {
@@ -321,7 +49,7 @@ class JsonRows final : public LoadRows {
   Error at(int column, std::string what) const override {
     std::string pointer = pointer_ + '/' + std::to_string(indices_[at_ - 1]);
     if (column >= 0) {
-      std::string key = '/' + pointer_part(headers_[static_cast<std::size_t>(column)]);
+      std::string key = pointer_part(headers_[static_cast<std::size_t>(column)]);
       std::replace(key.begin(), key.end(), '.', '/');
       pointer += key;
     }
@@ -376,7 +104,9 @@ class TableFinder {
     if (tables_.empty()) {
       Error error{.file = path_, .what = "no list of boxes with places and sizes is found"};
       if (!nearest_.empty()) error.value = "the list " + shown(nearest_) + " lacks " + missing_;
-      error.accepted = "a list of objects with keys such as x, y, z, length, width, height; or --columns";
+      error.accepted =
+          "a list of objects with keys such as x, y, z, length, width, height, or --columns; JSON of holdfast has the "
+          "key 'holdfast'";
       if (mistake_) return *mistake_;
       return error;
     }
@@ -412,7 +142,7 @@ class TableFinder {
       for (const auto& [name, value] : json.items())
         if (!value.is_array()) note_above(value, name, above, 0);
       for (const auto& [name, value] : json.items())
-        if (value.is_structured()) look_at(value, pointer + '/' + pointer_part(name), above, name, depth + 1);
+        if (value.is_structured()) look_at(value, pointer + pointer_part(name), above, name, depth + 1);
       return;
     }
     if (!json.is_array()) return;
@@ -490,32 +220,70 @@ class TableFinder {
   std::string nearest_, missing_;
 };
 
-/// Where a byte is, as an error.
-Error at_byte(std::string_view text, std::size_t byte, long line_before, const std::string& path, std::string what) {
-  byte = std::min(byte, text.size());
-  const std::string_view before = text.substr(0, byte);
-  const long line = line_before + static_cast<long>(std::count(before.begin(), before.end(), '\n'));
-  const std::size_t begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return {.file = path, .line = line, .column = static_cast<long>(byte - begin) + 1, .what = std::move(what)};
-}
-
 /// A whole text, or what is wrong with it.
 Result<Json> parsed(std::string_view text, long line, const std::string& path) {
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
-    Error wrong = at_byte(text, error.byte > 0 ? error.byte - 1 : 0, line, path, "the text is not JSON");
-    constexpr std::string_view kExpected = "; expected ";
-    const std::string reason = error.what();
-    if (const std::size_t place = reason.find(kExpected); place != std::string::npos)
-      wrong.accepted = printable(reason.substr(place + kExpected.size()));
-    return wrong;
-  } catch (const nlohmann::json::exception&) {
-    return Error{.file = path, .what = "a number that is too large"};
+    return json_fault(text, error.byte, error.what(), line, path);
+  } catch (const nlohmann::json::exception& error) {
+    return json_fault(text, 0, error.what(), line, path);
   }
 }
 
 std::string_view first_line_of(std::string_view text) { return trimmed(text.substr(0, text.find('\n'))); }
+
+/// Calls a function with every line that is not blank and its number, until it returns an error.
+template <class Take>
+std::optional<Error> for_each_line(std::string_view text, Take take) {
+  LineReader lines(text);
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.empty()) continue;
+    if (auto error = take(line, lines.number())) return error;
+  }
+  return std::nullopt;
+}
+
+/// The loads of JSON of ours.
+/// @param has_lines it has one object per line
+Result<LoadsOfFile> own_loads(std::string_view text, const std::string& path, const std::string& name, bool has_lines,
+                              const Settings& settings) {
+  OwnJson own(path, name, settings);
+  const auto take_line = [&](std::string_view line, long number) {
+    // The search is for few lines: most have no such key, nor a text like it.
+    const bool is_file = line.find("\"holdfast\"") != std::string_view::npos && is_own_json(line);
+    return is_file ? own.read_file(line, number) : own.read_load(line, number);
+  };
+  if (const auto error = has_lines ? for_each_line(text, take_line) : own.read_file(text, 0)) return *error;
+  LoadsOfFile loads = own.take();
+  loads.form = has_lines ? "JSON, one load per line" : "JSON";
+  if (loads.loads.empty())
+    return Error{.file = path, .what = "has no loads", .accepted = R"({"holdfast": 1, "loads": [{"boxes": [...]}]})"};
+  return loads;
+}
+
+/// The loads of any other JSON.
+Result<LoadsOfFile> other_loads(std::string_view text, const std::string& path, const std::string& name, bool has_lines,
+                                const TableChoices& choices, const Settings& settings) {
+  Json root = Json::array();
+  const auto take_line = [&](std::string_view line, long number) -> std::optional<Error> {
+    Result<Json> json = parsed(line, number, path);
+    if (!json) return json.error();
+    root.push_back(std::move(*json));
+    return std::nullopt;
+  };
+  if (has_lines) {
+    if (const auto error = for_each_line(text, take_line)) return *error;
+  } else {
+    Result<Json> whole = parsed(text, 1, path);
+    if (!whole) return whole.errors();
+    root = std::move(*whole);
+  }
+  Result<LoadsOfFile> loads = TableFinder(path, name, choices, settings).find(root);
+  if (loads) loads->form = has_lines ? "JSON of another program, one object per line" : "JSON of another program";
+  return loads;
+}
 
 }  // namespace
 
@@ -540,38 +308,9 @@ Result<LoadsOfFile> read_json_loads(std::string_view text, const std::string& pa
   // One object per line, where the first line is one and more follow.
   const std::string_view first = first_line_of(text);
   const bool has_more = text.find('\n') != std::string_view::npos && !trimmed(text.substr(text.find('\n'))).empty();
-  if (has_more && first.ends_with('}') && Json::accept(first.begin(), first.end())) {
-    const Result<Json> head = parsed(first, 1, path);
-    const bool is_own = head && head->is_object() && head->contains("holdfast");
-    OwnReader own(path, name, settings);
-    Json rows = Json::array();
-    LineReader lines(text);
-    while (lines.next()) {
-      const std::string_view line = trimmed(lines.line());
-      if (line.empty()) continue;
-      Result<Json> json = parsed(line, lines.number(), path);
-      if (!json) return json.errors();
-      if (!is_own)
-        rows.push_back(std::move(*json));
-      else if (json->is_object() && json->contains("holdfast"))
-        own.read_root(*json, lines.number());
-      else
-        own.read_load(*json, "", lines.number());
-    }
-    if (is_own) return own.take();
-    return TableFinder(path, name, choices, settings).find(rows);
-  }
-  const Result<Json> root = parsed(text, 1, path);
-  if (!root) return root.errors();
-  if (root->is_object() && root->contains("holdfast")) {
-    OwnReader own(path, name, settings);
-    own.read_root(*root, 0);
-    LoadsOfFile loads = own.take();
-    if (loads.loads.empty())
-      return Error{.file = path, .what = "has no loads", .accepted = R"({"holdfast": 1, "loads": [{"boxes": [...]}]})"};
-    return loads;
-  }
-  return TableFinder(path, name, choices, settings).find(*root);
+  const bool has_lines = has_more && first.ends_with('}') && Json::accept(first.begin(), first.end());
+  if (is_own_json(has_lines ? first : text)) return own_loads(text, path, name, has_lines, settings);
+  return other_loads(text, path, name, has_lines, choices, settings);
 }
 
 }  // namespace holdfast::internal

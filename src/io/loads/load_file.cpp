@@ -1,6 +1,7 @@
 #include "io/loads/load_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_lines.hpp"
 #include "io/loads/check_load.hpp"
+#include "io/loads/floating_boxes.hpp"
 #include "io/loads/json_loads.hpp"
 #include "io/loads/load_json.hpp"
 #include "io/loads/table_loads.hpp"
@@ -122,30 +124,30 @@ class TextRows final : public LoadRows {
   long header_line_ = 0;
 };
 
+/// The words of the first two lines of a text that are not blank: in StableCargo's, the header and a box.
+std::array<std::vector<Field>, 2> first_lines(std::string_view text) {
+  std::array<std::vector<Field>, 2> found;
+  LineReader lines(text);
+  for (std::vector<Field>& fields : found)
+    while (fields.empty() && lines.next()) split_fields(lines.line(), fields);
+  return found;
+}
+
 /// Whether the second line of a text, after one that names no columns, is that of a box in StableCargo's text: such a
 /// text may have any header.
 bool has_seven_numbers(std::string_view text) {
-  LineReader lines(text);
-  std::vector<Field> fields;
-  std::vector<std::string> header;
-  while (lines.next()) {
-    split_fields(lines.line(), fields);
-    if (fields.empty()) continue;
-    if (header.empty()) {
-      for (const Field& field : fields) header.emplace_back(field.text);
-      continue;
-    }
-    const Result<ColumnPlan> plan = plan_columns(header, {});
-    if (plan && plan->has_boxes()) return false;
-    return fields.size() >= kLayoutColumns && std::all_of(fields.begin(), fields.begin() + 6, [](const Field& field) {
-             return parse_number(field.text).has_value();
-           });
-  }
-  return false;
+  const auto [header, box] = first_lines(text);
+  std::vector<std::string> words;
+  for (const Field& field : header) words.emplace_back(field.text);
+  const Result<ColumnPlan> plan = plan_columns(words, {});
+  if (plan && plan->has_boxes()) return false;
+  return box.size() >= kLayoutColumns && std::all_of(box.begin(), box.begin() + 6, [](const Field& field) {
+           return parse_number(field.text).has_value();
+         });
 }
 
 Result<LoadsOfFile> read_text(const TextFile& file, const Settings& settings) {
-  LoadsOfFile found;
+  LoadsOfFile found{.form = "text"};
   ReadLoad& load = found.loads.emplace_back();
   Result<Layout> layout = read_layout_text(file, settings, load.warnings);
   if (layout) {
@@ -157,17 +159,35 @@ Result<LoadsOfFile> read_text(const TextFile& file, const Settings& settings) {
   } else {
     load.errors = layout.errors();
   }
+  // A header may have any words, so that a table whose words are not known is taken for a text too.
+  if (!load.errors.empty() && !has_seven_numbers(file.text) && first_lines(file.text)[1].size() != kLayoutColumns)
+    found.form += ", since no line names the places and sizes of boxes";
   load.layout.name = file.name;
   load.layout.sha256 = file.sha256;
   return found;
 }
 
+const char* separator_name(char separator) {
+  switch (separator) {
+    case ',':
+      return "comma";
+    case ';':
+      return "semicolon";
+    case '\t':
+      return "tab";
+    default:
+      return "blank";
+  }
+}
+
 Result<LoadsOfFile> read_table_text(const TextFile& file, const TableChoices& choices, const Settings& settings) {
-  TextRows rows(file.path, file.text, separator_of(file.text));
+  const char separator = separator_of(file.text);
+  TextRows rows(file.path, file.text, separator);
   const Result<ColumnPlan> plan = rows.find_header(choices.columns);
   if (!plan) return plan.errors();
   LoadsOfFile found = read_table(rows, *plan, {.path = file.path, .name = file.name}, choices, settings);
   if (found.loads.empty()) return Error{.file = file.path, .what = "has no boxes"};
+  found.form = std::string(separator_name(separator)) + "-separated table";
   return found;
 }
 
@@ -219,15 +239,41 @@ bool all_good(const LoadsOfFile& loads) {
   return std::all_of(loads.loads.begin(), loads.loads.end(), [](const ReadLoad& load) { return load.errors.empty(); });
 }
 
-/// Axes with which all loads of a file fit, where they do not with those of the container.
-std::optional<FileAxes> fitting_axes(const TextFile& file, const Settings& settings) {
+/// The first of the usual axes with which all loads of a file fit, and which pass a test beside.
+template <class Test>
+std::optional<FileAxes> fitting_axes(const TextFile& file, const Settings& settings, Test is_right) {
   for (const char* const text : {"x -z y", "x z y", "-z x y", "z x y", "y x z"}) {
     Settings turned = settings;
     turned.loads.axes = parse_axes(text);
     const Result<LoadsOfFile> loads = read_along_axes(file, turned);
-    if (loads && all_good(*loads)) return turned.loads.axes;
+    if (loads && all_good(*loads) && is_right(*loads)) return turned.loads.axes;
   }
   return std::nullopt;
+}
+
+std::string axes_option(const FileAxes& axes) {
+  return "--axes \"" + axes_text(axes) + "\", which are length, width and height";
+}
+
+/// Boxes of which something must be below, and those of them of which nothing is.
+FloatingBoxes floating_boxes_of(const LoadsOfFile& loads, const Settings& settings) {
+  FloatingBoxes sum;
+  for (const ReadLoad& load : loads.loads) sum += count_floating(load.layout, settings);
+  return sum;
+}
+
+/// Says that the boxes of a file, all of which fit, float; and with which axes none would.
+void warn_of_floating(const TextFile& file, const Settings& settings, LoadsOfFile& found) {
+  const FloatingBoxes boxes = floating_boxes_of(found, settings);
+  if (boxes.floating == 0 || 2 * boxes.floating < boxes.all) return;
+  const auto axes = fitting_axes(
+      file, settings, [&](const LoadsOfFile& turned) { return floating_boxes_of(turned, settings).floating == 0; });
+  if (!axes) return;
+  found.loads.front().warnings.push_back({.file = file.path,
+                                          .what = "nothing is beneath " + std::to_string(boxes.floating) + " of " +
+                                                  std::to_string(boxes.all) +
+                                                  " boxes, as in a file whose height is another axis",
+                                          .accepted = "all boxes stand with " + axes_option(*axes)});
 }
 
 }  // namespace
@@ -236,18 +282,22 @@ Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
   Result<LoadsOfFile> found = read_along_axes(file, settings);
   const bool has_axes = settings.loads.axes || settings.up_axis == UpAxis::y || !settings.loads.format.empty();
   if (!found || has_axes) return found;
+  if (all_good(*found)) {
+    warn_of_floating(file, settings, *found);
+    return found;
+  }
   const bool is_turned = std::any_of(found->loads.begin(), found->loads.end(), [](const ReadLoad& load) {
     return load.outside >= kFewestOutside && 2 * load.outside >= load.box_count;
   });
   if (!is_turned) return found;
-  if (const std::optional<FileAxes> axes = fitting_axes(file, settings)) {
+  const auto fits = [](const LoadsOfFile&) { return true; };
+  if (const std::optional<FileAxes> axes = fitting_axes(file, settings, fits)) {
     for (ReadLoad& load : found->loads)
       if (!load.errors.empty())
         load.errors = {
             {.file = file.path,
              .what = "the boxes of " + shown(load.layout.name) + " do not fit their container along its axes",
-             .accepted =
-                 "everything fits with --axes \"" + axes_text(*axes) + "\", which are length, width and height"}};
+             .accepted = "everything fits with " + axes_option(*axes)}};
   }
   return found;
 }

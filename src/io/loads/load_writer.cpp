@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/number_text.hpp"
+#include "core/base/utf8.hpp"
 #include "core/model/setting_kinds.hpp"
 #include "io/export/csv_field.hpp"
 #include "io/loads/load_json.hpp"
@@ -21,7 +22,7 @@ std::string own_name(const Layout& load) {
 std::string json_text(const std::vector<Layout>& loads) {
   std::string text = "{\"holdfast\": 1}\n";
   for (Layout load : loads) {
-    load.name = own_name(load);
+    load.name = kept_name(own_name(load));
     text += load_line(load) + '\n';
   }
   return text;

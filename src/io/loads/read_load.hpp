@@ -24,6 +24,7 @@ struct ReadLoad {
 
 /// All loads of a file.
 struct LoadsOfFile {
+  std::string form;  ///< what the file was taken for, in words: `JSON, one load per line`
   std::vector<ReadLoad> loads;
   std::vector<Error> notes;  ///< of the file as a whole: how it was taken, and what was left out
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/model/container_catalogue.hpp"
 #include "core/model/layout_check.hpp"
 #include "core/model/length_unit.hpp"
+#include "core/model/load_limits.hpp"
 #include "core/model/overlap_trim.hpp"
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_lines.hpp"
@@ -34,8 +36,9 @@ std::string lower(std::string_view text) {
 template <class Words>
 bool is_one_of(std::string_view text, const Words& words) {
   const std::string word = lower(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view known) { return word == known || word == std::string(known) + 's'; });
+  return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
+    return word.starts_with(known) && (word.size() == known.size() || word.substr(known.size()) == "s");
+  });
 }
 
 /// What the values of a column `type` mean.
@@ -50,13 +53,12 @@ struct Growing {
   std::array<std::optional<double>, 3> size;  ///< of its container, in the file's unit or in m where `size_unit` is set
   double size_unit = 0.0;
   std::string type;  ///< of its container
-  struct RawBox {
-    Box box;  ///< without corners
-    Vec3 low, high;
-    double unit = 0.0;  ///< 0: that of the file
+  /// What its boxes, whose corners are those of the file until all rows are read, need to become metres.
+  struct OfBox {
+    double unit = 0.0;  ///< m; 0: that of the file
     double nesting = 0.0;
   };
-  std::vector<RawBox> boxes;
+  std::vector<OfBox> of_boxes;
 };
 
 class TableReader {
@@ -78,6 +80,7 @@ class TableReader {
         if (&growing != &first) growing.errors.add({.what = "the table cannot be read to its end"});
     }
     find_unit();
+    found_.loads.reserve(loads_.size());
     for (Growing& growing : loads_) finish(growing);
     note_rows();
     return std::move(found_);
@@ -125,21 +128,27 @@ class TableReader {
     return true;
   }
 
-  std::string load_name() const {
+  std::string_view load_name() const {
     const UsedColumn& column = plan_.load ? plan_.load : order_is_load_ ? plan_.order_or_load : UsedColumn{};
-    return column ? std::string(rows_.cell(column.index)) : context_.load;
+    return column ? rows_.cell(column.index) : std::string_view(context_.load);
   }
 
-  Growing& load_named(const std::string& name) {
-    const auto [place, is_new] = places_.try_emplace(name, loads_.size());
-    if (is_new) {
+  Growing& load_named(std::string_view name) {
+    // The rows of most tables come load by load.
+    if (last_place_ != places_.end() && last_place_->first == name) return loads_[last_place_->second];
+    const std::size_t count = loads_.size();
+    const auto place = places_.find(name);
+    last_place_ = place != places_.end() ? place : places_.emplace(name, count).first;
+    if (place == places_.end()) {
+      const std::size_t boxes_before = loads_.empty() ? 0 : loads_.back().of_boxes.size();
       Growing& growing = loads_.emplace_back(context_.path);
+      growing.load.layout.boxes.reserve(boxes_before);  // loads of a table are about as large
       const std::string shown_name = kept_name(name);
       growing.load.layout.name = context_.name + (shown_name.empty() ? "" : '#' + shown_name);
       growing.size = context_.container_size;
       growing.type = context_.container;
     }
-    return loads_[place->second];
+    return loads_[last_place_->second];
   }
 
   void read_container_row() {
@@ -157,18 +166,17 @@ class TableReader {
 
   void read_box() {
     Growing& growing = load_named(load_name());
-    if (growing.boxes.size() == kMostBoxes) {
+    if (growing.of_boxes.size() == kMostBoxes) {
       growing.errors.add(rows_.at(-1, "a load has more than " + std::to_string(kMostBoxes) + " boxes"));
       return;
     }
     read_container_columns(growing);
-    Growing::RawBox raw;
-    raw.box.line = rows_.line();
-    raw.box.name = kept_name(text(plan_.name));
-    raw.box.material = MaterialName(kUsualMaterial);
-    if (!read_corners(growing, raw)) return;
-    read_properties(growing, raw);
-    growing.boxes.push_back(std::move(raw));
+    Box box{.material = MaterialName(kUsualMaterial), .line = rows_.line(), .name = kept_name(text(plan_.name))};
+    Growing::OfBox of_box;
+    if (!read_corners(growing, box, of_box)) return;
+    read_properties(growing, box, of_box);
+    growing.load.layout.boxes.push_back(std::move(box));
+    growing.of_boxes.push_back(of_box);
   }
 
   /// Columns with the size of the container say it in every row, or in the first.
@@ -182,7 +190,7 @@ class TableReader {
   }
 
   /// False when the corners are not known.
-  bool read_corners(Growing& growing, Growing::RawBox& raw) {
+  bool read_corners(Growing& growing, Box& box, Growing::OfBox& of_box) {
     std::array<std::optional<double>, 3> size = read_size(growing);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<Eigen::Index>(axis);
@@ -196,10 +204,10 @@ class TableReader {
         if (place && end) size.at(axis) = *end - *place;
       }
       if (!place || !size.at(axis)) return false;
-      raw.low[k] = low ? *place : *place - 0.5 * *size.at(axis);
-      raw.high[k] = end ? *end : raw.low[k] + *size.at(axis);
+      box.corner_min[k] = low ? *place : *place - 0.5 * *size.at(axis);
+      box.corner_max[k] = end ? *end : box.corner_min[k] + *size.at(axis);
       for (const UsedColumn& column : {low, middle, high, plan_.extent.at(axis), plan_.length})
-        if (column && column.unit > 0.0) raw.unit = column.unit;
+        if (column && column.unit > 0.0) of_box.unit = column.unit;
     }
     return true;
   }
@@ -246,7 +254,7 @@ class TableReader {
     return false;
   }
 
-  void read_properties(Growing& growing, Growing::RawBox& raw) {
+  void read_properties(Growing& growing, Box& box, Growing::OfBox& of_box) {
     const auto optional = [&](const UsedColumn& column, const char* what) {
       return text(column).empty() ? std::nullopt : read_number(growing, column, what);
     };
@@ -254,30 +262,30 @@ class TableReader {
       const auto number = optional(column, what);
       if (!number) return std::nullopt;
       const double value = column.unit > 0.0 ? *number * column.unit : *number;
-      if (value >= least && value <= 1e6) return value;
+      if (value >= least && value <= kMostOfLoad) return value;
       Error error = rows_.at(column.index, std::string(what) + " is not possible");
       error.value = shown(text(column));
       error.accepted = least > 0.0 ? "a number above 0" : "a number from 0";
       growing.errors.add(std::move(error));
       return std::nullopt;
     };
-    raw.box.mass = positive(plan_.mass, "the mass", 1e-6);
-    raw.box.mat = positive(plan_.mat, "the friction of the mat", 0.0);
-    raw.box.bearing_limit = positive(plan_.bearing_limit, "the bearing limit", 0.0);
-    raw.nesting = optional(plan_.nesting, "the nesting").value_or(0.0);
-    if (plan_.nesting.unit > 0.0) raw.nesting = in_metres(raw.nesting, plan_.nesting.unit);
+    box.mass = positive(plan_.mass, "the mass", kLeastMass);
+    box.mat = positive(plan_.mat, "the friction of the mat", 0.0);
+    box.bearing_limit = positive(plan_.bearing_limit, "the bearing limit", 0.0);
+    of_box.nesting = optional(plan_.nesting, "the nesting").value_or(0.0);
+    if (plan_.nesting.unit > 0.0) of_box.nesting = in_metres(of_box.nesting, plan_.nesting.unit);
     const UsedColumn& order = plan_.order ? plan_.order : order_is_load_ ? UsedColumn{} : plan_.order_or_load;
     if (const std::string_view value = text(order); !value.empty()) {
-      raw.box.order = parse_integer(value);
-      if (!raw.box.order) add_wrong(growing, order, "the loading order is not a whole number", "such as 1");
+      box.order = parse_integer(value);
+      if (!box.order) add_wrong(growing, order, "the loading order is not a whole number", "such as 1");
     }
     std::string_view material = text(plan_.material);
     if (material.empty() && type_ == TypeColumn::materials) material = text(plan_.type);
-    if (!material.empty()) raw.box.material = MaterialName(kept_name(material));
+    if (!material.empty()) box.material = MaterialName(kept_name(material));
     if (const std::string_view value = text(plan_.fixed); !value.empty()) {
       const std::string word = lower(value);
-      raw.box.fixed = word == "1" || word == "yes" || word == "true" || word == "x";
-      if (!raw.box.fixed && word != "0" && word != "no" && word != "false")
+      box.fixed = word == "1" || word == "yes" || word == "true" || word == "x";
+      if (!box.fixed && word != "0" && word != "no" && word != "false")
         add_wrong(growing, plan_.fixed, "neither yes nor no", "yes or no");
     }
     std::string_view type = text(plan_.container);
@@ -362,17 +370,17 @@ class TableReader {
     find_shape(growing);
     const Vec3 container = container_of(settings_, layout).size;
     std::vector<double> nesting;
-    const bool knows_units = std::all_of(growing.boxes.begin(), growing.boxes.end(),
-                                         [](const Growing::RawBox& raw) { return raw.unit > 0.0; });
+    const bool knows_units = std::all_of(growing.of_boxes.begin(), growing.of_boxes.end(),
+                                         [](const Growing::OfBox& of_box) { return of_box.unit > 0.0; });
     growing.load.guessed_unit = choices_.unit || knows_units ? 0.0 : unit_;
-    for (Growing::RawBox& raw : growing.boxes) {
-      const double unit = raw.unit > 0.0 ? raw.unit : unit_;
-      const auto metres = [&](const Vec3& v) {
-        return Vec3(in_metres(v.x(), unit), in_metres(v.y(), unit), in_metres(v.z(), unit));
-      };
-      std::tie(raw.box.corner_min, raw.box.corner_max) = axes_.corners(metres(raw.low), metres(raw.high), container);
-      nesting.push_back(plan_.nesting.unit > 0.0 ? raw.nesting : in_metres(raw.nesting, unit));
-      layout.boxes.push_back(std::move(raw.box));
+    for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
+      Box& box = layout.boxes[i];
+      const Growing::OfBox& of_box = growing.of_boxes[i];
+      const double unit = of_box.unit > 0.0 ? of_box.unit : unit_;
+      for (Vec3* const corner : {&box.corner_min, &box.corner_max})
+        for (double& length : *corner) length = in_metres(length, unit);
+      std::tie(box.corner_min, box.corner_max) = axes_.corners(box.corner_min, box.corner_max, container);
+      if (plan_.nesting) nesting.push_back(plan_.nesting.unit > 0.0 ? of_box.nesting : in_metres(of_box.nesting, unit));
     }
     growing.load.errors = growing.errors.take();
     if (growing.load.errors.empty() && layout.boxes.empty())
@@ -435,8 +443,9 @@ class TableReader {
   bool order_is_load_ = false;
   TypeColumn type_ = TypeColumn::unknown;
   char decimal_mark_ = 0;  ///< that has been seen; 0: none yet
-  std::vector<Growing> loads_;
-  std::map<std::string, std::size_t> places_;
+  std::deque<Growing> loads_;
+  std::map<std::string, std::size_t, std::less<>> places_;  ///< of loads, by their names in the table
+  std::map<std::string, std::size_t, std::less<>>::iterator last_place_ = places_.end();
   std::size_t unplaced_ = 0;
   std::vector<std::string> unplaced_names_;
   LoadsOfFile found_;

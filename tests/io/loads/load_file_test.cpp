@@ -216,7 +216,8 @@ TEST_CASE("load_file: what cannot be read is named by line, column and header", 
   CHECK(
       all_errors("{\"items\": [{\"x\": 1, \"y\": 2, \"z\": 0}]}", {}, "a.json") ==
       Messages{"a.json: no list of boxes with places and sizes is found: the list /items lacks the length, the width, "
-               "the height; a list of objects with keys such as x, y, z, length, width, height; or --columns"});
+               "the height; a list of objects with keys such as x, y, z, length, width, height, or --columns; JSON of "
+               "holdfast has the key 'holdfast'"});
 }
 
 TEST_CASE("load_file: mistakes of one load leave the others", "[io][loads]") {
@@ -234,7 +235,9 @@ TEST_CASE("load_file: JSON of ours has its keys checked, and pointers in message
   CHECK(all_errors(R"({"holdfast": 1, "loads": [{"boxes": [)" + box + R"(], "nmae": "A"}]})", {}, "a.json") ==
         Messages{"a.json: /loads/0/nmae: unknown key: nmae; did you mean 'name'?"});
   CHECK(all_errors(R"({"holdfast": 1, "loads": [{"boxes": [{"corner_min": [0, 0, "x"], "corner_max": [1, 1, 1]}]}]})",
-                   {}, "a.json") == Messages{"a.json: /loads/0/boxes/0/corner_min/2: no number: \"x\"; a number"});
+                   {}, "a.json") ==
+        Messages{"a.json: /loads/0/boxes/0/corner_min/2: a number of corner_min is not a number: \"x\"; a list of "
+                 "three numbers"});
   const LoadsOfFile lines = loads_of(
       "{\"holdfast\": 1, \"unit\": \"cm\"}\n{\"name\": \"A\", \"container\": \"40HC\", "
       "\"boxes\": [[0, 0, 0, 80, 60, 50, 3]]}\n{\"boxes\": 3}\n",
@@ -245,6 +248,115 @@ TEST_CASE("load_file: JSON of ours has its keys checked, and pointers in message
   CHECK(lines.loads[0].layout.boxes[0].corner_max == Vec3(0.8, 0.6, 0.5));
   CHECK(messages_of(lines.loads[1].errors) ==
         Messages{"a.jsonl:3: /boxes: no list of boxes: 3; a list with at least one box"});
+}
+
+TEST_CASE("load_file: all mistakes of JSON of ours are told, each with its place", "[io][loads]") {
+  const std::string text = R"({"loads": [
+    {"boxes": [{"corner_min": [0, 0], "corner_max": [1, 1, 1], "mass": "heavy", "colour": {"r": [1, {"g": 2}]}},
+               [0, 0, 0, 1, 1, 1], {"corner_min": {"x": 1}, "fixed": 1}, 7]},
+    {"boxes": [[1, 0, 0, 2, 1, 1, 1]], "container": {"size": [6, 2.4, -1], "drop_sides": {"roof": 1}}},
+    {"boxes": [[3, 0, 0, 4, 1, 1, 1]], "unit": "yd", "unit": "m"}, 3, {"name": "C", "boxes": []},
+    {"boxes": [[1e7, 0, 0, 2e7, 1, 1, 1], [0, 0, 0, 1, 1, 1, 1.5]], "order": 1},
+    {"boxes": [[4, 0, 0, 5, 1, 1, 1]], "container": {"open_sides": ["rear"], "drop_sides": {"rear": 0.6}}}],
+    "holdfast": 1})";
+  CHECK(all_errors(text, {}, "a.json") ==
+        Messages{
+            "a.json: /loads/0/boxes/0/corner_min: corner_min does not have three numbers: 2 numbers; a list of "
+            "three numbers",
+            "a.json: /loads/0/boxes/0/mass: mass is not a number: \"heavy\"; a number above 0, up to 1000000",
+            "a.json: /loads/0/boxes/0/colour: unknown key: colour; accepted are corner_min, corner_max, name, "
+            "material, mass, mat, centre_of_mass, fixed, order, bearing_limit",
+            "a.json: /loads/0/boxes/1: does not have seven numbers; an object, or a list of seven numbers: two "
+            "corners and a material",
+            "a.json: /loads/0/boxes/2/corner_min: corner_min is not a list: an object; a list of three numbers",
+            "a.json: /loads/0/boxes/2/fixed: fixed is neither true nor false: 1; true or false",
+            "a.json: /loads/0/boxes/2: the box has no corner_max; corner_min and corner_max, each a list of three "
+            "numbers",
+            "a.json: /loads/0/boxes/3: no box: 7; an object, or a list of seven numbers: two corners and a material",
+            "a.json: /loads/1/container/size/2: the size of the container is not possible: -1; three numbers above 0",
+            "a.json: /loads/1/container/drop_sides/roof: a drop side that is no wall: roof; front, rear, left or right",
+            "a.json: /loads/2/unit: unknown unit: \"yd\"; \"m\", \"dm\", \"cm\", \"mm\", \"in\" or \"ft\"",
+            "a.json: /loads/2/unit: a key that is given twice: unit; each key once",
+            "a.json: /loads/3: no load: 3; {\"name\": ..., \"boxes\": [...]}",
+            "a.json: /loads/4: has no boxes; a list with at least one box",
+            "a.json: /loads/5/boxes/0/0: not possible: 1e+07; an object, or a list of seven numbers: two corners and "
+            "a material",
+            "a.json: /loads/5/boxes/0/3: not possible: 2e+07; an object, or a list of seven numbers: two corners and "
+            "a material",
+            "a.json: /loads/5/boxes/1: the material is not an id: 1.5; a whole number from 0",
+            "a.json: /loads/5/order: unknown key: order; accepted are name, container, unit, boxes",
+            "a.json: a side is both open and a drop side: rear; each side in one of the two"});
+  CHECK(all_errors(R"({"holdfast": 2, "loads": [{"boxes": [[0, 0, 0, 1, 1, 1, 1]]}]})", {}, "a.json") ==
+        Messages{"a.json: /holdfast: a version that is not known: 2; 1"});
+  CHECK(all_errors("{\"holdfast\": 1}\n{\"boxes\": [[0, 0, 0, 1, 1, 1, 1]]}\n{\"boxes\": [[}\n", {}, "a.jsonl")[0]
+            .starts_with("a.jsonl:3:13: the text is not JSON"));
+  CHECK(all_errors("{\"holdfast\": 1, \"loads\": [{\"boxes\": [[1e999]]}]}", {}, "a.json") ==
+        Messages{"a.json:1:43: a number that is too large"});
+  const std::string deep(1'000'000, '[');
+  CHECK(all_errors("{\"holdfast\": 1, \"loads\": " + deep, {}, "a.json").size() == 1);
+}
+
+TEST_CASE("load_file: what JSON of ours says of all loads may come after them", "[io][loads]") {
+  const LoadsOfFile loads = loads_of(
+      R"({"loads": [{"boxes": [[0, 0, 0, 80, 60, 50, 3]]},
+                    {"unit": "m", "container": {"size": [3, 2, 2]}, "boxes": [[0, 0, 0, 0.8, 0.6, 0.5, 3]]}],
+          "container": {"size": [600, 240, 250]}, "unit": "cm", "holdfast": 1})",
+      {}, "a.json");
+  REQUIRE(loads.loads.size() == 2);
+  CHECK(loads.loads[0].layout.name == "a.json");
+  CHECK(loads.loads[1].layout.name == "a.json#2");
+  CHECK(loads.loads[0].layout.container->size == Vec3(6, 2.4, 2.5));
+  CHECK(loads.loads[1].layout.container->size == Vec3(3, 2, 2));
+  for (const ReadLoad& load : loads.loads) CHECK(load.layout.boxes.at(0).corner_max == Vec3(0.8, 0.6, 0.5));
+}
+
+TEST_CASE("load_file: the form that a file was taken for", "[io][loads]") {
+  const std::string row = "\n0 0 0 80 60 50 1\n";
+  CHECK(loads_of("1 box" + row).form == "text");
+  CHECK(loads_of("x y z length width height\n0 0 0 80 60 50\n").form == "blank-separated table");
+  for (const auto& [separator, form] :
+       {std::pair{",", "comma-separated table"}, std::pair{";", "semicolon-separated table"},
+        std::pair{"\t", "tab-separated table"}}) {
+    std::string table = "x y z length width height\n0 0 0 80 60 50\n";
+    for (std::size_t at = table.find(' '); at != std::string::npos; at = table.find(' ', at))
+      table.replace(at, 1, separator);
+    CHECK(loads_of(table).form == form);
+  }
+  const std::string boxes = R"("boxes": [[0, 0, 0, 1, 1, 1, 1]])";
+  CHECK(loads_of(R"({"holdfast": 1, "loads": [{)" + boxes + "}]}").form == "JSON");
+  CHECK(loads_of("{\"holdfast\": 1}\n{" + boxes + "}\n").form == "JSON, one load per line");
+  const std::string item = R"({"x": 0, "y": 0, "z": 0, "length": 80, "width": 60, "height": 50})";
+  CHECK(loads_of("[" + item + "]").form == "JSON of another program");
+  CHECK(loads_of(item + '\n' + item + '\n').form == "JSON of another program, one object per line");
+  // A header may have any words: where the rest is no text either, it says why it was taken for one.
+  CHECK(loads_of("2 boxes\n0 0 0 80\n").form == "text, since no line names the places and sizes of boxes");
+  CHECK(loads_of("1 box\n0 0 0 80 60 50 wood\n").form == "text");
+}
+
+TEST_CASE("load_file: boxes that float, and would stand along other axes, are told", "[io][loads]") {
+  // y is up in this file: two layers of boxes, all of which fit a container that is as high as it is wide.
+  std::string text = "1\n";
+  for (int layer = 0; layer < 3; ++layer)
+    for (int i = 0; i < 4; ++i) {
+      const auto number = [](int value) { return std::to_string(value) + ' '; };
+      text += number(100 * i) + number(60 * layer) + number(50) + number(100 * i + 100) + number(60 * layer + 60) +
+              number(130) + "1\n";
+    }
+  const LoadsOfFile loads = loads_of(text, {}, "a.txt");
+  REQUIRE(loads.loads[0].errors.empty());
+  CHECK(said_of(loads) ==
+        "a.txt: nothing is beneath 12 of 12 boxes, as in a file whose height is another axis; all boxes stand with "
+        "--axes "
+        "\"x -z y\", which are length, width and height\n");
+  Settings settings;
+  settings.loads.axes = parse_axes("x y z");  // which says that it is meant
+  CHECK(said_of(loads_of(text, settings, "a.txt")).empty());
+  settings.loads.axes = parse_axes("x -z y");
+  CHECK(said_of(loads_of(text, settings, "a.txt")).empty());
+  // A load that would float along other axes too, one that stands, and one of which few boxes float.
+  CHECK(said_of(loads_of("1\n0 50 50 80 100 90 1\n100 50 50 180 100 90 1\n", {}, "a.txt")).empty());
+  CHECK(said_of(loads_of("1\n0 0 0 80 60 60 1\n0 0 60 80 60 120 1\n0 0 120 80 60 180 1\n", {}, "a.txt")).empty());
+  CHECK(said_of(loads_of("1\n0 0 0 80 60 60 1\n0 0 60 80 60 120 1\n0 0 125 80 60 180 1\n", {}, "a.txt")).empty());
 }
 
 TEST_CASE("load_file: a load that fits only otherwise is told what mends it", "[io][loads]") {
