@@ -7,6 +7,7 @@ by where boxes are at the end. Example: load_report.py results.h5 report.html
 """
 import argparse
 import html
+import json
 import os
 import re
 import signal
@@ -43,6 +44,7 @@ ORDER = ("The worst come first: those that are unstable under most accelerations
 READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken not to come to an end: SIGPROF ends the process
 TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes", "material_name", "box_name", "container_type",
          "open_sides", "drop_sides")  # datasets that are no numbers
+WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
 MOST_BOXES = 10  # rows of a page's table
 FEW_COLUMNS = 9  # of a table whose heads are in a line
 MOST_LISTED = 6  # of what a line of the front page lists
@@ -106,6 +108,7 @@ class Results:
         self.end_turn = self.last_orientations(file)
         self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
         self.needed = self.needed_margins(file)
+        self.bearing = {}  # per layout with bearing limits: least and largest load on each box at rest, kg
 
     def places(self, file, end_displacement):
         """Centres of mass of all boxes where displacement counts from, and at the end, m."""
@@ -407,6 +410,26 @@ def boxes_table(results, layout, worlds):
     return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=text, kind="many" if len(heads) > FEW_COLUMNS else "") + more
 
 
+def bearing_table(results, layout):
+    """What rests on the boxes with a bearing limit, from the least to the largest that statics admits; the nearest to its limit first."""
+    if layout not in results.bearing:
+        return ""
+    span = results.span_of(layout)
+    limits = results.loads.bearing_limit[span]
+    ranges = np.array(results.bearing[layout], dtype=float)  # what is not known is null there
+    limited = np.flatnonzero(np.isfinite(limits))
+    shares = np.nan_to_num(ranges[limited, 1], nan=np.inf) / np.maximum(limits[limited], WITHIN_LIMIT)
+    rows = []
+    for box in limited[np.argsort(-shares, kind="stable")]:
+        limit = float(limits[box])
+        texts = [weight(load) if weight(load) != weight(limit) else compared(load, limit) for load in ranges[box]]
+        cells = [f"<span class=bad>{text}</span>" if load > limit + WITHIN_LIMIT else text for text, load in zip(texts, ranges[box])]
+        rows.append([box + 1, html.escape(results.loads.short_name(span.start + box)), *cells, weight(limit)])
+    more = f"<p>and {counted(len(rows) - MOST_BOXES, 'more box')}</p>" if len(rows) > MOST_BOXES else ""
+    return ("<h3>What rests on boxes with a limit, by gravity alone</h3>"
+            + table(["box", "name", "least, kg", "largest, kg", "may bear, kg"], rows[:MOST_BOXES], text={1: "name"}) + more)
+
+
 def colour_key(meanings, any_fixed):
     """What the colours of views mean, by their names in FILLS."""
     meanings = {**meanings, **({"fixed": "fixed, part of the container"} if any_fixed else {})}
@@ -470,7 +493,7 @@ def page(results, layout):
     return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}{mass}, {percent(size)} of the "
             f"container's volume{also}; fails under {len(failing)} of {counted(len(worlds), 'acceleration')}.{html.escape(results.loads.own_container_text(layout))}</p>{views}"
             f"{key if boxes else ''}{worlds_table(results, layout, worlds)}{departures(results, layout, simulated)}{end_views(results, layout, simulated)}<div class=beside>{margins_table(results, layout)}"
-            f"{walls_table(results, layout, worlds) if simulated else ''}</div>{moved}</section>")
+            f"{walls_table(results, layout, worlds) if simulated else ''}</div>{moved}{bearing_table(results, layout)}</section>")
 
 
 def mats_text(results, layout):
@@ -575,12 +598,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", help="results file of holdfast screen")
     parser.add_argument("output", help="report to write, .html or .pdf")
+    parser.add_argument("--bearing", help="JSON with the least and the largest load on each box of layouts by number, kg")
     parser.add_argument("--most", type=int, default=50, help="most layouts that get a page, the worst ones (default: %(default)s)")
     options = parser.parse_args()
     try:
         signal.setitimer(signal.ITIMER_PROF, READING_SECONDS)
         with h5py.File(options.results) as file:
             results = Results(file)
+        if options.bearing:
+            with open(options.bearing, encoding="utf-8") as file:
+                results.bearing = {int(layout): ranges for layout, ranges in json.load(file).items()}
         signal.setitimer(signal.ITIMER_PROF, 0)
         make_report(results, options)
     except MemoryError:

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -6,6 +8,7 @@
 #include "app/reading_guard.hpp"
 #include "app/report.hpp"
 #include "app/shared_script.hpp"
+#include "app/stored_bearing.hpp"
 #include "io/export/text_output.hpp"
 #include "io/input/text_file.hpp"
 #include "io/results/results_reader.hpp"
@@ -21,6 +24,14 @@ bool is_report(const std::string& path) {
                   file->text.find("/Creator (holdfast report)") != std::string::npos);
 }
 
+/// The path of a file with a text that lives as long as this process and those that it starts; empty where there is no
+/// memory for it.
+std::string file_in_memory(const std::string& text) {
+  const int file = memfd_create("bearing", 0);
+  if (file < 0 || write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return {};
+  return fmt::format("/proc/self/fd/{}", file);
+}
+
 std::optional<Error> check_report(const std::string& path) {
   if (!path.ends_with(".html") && !path.ends_with(".pdf"))
     return Error{
@@ -32,11 +43,15 @@ std::optional<Error> check_report(const std::string& path) {
 
 ExitCode run_report_command(const ReportOptions& options) {
   if (const auto error = check_report(options.output_path)) return fail(ExitCode::bad_usage, *error);
-  const std::vector<std::string> arguments = {"--most", fmt::format("{}", options.most), "--", options.results_path,
-                                              options.output_path};
   return guard_reading({.path = options.results_path, .cure = "simulate it again", .memory = options.memory}, [&] {
-    const Result<ResultsReader> results = ResultsReader::open(options.results_path);
+    Result<ResultsReader> results = ResultsReader::open(options.results_path);
     if (!results) return fail(ExitCode::bad_usage, results.error());
+    const Result<std::string> bearing = bearing_json(*results);
+    if (!bearing) return fail(ExitCode::bad_usage, bearing.error());
+    const std::string bearing_file = file_in_memory(*bearing);
+    std::vector<std::string> arguments = {"--most", fmt::format("{}", options.most)};
+    if (!bearing_file.empty()) arguments.insert(arguments.end(), {"--bearing", bearing_file});
+    arguments.insert(arguments.end(), {"--", options.results_path, options.output_path});
     const std::optional<int> status = run_shared_script("load_report.py", arguments);
     if (status == 0) return ExitCode::done;
     if (status > kBySignal) {

@@ -120,6 +120,11 @@ const char* what_killed(int signal) {
 
 }  // namespace
 
+void reading_has_ended() {
+  const itimerval none = {};
+  setitimer(ITIMER_PROF, &none, nullptr);
+}
+
 ExitCode guard_reading(const GuardedFile& file, const std::function<ExitCode()>& work) {
   std::fflush(nullptr);  // or both would print what is still in the buffers
   child = fork();

@@ -26,4 +26,7 @@ struct GuardedFile {
 /// a process that has one thread. What the work changes in memory is lost.
 ExitCode guard_reading(const GuardedFile& file, const std::function<ExitCode()>& work);
 
+/// Called by guarded work that reads no more: what it does from then on may take any time.
+void reading_has_ended();
+
 }  // namespace holdfast::internal

@@ -366,6 +366,25 @@ class Report(CliTest):
         self.assertIn("<p>19 boxes of 12175 kg", text)
         self.assertIn(", and 1 fixed;", text)
 
+    def test_what_rests_on_boxes_with_a_limit_is_that_of_check(self):
+        """A plank across two posts with a box on top, near the first post: statics leaves its share open."""
+        rows = [("Post 1", 100, 100, 0, 50, 40, 100, 50, 12), ("Post 2", 250, 100, 0, 50, 40, 100, 50, 13), ("Plank", 100, 100, 100, 200, 40, 10, 20, 1.5),
+                ("Box <b>", 120, 110, 110, 20, 20, 20, 2, "")]
+        self.write("bridge.csv", "name,x,y,z,length,width,height,mass,bearing limit\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n")
+        self.write("plain.csv", "x,y,z,length,width,height\n0,0,0,80,60,200\n")
+        table = self.run_here("check", "bridge.csv", "--bearing").stdout
+        ranges = [tuple(map(float, row)) for row in re.findall(r" ([\d.]+) +([\d.]+) +(?:[\d.]+|-)$", table, re.MULTILINE)]
+        self.assertEqual(len(ranges), 4)
+        text = self.of_load("bridge.csv", "--layouts", "plain.csv")
+        _, table = text.split("What rests on boxes with a limit")
+        found = re.findall(r"<tr><td>(\d)</td><td class=\"text name\">([^<]+)</td><td>(.*?)</td><td>(.*?)</td><td>([\d.]+)</td></tr>", table)
+        self.assertEqual([row[:2] + row[4:] for row in found], [("3", "Plank", "1.5"), ("1", "Post 1", "12.0"), ("2", "Post 2", "13.0")])
+        for box, _, least, largest, _ in found:
+            for shown, load in zip((least, largest), ranges[int(box) - 1]):
+                self.assertAlmostEqual(float(re.sub("<.*?>", "", shown)), load, delta=0.051)
+        marked = [["bad" in cell for cell in row[2:4]] for row in found]
+        self.assertEqual(marked, [[True, True], [False, True], [False, True]])
+
     def test_loads_of_a_planner_have_a_page_each_in_a_container_of_its_type(self):
         text = self.of_load(PLANNER, "--format", "planner")
         self.assertEqual(set(re.findall(r"<h2>(.*?)</h2>", text)), {"planner_export.csv#Unit 1", "planner_export.csv#Unit 2"})

@@ -84,6 +84,15 @@ RunTables tables_in(const h5::File& file) {
   return tables;
 }
 
+std::vector<std::pair<std::string, std::string>> read_settings(const h5::File& file) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (std::string& key : h5::attribute_names(file, "/inputs/settings")) {
+    std::string value = h5::read_text_attribute(file, "/inputs/settings", key);
+    settings.emplace_back(std::move(key), std::move(value));
+  }
+  return settings;
+}
+
 RunDescription read_run(const h5::File& file) {
   const auto text = [&](const char* name) { return h5::read_text_attribute(file, "/", name); };
   const auto count = [&](const char* name) { return h5::read_count_attribute(file, "/", name); };
@@ -95,10 +104,7 @@ RunDescription read_run(const h5::File& file) {
   run.created_utc = text("created_utc");
   run.host = text("host");
   run.config_text = h5::read_text(file, "/inputs/config");
-  for (std::string& key : h5::attribute_names(file, "/inputs/settings")) {
-    std::string value = h5::read_text_attribute(file, "/inputs/settings", key);
-    run.settings.emplace_back(std::move(key), std::move(value));
-  }
+  run.settings = read_settings(file);
   run.accelerations = read_accelerations(file);
   run.analyses = tables_in(file);
   run.thresholds = read_thresholds(file);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/results/hdf5_file.hpp"
@@ -18,6 +19,9 @@ void write_run(const h5::File& file, const RunDescription& run);
 /// What `write_run` wrote. Not in the file, and empty or as by default: names and hashes of layouts, and whether series
 /// are recorded, which `fingerprint` has.
 RunDescription read_run(const h5::File& file);
+
+/// The texts of all settings, by `Section/Key`.
+std::vector<std::pair<std::string, std::string>> read_settings(const h5::File& file);
 
 /// A whole column of texts.
 std::vector<std::string> read_texts(const h5::File& file, std::string_view path);

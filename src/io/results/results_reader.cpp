@@ -64,8 +64,9 @@ struct ResultsReader::State {
 
   const h5::Dataset& dataset(std::string_view path) {
     auto found = datasets.find(path);
-    if (found == datasets.end()) found = datasets.emplace(path, h5::Dataset::open(*file, dataset_spec(path))).first;
-    return found->second;
+    if (found != datasets.end()) return found->second;
+    const DatasetSpec& spec = dataset_spec(path);  // whose path lasts
+    return datasets.emplace(spec.path, h5::Dataset::open(*file, spec)).first->second;
   }
 
   std::vector<std::string> texts(std::string_view path, std::uint64_t begin, std::uint64_t count) {
@@ -180,6 +181,10 @@ Result<std::vector<WorldRow>> ResultsReader::worlds(std::uint64_t begin, std::ui
     }
     return rows;
   });
+}
+
+Result<std::vector<std::pair<std::string, std::string>>> ResultsReader::settings() const {
+  return h5::caught_result(state_->file->path(), [&] { return read_settings(*state_->file); });
 }
 
 bool ResultsReader::has(std::string_view path) const { return h5::exists(*state_->file, std::string(path)); }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -82,6 +83,9 @@ class ResultsReader {
   ~ResultsReader();
 
   const ResultsInfo& info() const;
+
+  /// Every effective setting of the run, as `Section/Key` and its text.
+  Result<std::vector<std::pair<std::string, std::string>>> settings() const;
 
   /// Rows [begin, begin + count) of /worlds. Their begin indices are indices in the file, also for a part. In a file of
   /// version 1 the residual is a ratio, whose scale is 1.
