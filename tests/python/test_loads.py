@@ -5,13 +5,13 @@ import pathlib
 import pickle
 import sys
 import tempfile
-import types
 import unittest
 import warnings
 from unittest import mock
 
 import h5py
 import numpy as np
+import openpyxl
 import pandas
 
 import holdfast
@@ -242,14 +242,26 @@ class FileTest(unittest.TestCase):
             Load.from_dataframe(pandas.DataFrame({"x": [1]}))
 
     def test_spreadsheets_are_read_where_a_package_is_there(self):
-        rows = [["Loading list", None, None], [], ["Name", "x", "y", "z", "length", "width", "height", "weight"],
-                ["Pump\nleft", 0, 0.0, 0, 80, 60, 100.5, 12.25]]
-        sheet = mock.Mock(iter_rows=lambda values_only: iter(rows))
-        book = mock.Mock(worksheets=[sheet])
-        package = types.SimpleNamespace(load_workbook=lambda path, **_: book)
-        with mock.patch.dict(sys.modules, {"openpyxl": package}):
-            (load,) = Load.read("tour.xlsx")
-        self.assertEqual((load.boxes[0].name, load.boxes[0].corner_max, load.boxes[0].mass), ("Pump left", (0.8, 0.6, 1.005), 12.25))
+        book = openpyxl.Workbook()
+        book.active.title = "Notes"
+        sheet = book.create_sheet("Tour 7")
+        for row in (["Loading list", None, None], [], ["Name", "x", "y", "z", "length", "width", "height", "weight", "fixed"],
+                    ["Pump\nleft", 0, 0.0, 0, 80, 60, 100.5, 12.25, True], [17, 80, 0, 0, 80, 60, 100.5, None, None]):
+            sheet.append(row)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "tour.xlsx"
+            book.save(path)
+            (load,) = Load.read(path, sheet="Tour 7")
+            (same,) = Load.read(path, sheet=1)
+            for sheet in (0, 2, "Tour 8"):
+                with self.assertRaises(holdfast.Error):
+                    Load.read(path, sheet=sheet)
+            path.write_bytes(b"PK\x03\x04 and so on")
+            with self.assertRaisesRegex(holdfast.Error, "cannot be read"):
+                Load.read(path)
+        self.assertEqual(load.boxes, (Box((0, 0, 0), (0.8, 0.6, 1.005), name="Pump left", mass=12.25, fixed=True),
+                                      Box((0.8, 0, 0), (1.6, 0.6, 1.005), name="17")))
+        self.assertEqual(same, load)
         with mock.patch.dict(sys.modules, {"openpyxl": None, "odf": None}):
             for name, needed in (("tour.xlsx", "openpyxl"), ("tour.ods", "odfpy")):
                 with self.assertRaises(holdfast.Error) as error:
