@@ -73,7 +73,7 @@ class KeySet {
   std::bitset<Count> given_;
 };
 
-/// Reads a box that is an object, value by value: its keys are those of docs/loads.md.
+/// Reads a box that is an object, value by value: its keys are those of docs/start/loads.md.
 class BoxReader {
  public:
   BoxReader();
@@ -125,7 +125,7 @@ class BoxReader {
   std::array<std::size_t, 7> places_ = {};
 };
 
-/// Reads a container: a name of a type, or an object with the keys of docs/loads.md.
+/// Reads a container: a name of a type, or an object with the keys of docs/start/loads.md.
 class ContainerReader {
  public:
   ContainerReader();
