@@ -1,7 +1,7 @@
 # A thin front door: each target installs what it needs, builds what it needs and runs one thing. CMake does the work.
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
-.PHONY: help demo test bench fuzz lint format docs site evidence dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
+.PHONY: help demo test unit bench fuzz lint format docs site evidence dependencies build program python viewer viewer-engine viewer-engine-test viewer-test
 
 # Brings the packages; `make INSTALL=true ...` where they come from elsewhere.
 INSTALL ?= tools/install_dependencies.sh
@@ -21,6 +21,11 @@ demo: program  ## Screen the sample layouts under the norm of the road into demo
 
 test: build  ## Build and run all tests
 	ctest --preset release -j $(JOBS)
+
+unit: dependencies  ## Build and run the fast tests of the C++ sources, less than a minute of them
+	@cmake --preset release -DBUILD_TESTING=ON > /dev/null
+	cmake --build --preset release -j $(JOBS) --target holdfast_tests holdfast_plugins
+	build/release/bin/holdfast_tests "~[slow]~[.]"
 
 bench: program  ## Measure throughput on this machine
 	@$(INSTALL) --test

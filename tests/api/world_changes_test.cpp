@@ -77,7 +77,7 @@ TEST_CASE("world changes: a force turns a box about its centre of mass", "[api][
   CHECK(velocity.angular[0] == 0.0);
 }
 
-TEST_CASE("world changes: acceleration set on the way is that of a file with several segments", "[api][world]") {
+TEST_CASE("world changes: acceleration set on the way is that of a file with several segments", "[api][world][slow]") {
   using Accelerations = std::vector<std::array<double, 3>>;
   // The second ones change little by little, and then by much.
   for (const Accelerations& accelerations : {Accelerations{{6.0, 0.0, 0.0}, {0.0, -6.0, 0.0}},

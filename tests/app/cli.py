@@ -20,6 +20,8 @@ SEED_LAYOUT = SOURCE / "configs/layouts/seed_example.txt"
 SEED_ACCELERATION = SOURCE / "configs/accelerations/seed_example.txt"
 SANITIZED = bool(os.environ.get("HOLDFAST_SANITIZED"))
 PATIENCE = 600 if SANITIZED else 60  # s that a program may take before a test gives it up
+# What runs before a release and not for every change, `.ci/slow`: more random kills, wrong bytes and generated layouts.
+THOROUGH = os.environ.get("HOLDFAST_THOROUGH") == "1"
 
 CONFIG = """\
 [Physics Engine]
@@ -36,6 +38,13 @@ REST = "#Initial-Time / Duration / X / Y / Z\n0 1 0 0 0\n"
 SEED = [(0, 0, 0, 80, 59, 106), (80, 0, 0, 160, 59, 106), (80, 0, 106, 160, 59, 212)]
 TOWER = [(200, 100, 40 * i, 230, 130, 40 * (i + 1)) for i in range(5)]
 FLOATING = [(0, 0, 0, 80, 60, 100), (200, 100, 60, 280, 160, 120)]
+
+
+def some(cases, every=3):
+    """A part of the cases, spread over all of them; all where tests are thorough."""
+    cases = list(cases)
+    return cases if THOROUGH else cases[::every]
+
 
 
 def layout_text(boxes, material=1):

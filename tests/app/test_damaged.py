@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from cli import CONFIG, SEED, TOWER, CliTest, datasets, layout_text, start, wait_for
+from cli import CONFIG, SEED, THOROUGH, TOWER, CliTest, datasets, layout_text, some, start, wait_for
 
 DAMAGE = ["is damaged", "lacks a dataset", "has a dataset", "ends before", "has no", "cannot be", "is not", "later format", "takes more than"]
 
@@ -96,11 +96,11 @@ class Damaged(CliTest):
         self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
         refused = 0
         needed = ("/worlds", "/boxes", "/inputs/layouts/name", "/inputs/accelerations/name", "/series/time", "/series/displ")
-        for name in (name for name in datasets(self.folder / "results.h5") if name.startswith(needed)):
+        for name in some(name for name in datasets(self.folder / "results.h5") if name.startswith(needed)):
             for kind, change in CHANGES.items():
                 with self.subTest(dataset=name, change=kind):
                     refused += self.summary(self.changed(self.folder / "results.h5", name, change)) != 0
-        self.assertGreater(refused, 100, "of some 300 changes many are such that no table can be made")
+        self.assertGreater(refused, 100 if THOROUGH else 30, "of some 300 changes many are such that no table can be made")
 
     def test_summary_of_other_values(self):
         self.assert_exit(self.run_here(*self.arguments("a_shove.txt")), 0)
@@ -156,7 +156,7 @@ class Damaged(CliTest):
         # What is refused is refused before anything is simulated: the endless world is never begun.
         names = [name for name in datasets(part) if name.startswith(("/worlds/layout", "/inputs/layout", "/boxes/world",
                                                                      "/series/time", "/series/displ"))]
-        for name in names:
+        for name in some(names):
             for kind in kinds if name not in NEEDED_AT_THE_END else ():
                 with self.subTest(dataset=name, change=kind):
                     damage(name, kind)

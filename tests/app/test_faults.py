@@ -1,8 +1,7 @@
 """Faults from outside: kills at random moments, a second run, a full or read-only disk.
 
-HOLDFAST_KILLS sets how many random kills there are; 5 without it.
+There are more random kills where tests are thorough.
 """
-import os
 import random
 import shutil
 import signal
@@ -12,9 +11,9 @@ import unittest
 
 import h5py
 
-from cli import CONFIG, HOLDFAST, PATIENCE, SEED, CliTest, SmallDisk, layout_text, start, wait_for
+from cli import CONFIG, HOLDFAST, PATIENCE, SEED, THOROUGH, CliTest, SmallDisk, layout_text, start, wait_for
 
-KILLS = int(os.environ.get("HOLDFAST_KILLS", "5"))
+KILLS = 20 if THOROUGH else 2
 LONG_ENOUGH = 1.0  # s of an undisturbed run: several parts, and moments between them
 
 

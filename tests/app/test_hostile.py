@@ -1,7 +1,7 @@
 """HDF5 files that are made to harm: they point elsewhere, claim to be huge, never end, or have wrong bytes.
 
 Whatever is in a file, every command that reads it answers within its limits of memory and time: with what was asked, or with one
-line that names the file. HOLDFAST_MUTATIONS is the number of files with random wrong bytes.
+line that names the file. There are more files with random wrong bytes where tests are thorough.
 """
 import os
 import random
@@ -13,9 +13,9 @@ import zlib
 import h5py
 import numpy as np
 
-from cli import AT_ONCE, REST, SANITIZED, SEED, SHOVE, TOWER, CliTest, layout_text
+from cli import AT_ONCE, REST, SANITIZED, SEED, SHOVE, THOROUGH, TOWER, CliTest, layout_text
 
-MUTATIONS = int(os.environ.get("HOLDFAST_MUTATIONS", "60"))
+MUTATIONS = 2000 if THOROUGH else 60
 SECRET = "do not show this line"
 NAMES = "/inputs/layouts/name"
 TABLE = "/boxes/mass"

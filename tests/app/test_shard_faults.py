@@ -1,6 +1,6 @@
 """What happens to shards on the way: kills at random moments, a disk that is full for one of them, clocks that are years apart.
 
-HOLDFAST_KILLS sets how many random kills there are; 5 without it.
+There are more random kills where tests are thorough.
 """
 import os
 import random
@@ -12,10 +12,10 @@ import unittest
 
 import h5py
 
-from cli import CONFIG, SANITIZED, SmallDisk, start
+from cli import CONFIG, SANITIZED, THOROUGH, SmallDisk, start
 from test_shards import ShardTest
 
-KILLS = int(os.environ.get("HOLDFAST_KILLS", "5"))
+KILLS = 20 if THOROUGH else 2
 YEAR = 365 * 86400  # s
 
 # Stands in for the clock of another machine, and leaves the clock alone by which waiting is measured.

@@ -1,7 +1,7 @@
 """Runs that are simulated in shards and merged: the file is that of one run, whatever the shards were. test_shard_faults has what may
 happen to them.
 
-HOLDFAST_CANDIDATES sets how many layouts are generated beside the bundled ones; 60 without it.
+There are more generated layouts beside the bundled ones where tests are thorough.
 """
 import os
 import random
@@ -13,9 +13,9 @@ import unittest
 
 import h5py
 
-from cli import SOURCE, CliTest, datasets, layout_text
+from cli import SOURCE, THOROUGH, CliTest, datasets, layout_text
 
-CANDIDATES = os.environ.get("HOLDFAST_CANDIDATES", "60")
+CANDIDATES = "2000" if THOROUGH else "60"
 TIMES = ("/worlds/cpu_seconds", "/margins/cpu_seconds", "/margin_spread/cpu_seconds", "/replicas/cpu_seconds")
 
 

@@ -110,7 +110,7 @@ TEST_CASE("damage: a box that falls stops with the velocity of its fall", "[phys
   }
 }
 
-TEST_CASE("damage: recording changes no bit", "[physics][damage]") {
+TEST_CASE("damage: recording changes no bit", "[physics][damage][slow]") {
   const Layout layout = bundled_layout("BR5_020_layer_h60", Settings{});
   for (const char* engine : {"native", "bullet"}) {
     Settings settings = with(Accuracy::screening, Settings{});

@@ -49,7 +49,7 @@ bool begins_like(const Series& early, const Series& whole) {
 }  // namespace
 
 TEST_CASE("early_end: a world that ends early is at least what it says, and whether it stays does not depend on that",
-          "[physics][early_end]") {
+          "[physics][early_end][slow]") {
   Settings settings;
   settings.native.accuracy = Accuracy::screening;
   std::vector<Layout> layouts;

@@ -141,7 +141,7 @@ TEST_CASE("mixed_friction: boxes slide at the limits of their materials", "[phys
 }
 
 // Every interface carries all of the weight above it, so that masses have no influence on its limit.
-TEST_CASE("mixed_friction: a heavy box on a light one slides at the same limit", "[physics][mixed]") {
+TEST_CASE("mixed_friction: a heavy box on a light one slides at the same limit", "[physics][mixed][slow]") {
   const Way way = any_way();
   CAPTURE(way.engine, static_cast<int>(way.accuracy));
   Layout layout = layout_of({box({9, 5, 0}, {2, 1, 0.3}), box({9.8, 5, 0.3}, {1, 1, 0.3})});
@@ -190,7 +190,8 @@ TEST_CASE("mixed_friction: a box that is fixed holds what leans on it, and count
 }
 
 // One slides over the sill and falls to the ground, the other is held by the rear wall.
-TEST_CASE("mixed_friction: loads in containers of their own move in one batch as each does alone", "[physics][mixed]") {
+TEST_CASE("mixed_friction: loads in containers of their own move in one batch as each does alone",
+          "[physics][mixed][slow]") {
   const Way way = any_way();
   CAPTURE(way.engine, static_cast<int>(way.accuracy));
   Settings settings = open_floor(0.2);
@@ -222,7 +223,8 @@ TEST_CASE("mixed_friction: loads in containers of their own move in one batch as
   }
 }
 
-TEST_CASE("mixed_friction: what boxes say for themselves moves them as what their materials say", "[physics][mixed]") {
+TEST_CASE("mixed_friction: what boxes say for themselves moves them as what their materials say",
+          "[physics][mixed][slow]") {
   const Way way = any_way();
   CAPTURE(way.engine, static_cast<int>(way.accuracy));
   const Acceleration acceleration = acceleration_of({{0.4, {5, 1, 0}}, {0.4, {-3, 4, 0}}, {0.3, {0, 0, 0}}});

@@ -36,7 +36,7 @@ Difference difference_of(const Layout& layout, const Acceleration& acceleration,
 }  // namespace
 
 TEST_CASE("native_plain_twin: in random scenes both engines bring the boxes to the same places",
-          "[physics][native_plain_twin]") {
+          "[physics][native_plain_twin][slow]") {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     Random random(100 + seed);
     const Layout layout = random_layout(random, 4, 6);

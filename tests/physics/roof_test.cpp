@@ -50,7 +50,7 @@ double wedge_limit(double friction, double length) { return friction * friction 
 
 }  // namespace
 
-TEST_CASE("roof: a column that slides without tilting is not held by the roof it touches", "[physics][roof]") {
+TEST_CASE("roof: a column that slides without tilting is not held by the roof it touches", "[physics][roof][slow]") {
   constexpr double kFriction = 0.4;
   constexpr double kAcceleration = 5.1;
   const double path = 0.5 * (kAcceleration - kFriction * kGravity);

@@ -84,7 +84,7 @@ void check_same(const std::vector<WorldRecord>& a, const std::vector<WorldRecord
 }  // namespace
 
 TEST_CASE("verdict: whether a load stays depends neither on an early end nor on the samples, in any engine",
-          "[physics][verdict]") {
+          "[physics][verdict][slow]") {
   const std::string name = GENERATE("native", "native-plain", "bullet", "bullet-stock", "bullet-opencl");
   Settings settings;
   settings.native.accuracy = Accuracy::screening;

@@ -80,7 +80,7 @@ TEST_CASE("wall_forces: the floor carries the weight, centred below where the ef
   }
 }
 
-TEST_CASE("wall_forces: all sides together balance weight and change of momentum", "[physics][walls]") {
+TEST_CASE("wall_forces: all sides together balance weight and change of momentum", "[physics][walls][slow]") {
   for (const char* name : {"BR5_020_layer_h60", "BR8_009_wall_h60", "seed_example"}) {
     for (const Accuracy accuracy : kAll) {
       const Settings settings = measured(with(accuracy, Settings{}));
@@ -96,7 +96,7 @@ TEST_CASE("wall_forces: all sides together balance weight and change of momentum
   }
 }
 
-TEST_CASE("wall_forces: measuring changes no bit", "[physics][walls]") {
+TEST_CASE("wall_forces: measuring changes no bit", "[physics][walls][slow]") {
   const Layout layout = bundled_layout("BR5_020_layer_h60", Settings{});
   for (const char* engine : {"native", "bullet"}) {
     Settings settings = at_once();

@@ -249,7 +249,7 @@ TEST_CASE("plain_engine: free rotation conserves angular momentum and energy", "
   CHECK(energy_error < 1e-4);
 }
 
-TEST_CASE("plain_engine: energy never increases when boxes fall on each other", "[core][plain_engine]") {
+TEST_CASE("plain_engine: energy never increases when boxes fall on each other", "[core][plain_engine][slow]") {
   Settings settings = open_floor(0.4);
   settings.container.size = {3, 2, 10};
   std::mt19937 generator(GENERATE(1U, 2U, 3U));

@@ -105,7 +105,7 @@ TEST_CASE("results_writer: the bytes of the file do not depend on where parts en
   CHECK(file_bytes(folder / "whole.h5") == file_bytes(folder / "cut.h5"));
 }
 
-TEST_CASE("results_writer: a run killed after any part and resumed gives the same bytes", "[io][results]") {
+TEST_CASE("results_writer: a run killed after any part and resumed gives the same bytes", "[io][results][slow]") {
   const Run run = make_run(mixed_shapes());
   const Folder folder;
   write_run_to(folder / "whole.h5", run, never());

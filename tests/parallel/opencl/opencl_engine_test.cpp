@@ -28,7 +28,7 @@ double slide(double acceleration, double friction, double time, double h) {
 
 }  // namespace
 
-TEST_CASE("opencl_engine: a box slides by Coulomb's law, whatever its friction", "[parallel][opencl_engine]") {
+TEST_CASE("opencl_engine: a box slides by Coulomb's law, whatever its friction", "[parallel][opencl_engine][slow]") {
   for (const double friction : {0.2, 0.5, 0.7}) {
     const Settings settings = open_floor(friction);
     const auto engine = opencl_engine(settings);
@@ -42,7 +42,7 @@ TEST_CASE("opencl_engine: a box slides by Coulomb's law, whatever its friction",
   }
 }
 
-TEST_CASE("opencl_engine: floors end, and the ground has its own friction", "[parallel][opencl_engine]") {
+TEST_CASE("opencl_engine: floors end, and the ground has its own friction", "[parallel][opencl_engine][slow]") {
   Settings settings = open_floor(0.2);
   settings.container.size = {10, 4, 3};
   settings.container.open_sides = {"rear"};
@@ -101,7 +101,7 @@ TEST_CASE("opencl_engine: a world's result is the same alone and in company", "[
   CHECK(run(*engine, layouts[1], pull, settings).record.row.state_hash == together[3].record.row.state_hash);
 }
 
-TEST_CASE("opencl_engine: a stack of ten sinks by millimetres and stands", "[parallel][opencl_engine]") {
+TEST_CASE("opencl_engine: a stack of ten sinks by millimetres and stands", "[parallel][opencl_engine][slow]") {
   const Settings settings = open_floor(0.5);
   const auto engine = opencl_engine(settings);
   if (!engine) return;

@@ -184,7 +184,7 @@ TEST_CASE("position_correction: overlaps up to the tolerance are left alone", "[
 }
 
 TEST_CASE("position_correction: of all displacements that leave no overlap, the smallest",
-          "[core][position_correction]") {
+          "[core][position_correction][slow]") {
   Random random(5);
   for (int round = 0; round < 20; ++round) {
     // A heap of cubes, four on four, and tilted, that overlap by up to 2 mm or touch nearly.
