@@ -28,7 +28,9 @@ class JsonText {
   void number(double number) {
     separate();
     char digits[32];
-    text_.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+    // JSON has integers, and of these there is no negative zero.
+    const double written = number == 0.0 ? 0.0 : number;
+    text_.append(digits, std::to_chars(digits, digits + sizeof digits, written).ptr);
   }
   void number(long number) {
     separate();
