@@ -106,7 +106,7 @@ class Bearing(CliTest):
         self.assertGreater(ranges, 20)
 
     def test_the_example_of_the_page_is_what_the_program_prints(self):
-        content, command, expected = indented_blocks("docs/bearing.md")[:3]
+        content, command, expected = indented_blocks("docs/guide/bearing.md")[:3]
         name = command.split()[2]
         self.write(name, content)
         done = self.run_here(*command.split()[1:])
