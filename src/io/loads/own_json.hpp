@@ -14,8 +14,8 @@ namespace holdfast::internal {
 /// Whether a text is an object with the key `holdfast`: JSON of ours. It is read up to that key.
 bool is_own_json(std::string_view text);
 
-/// Reads JSON of ours, as docs/start/loads.md describes it, while it is parsed: there is no tree in memory. All mistakes of a
-/// load are reported, up to the limit of ErrorList.
+/// Reads JSON of ours, as docs/start/loads.md describes it, while it is parsed: there is no tree in memory. All
+/// mistakes of a load are reported, up to the limit of ErrorList.
 class OwnJson {
  public:
   /// All must outlive this.
