@@ -1,156 +1,62 @@
 #include "io/loads/load_json.hpp"
 
-#include <charconv>
-#include <cstddef>
-#include <string_view>
-#include <utility>
+#include <nlohmann/json.hpp>
 
 namespace holdfast::internal {
 
 namespace {
 
-/// An object or a list of JSON as it is written. Texts are UTF-8 without control characters, as `kept_name` makes them.
-class JsonText {
- public:
-  std::string take() { return std::move(text_); }
-  void reserve(std::size_t bytes) { text_.reserve(bytes); }
+using Json = nlohmann::ordered_json;
 
-  void begin(char bracket) {
-    separate();
-    text_ += bracket;
-  }
-  void end(char bracket) { text_ += bracket; }
-  void key(std::string_view key) {
-    separate();
-    (text_ += '"') += key;
-    text_ += "\":";
-  }
-  void number(double number) {
-    separate();
-    char digits[32];
-    // JSON has integers, and of these there is no negative zero.
-    const double written = number == 0.0 ? 0.0 : number;
-    text_.append(digits, std::to_chars(digits, digits + sizeof digits, written).ptr);
-  }
-  void number(long number) {
-    separate();
-    text_ += std::to_string(number);
-  }
-  void truth() {
-    separate();
-    text_ += "true";
-  }
-  void text(std::string_view text) {
-    separate();
-    text_ += '"';
-    for (const char sign : text) {
-      if (sign == '"' || sign == '\\') text_ += '\\';
-      text_ += sign;
-    }
-    text_ += '"';
-  }
-  void vector(const Vec3& numbers) {
-    begin('[');
-    for (const double each : numbers) number(each);
-    end(']');
-  }
+Json vector_json(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
- private:
-  /// A comma between one value and the next.
-  void separate() {
-    const char last = text_.empty() ? '{' : text_.back();
-    if (last != '{' && last != '[' && last != ':') text_ += ',';
-  }
-
-  std::string text_;
-};
-
-void write_box(JsonText& json, const Box& box) {
-  json.begin('{');
-  json.key("corner_min");
-  json.vector(box.corner_min);
-  json.key("corner_max");
-  json.vector(box.corner_max);
-  const auto number = [&](const char* key, const auto& value) {
-    if (!value) return;
-    json.key(key);
-    json.number(*value);
-  };
-  if (!box.name.empty()) {
-    json.key("name");
-    json.text(box.name);
-  }
-  json.key("material");
-  if (box.material.is_number())
-    json.number(static_cast<long>(box.material.id()));
-  else
-    json.text(box.material.text());
-  number("mass", box.mass);
-  if (box.centre_of_mass) {
-    json.key("centre_of_mass");
-    json.vector(*box.centre_of_mass);
-  }
-  number("mat", box.mat);
-  if (box.fixed) {
-    json.key("fixed");
-    json.truth();
-  }
-  number("order", box.order);
-  number("bearing_limit", box.bearing_limit);
-  json.end('}');
+Json material_json(const MaterialName& material) {
+  return material.is_number() ? Json(material.id()) : Json(material.text());
 }
 
-void write_container(JsonText& json, const ContainerShape& shape) {
-  json.begin('{');
-  if (!shape.type.empty()) {
-    json.key("type");
-    json.text(shape.type);
-  }
-  json.key("size");
-  json.vector(shape.size);
-  json.key("open_sides");
-  json.begin('[');
-  for (const std::string& side : shape.open_sides) json.text(side);
-  json.end(']');
-  if (!shape.drop_sides.empty()) {
-    json.key("drop_sides");
-    json.begin('{');
-    for (const DropSide& drop : shape.drop_sides) {
-      json.key(drop.side);
-      json.number(drop.height);
-    }
-    json.end('}');
-  }
-  json.key("bed_height");
-  json.number(shape.bed_height);
-  json.end('}');
+Json box_json(const Box& box) {
+  Json json;
+  json["corner_min"] = vector_json(box.corner_min);
+  json["corner_max"] = vector_json(box.corner_max);
+  if (!box.name.empty()) json["name"] = box.name;
+  json["material"] = material_json(box.material);
+  if (box.mass) json["mass"] = *box.mass;
+  if (box.centre_of_mass) json["centre_of_mass"] = vector_json(*box.centre_of_mass);
+  if (box.mat) json["mat"] = *box.mat;
+  if (box.fixed) json["fixed"] = true;
+  if (box.order) json["order"] = *box.order;
+  if (box.bearing_limit) json["bearing_limit"] = *box.bearing_limit;
+  return json;
 }
 
-std::string json_of(const Layout& load, bool with_name) {
-  constexpr std::size_t kBytesOfBox = 150;
-  JsonText json;
-  json.reserve(kBytesOfBox * (load.boxes.size() + 2));
-  json.begin('{');
-  if (with_name) {
-    json.key("name");
-    json.text(load.name);
-  }
-  if (load.container) {
-    json.key("container");
-    write_container(json, *load.container);
-  }
-  json.key("boxes");
-  json.begin('[');
-  for (const Box& box : load.boxes) write_box(json, box);
-  json.end(']');
-  json.end('}');
-  return json.take();
+Json container_json(const ContainerShape& shape) {
+  Json json;
+  if (!shape.type.empty()) json["type"] = shape.type;
+  json["size"] = vector_json(shape.size);
+  json["open_sides"] = shape.open_sides;
+  Json drops = Json::object();
+  for (const DropSide& drop : shape.drop_sides) drops[drop.side] = drop.height;
+  if (!drops.empty()) json["drop_sides"] = drops;
+  json["bed_height"] = shape.bed_height;
+  return json;
 }
+
+Json load_json(const Layout& load, bool with_name) {
+  Json json;
+  if (with_name) json["name"] = load.name;
+  if (load.container) json["container"] = container_json(*load.container);
+  Json boxes = Json::array();
+  for (const Box& box : load.boxes) boxes.push_back(box_json(box));
+  json["boxes"] = std::move(boxes);
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
-std::string canonical_json(const Layout& load) { return json_of(load, false); }
+std::string canonical_json(const Layout& load) { return text_of(load_json(load, false)); }
 
-std::string load_line(const Layout& load) { return json_of(load, true); }
+std::string load_line(const Layout& load) { return text_of(load_json(load, true)); }
 
 }  // namespace holdfast::internal
