@@ -28,7 +28,7 @@ FloatingBoxes count_floating(const Layout& layout, const Settings& settings) {
     const double bottom = box.corner_min.z();
     if (bottom <= kMostGap) return true;
     for (auto top = std::lower_bound(by_top.begin(), by_top.end(), bottom - kMostGap,
-                                     [](const Box*below, double least) { return below->corner_max.z() < least; });
+                                     [](const Box*const below, double least) { return below->corner_max.z() < least; });
          top != by_top.end() && (*top)->corner_max.z() <= bottom + kMostGap; ++top)
       if (*top != &box && share_area(**top, box)) return true;
     return false;

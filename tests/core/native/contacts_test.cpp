@@ -94,14 +94,21 @@ TEST_CASE("contacts: a change of the coefficients reaches all contacts and forge
 }
 
 TEST_CASE("contacts: a flush edge that has sunk in is no contact", "[core][contacts]") {
-  // A slider over the seam of two plates, of which the second stands 20 µm higher because the first has sunk in.
+  // A slider over the seam of two plates, of which the second stands 0.2 mm higher.
   SmallWorld world(open_floor(0.5), layout_of({box({5, 5, 0}, {1, 1, 0.5}), box({6, 5, 0}, {1, 1, 0.5}),
                                                box({5.2, 5.2, 0.5}, {0.7, 0.6, 0.2})}));
   const std::int32_t slider = 1;  // bodies are sorted by their first positions
   REQUIRE(world.bodies().state.position[1].z() > 0.5);
-  world.put(0, {0, 0, -2e-5});
-  world.put(1, {0.1 - 1e-6, 0, -2e-5});
-  CHECK(world.contact(slider, 2) == nullptr);
+  SECTION("what it has sunk with its plate does not stop it") {
+    world.put(0, {0, 0, -2e-4});
+    world.put(1, {0.1 - 1e-6, 0, -2e-4});
+    CHECK(world.contact(slider, 2) == nullptr);
+  }
+  SECTION("an edge that is there does") {
+    world.put(0, {0, 0, -0.01});  // nothing carries the slider
+    world.put(1, {0.1 - 1e-6, 0, -2e-4});
+    CHECK(world.contact(slider, 2) != nullptr);
+  }
 }
 
 }  // namespace contacts_test
