@@ -52,7 +52,7 @@ void FrictionTable::set(const FrictionPartners& partners, double coefficient) {
   compiled_.assign(3 * size * size, std::nullopt);
   for (std::size_t a = 0; a < size; ++a) {
     const std::optional<double> with_any = a == 0 ? std::nullopt : find({name_of(a), std::string(kAny)});
-    for (const auto& [partner, name] : {std::pair{kFloor, kFloorName}, std::pair{kWall, kWallName}}) {
+    for (const auto& [partner, name] : {std::pair{floor, kFloorName}, std::pair{wall, kWallName}}) {
       std::optional<double> own = a == 0 ? std::nullopt : find({name_of(a), std::string(name)});
       compiled_[(partner * size + a) * size] = own ? own : with_any;
     }
@@ -61,7 +61,7 @@ void FrictionTable::set(const FrictionPartners& partners, double coefficient) {
       std::optional<double> both = a == 0 || b == 0 ? std::nullopt : find(two);
       if (!both) both = with_any;
       if (!both && b != 0) both = find({name_of(b), std::string(kAny)});
-      compiled_[(kBoxes * size + a) * size + b] = both;
+      compiled_[(boxes * size + a) * size + b] = both;
     }
   }
 }

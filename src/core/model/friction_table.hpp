@@ -45,9 +45,9 @@ class FrictionTable {
   int index_of(std::string_view material) const;
 
   /// Coefficients by material; nothing where no row says, so that those of any pair hold.
-  std::optional<double> of_boxes(int a, int b) const { return at(kBoxes, a, b); }
-  std::optional<double> on_floor(int material) const { return at(kFloor, material, kOther); }
-  std::optional<double> on_wall(int material) const { return at(kWall, material, kOther); }
+  std::optional<double> of_boxes(int a, int b) const { return at(boxes, a, b); }
+  std::optional<double> on_floor(int material) const { return at(floor, material, kOther); }
+  std::optional<double> on_wall(int material) const { return at(wall, material, kOther); }
 
   /// Two rows of one rank that differ for a pair which no row of a higher rank decides: both name one material with
   /// any.
@@ -59,7 +59,7 @@ class FrictionTable {
   friend bool operator==(const FrictionTable& a, const FrictionTable& b) { return a.rows_ == b.rows_; }
 
  private:
-  enum Partner : std::size_t { kBoxes, kFloor, kWall };
+  enum Partner : std::size_t { boxes, floor, wall };
 
   std::optional<double> at(Partner partner, int a, int b) const;
   std::optional<double> find(const FrictionPartners& partners) const;
