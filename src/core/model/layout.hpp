@@ -30,7 +30,7 @@ struct Box {
 /// A box's number is its position in `boxes`, counted from 1.
 struct Layout {
   std::string name;        ///< file name without the folder, `#` and the name of the load where a file has several
-  std::string sha256;      ///< of the file's bytes, or of the load's canonical JSON; 64 hexadecimal digits
+  std::string sha256;      ///< of the file's bytes; of a load of a table or JSON that a run has, of its canonical JSON
   std::string header;      ///< first line of the file, not interpreted
   std::vector<Box> boxes;  ///< in the order of the file
   std::optional<ContainerShape> container = {};  ///< its own; absent: that of the run

@@ -5,6 +5,7 @@
 
 #include "io/input/text_file.hpp"
 #include "io/loads/load_file.hpp"
+#include "io/loads/load_json.hpp"
 
 namespace holdfast::internal {
 
@@ -71,7 +72,10 @@ void LayoutFiles::add(const std::string& path, const Settings& settings) {
     read.error = summary_of(loads.errors());
     return add_read(std::move(read));
   }
-  for (ReadLoad& load : loads->loads) add_read(read_layout_of(std::move(load)));
+  for (ReadLoad& load : loads->loads) {
+    load.layout.sha256 = sha256_of(canonical_json(load.layout));
+    add_read(read_layout_of(std::move(load)));
+  }
   for (Error& note : loads->notes) notes_.push_back(std::move(note));
 }
 

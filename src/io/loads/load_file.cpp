@@ -13,7 +13,6 @@
 #include "io/loads/check_load.hpp"
 #include "io/loads/floating_boxes.hpp"
 #include "io/loads/json_loads.hpp"
-#include "io/loads/load_json.hpp"
 #include "io/loads/table_loads.hpp"
 #include "io/loads/table_text.hpp"
 
@@ -229,7 +228,6 @@ Result<LoadsOfFile> read_along_axes(const TextFile& file, const Settings& settin
     if (settings.container.overrides_loads) load.layout.container.reset();
     load.box_count = load.layout.boxes.size();
     check_load(load, file.path, settings);
-    load.layout.sha256 = sha256_of(canonical_json(load.layout));
     if (!load.errors.empty()) load.layout.boxes.clear();
   }
   return found;

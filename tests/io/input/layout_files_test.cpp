@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "io/input/text_file.hpp"
+#include "io/loads/load_json.hpp"
 #include "io/results/results_fixture.hpp"
 
 namespace layout_files_test {
@@ -72,6 +74,7 @@ TEST_CASE("layout_files: the loads of a file are layouts of their own, and shard
   CHECK(files.label(1) == table + "#B");
   CHECK(files.take(0, 2)->layout.boxes.size() == 1);
   CHECK(files.take(0, 2)->error.empty());
+  CHECK(files.hashes()[0] == sha256_of(canonical_json(files.take(0, 1)->layout)));
   CHECK(files.take(1, 1)->error.find("two.csv:4") != std::string::npos);
 
   const std::vector<std::size_t> some = {2, 0};
