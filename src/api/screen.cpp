@@ -70,6 +70,7 @@ void Screen::State::add(Acceleration acceleration) {
   internal::Acceleration read = value_or_throw(internal::read_acceleration(acceleration));
   if (const auto error = internal::check_steps(acceleration.name, read, settings, engine->traits().steps_per_second))
     throw internal::exception_of({*error});
+  failures.reset();
   read_accelerations.push_back({std::move(read), ""});
   accelerations.push_back(std::move(acceleration));
 }
@@ -113,9 +114,13 @@ std::vector<bool> Screen::State::holds(std::vector<internal::ReadLayout> layouts
   internal::MemoryLayouts source(std::move(layouts));
   const internal::WorldTaker verdicts_alone(internal::recording_plan(settings, false).thresholds, false);
   internal::MemorySink sink(worlds, count, verdicts_alone);
-  const internal::ScreeningEnd end = internal::screen_worlds(
-      {*engine, early, *workers, source, read_accelerations, false}, sink, observer, stop, costs);
+  internal::ScreeningPlan plan{*engine, early, *workers, source, read_accelerations, false};
+  if (failures) plan.failures = failures->for_next_run();
+  const internal::ScreeningEnd end = internal::screen_worlds(plan, sink, observer, stop, costs);
   if (end.error) throw internal::exception_of({*end.error});
+  if (!failures) failures.emplace(count, engine->traits());
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (internal::rejects(worlds[i].verdict)) failures->count_rejection(i % count);
   std::vector<bool> holds;
   for (auto layout = worlds.begin(); layout != worlds.end(); layout += static_cast<std::ptrdiff_t>(count))
     holds.push_back(std::all_of(layout, layout + static_cast<std::ptrdiff_t>(count),

@@ -98,6 +98,8 @@ struct Screen::State {
   internal::StageCosts costs;
   internal::RunObserver observer;
   std::vector<Problem> problems;  ///< of the layouts of the last call
+  /// Of the layouts that `holds` was asked for: in which order they are tried changes no answer.
+  std::optional<internal::FailureOrder> failures;
   std::unique_ptr<internal::WorldStream> world_stream;
   std::uint64_t next_ticket = 0;
 

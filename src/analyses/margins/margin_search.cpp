@@ -222,12 +222,9 @@ class MarginSearch {
 
 std::optional<LayoutMargins> find_margins(const Engine& engine, const Layout& layout, const Settings& settings,
                                           const std::atomic<bool>& abort) {
-  // What engines take from it is how strong accelerations may become.
-  Acceleration strongest;
-  strongest.segments.push_back({0.0, kMarginDuration, push_acceleration(0, kLargestMargin)});
-  const Layout* const layouts[] = {&layout};
-  const Acceleration* const accelerations[] = {&strongest};
-  WorldBatch batch = make_batch(layouts, accelerations, settings);
+  const Acceleration gravity = gravity_alone();
+  WorldBatch batch;
+  append_world(batch, layout, gravity, settings);
   return MarginSearch(engine, batch, settings, abort).run();
 }
 

@@ -87,7 +87,8 @@ class Simulation {
   virtual void advance(std::span<AdvanceRequest> requests) = 0;
 
   /// Remembers where a world is; it may be rewound to there any number of times, and then goes on in a new phase, as if
-  /// it had not gone on before. For engines with `EngineTraits::rewinds`.
+  /// it had not gone on before. Counters, status and forces are those of then. For engines with
+  /// `EngineTraits::rewinds`.
   virtual void mark(std::size_t /*world*/) {}
   virtual void rewind(std::size_t /*world*/) {}
 

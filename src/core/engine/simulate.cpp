@@ -25,14 +25,18 @@ void copy_state(const StateColumns& from, StateColumns& to, const World& world) 
 /// Worlds that advance together, from settling to the end of the last one; each has its own clock.
 class Group {
  public:
+  /// @param settled null, or of a group of one world: the end of its first step, where the simulation is marked because
+  ///                the load rests in it; nothing where it does not, or has not been simulated before
   Group(const Engine& engine, Simulation& simulation, WorldBatch& batch, const Settings& settings,
-        std::span<Recorder* const> recorders, const std::atomic<bool>& abort, std::vector<std::size_t> worlds)
+        std::span<Recorder* const> recorders, const std::atomic<bool>& abort, std::vector<std::size_t> worlds,
+        std::optional<double>* settled = nullptr)
       : simulation_(simulation),
         batch_(batch),
         settings_(settings),
         recorders_(recorders),
         abort_(abort),
         running_(std::move(worlds)),
+        settled_(settled),
         before_(batch.state),
         clocks_(batch.worlds.size()) {
     for (const std::size_t world : running_) clocks_[world].emplace(engine, *world_of(world).acceleration, settings);
@@ -43,7 +47,8 @@ class Group {
     std::erase_if(running_, [&](std::size_t world) {
       const Journey& journey = clocks_[world]->journey;
       recorders_[world]->start(view(batch_.boxes, world_of(world)), state_of(batch_.state, world), journey.time());
-      return !journey.settles() && accelerate(world);
+      if (!journey.settles()) return accelerate(world);
+      return settled_ != nullptr && settled_->has_value() && go_on_from_mark(world);
     });
     while (!running_.empty()) {
       if (abort_.load(std::memory_order_relaxed)) return false;
@@ -81,6 +86,14 @@ class Group {
     if (!clocks_[world]->journey.has_ended()) return false;
     finish(world, {.stop_reason = StopReason::timeout});
     return true;
+  }
+
+  /// Takes the first step as it was taken before. True when the world ends with it.
+  bool go_on_from_mark(std::size_t world) {
+    simulation_.rewind(world);
+    simulation_.read_back(world, batch_.state);
+    clocks_[world]->reached = **settled_;
+    return record_step(world);
   }
 
   /// Passes the last step to the recorder. True when the world ends with this step.
@@ -123,6 +136,11 @@ class Group {
     }
     if (event != Journey::Event::start) return false;
     if (!journey.is_at_rest()) clock.caveats = clock.caveats | Caveat::not_at_rest;
+    const bool first_step = begin == -settings_.screening.settle_seconds;
+    if (settled_ != nullptr && !settled_->has_value() && first_step && simulation_.rests(world)) {
+      simulation_.mark(world);
+      *settled_ = clock.reached;
+    }
     return accelerate(world);
   }
 
@@ -159,6 +177,7 @@ class Group {
   std::span<Recorder* const> recorders_;
   const std::atomic<bool>& abort_;
   std::vector<std::size_t> running_;
+  std::optional<double>* settled_;
   StateColumns before_;
   std::vector<std::optional<Clock>> clocks_;  ///< one per world of the batch
   std::vector<AdvanceRequest> requests_;
@@ -189,6 +208,22 @@ bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings,
     if (!Group(engine, *simulation, batch, settings, recorders, abort, std::move(group)).run()) return false;
   }
   return true;
+}
+
+bool LoadSimulation::run(const Acceleration& acceleration, Recorder& recorder, const std::atomic<bool>& abort) {
+  if (!simulation_) {
+    batch_ = {};
+    append_world(batch_, layout_, acceleration, settings_);
+    layout_pose_ = batch_.state;
+    simulation_ = engine_.build(batch_);
+  }
+  batch_.worlds.front().acceleration = &acceleration;
+  batch_.state = layout_pose_;
+  Recorder* const recorders[] = {&recorder};
+  std::optional<double>* const settled = engine_.traits().rewinds ? &settled_ : nullptr;
+  const bool ended = Group(engine_, *simulation_, batch_, settings_, recorders, abort, {0}, settled).run();
+  if (!settled_) simulation_.reset();
+  return ended;
 }
 
 }  // namespace holdfast::internal

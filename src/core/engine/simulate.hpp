@@ -1,10 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
+#include <optional>
 #include <span>
 
 #include "core/engine/engine.hpp"
 #include "core/engine/recorder.hpp"
+#include "core/model/layout.hpp"
 #include "core/model/settings.hpp"
 #include "core/model/world.hpp"
 
@@ -27,5 +30,28 @@ double time_saved(Status status, StopReason stop_reason, double end_time, double
 /// @return false when aborted: `finish` was not called for the recorders of worlds that had not ended
 bool simulate(const Engine& engine, WorldBatch& batch, const Settings& settings, std::span<Recorder* const> recorders,
               const std::atomic<bool>& abort);
+
+/// The worlds of one load under several accelerations, one after the other. With an engine that rewinds, a load that
+/// rests as it stands is built and settled once, and every further world goes on from there: each has the bits that it
+/// has alone.
+class LoadSimulation {
+ public:
+  /// All must outlive this.
+  LoadSimulation(const Engine& engine, const Layout& layout, const Settings& settings)
+      : engine_(engine), layout_(layout), settings_(settings) {}
+
+  /// Simulates the load under the next acceleration.
+  /// @return false when aborted: `finish` was not called
+  bool run(const Acceleration& acceleration, Recorder& recorder, const std::atomic<bool>& abort);
+
+ private:
+  const Engine& engine_;
+  const Layout& layout_;
+  const Settings& settings_;
+  WorldBatch batch_;                        ///< the load alone
+  StateColumns layout_pose_;                ///< of it
+  std::unique_ptr<Simulation> simulation_;  ///< marked where the load has settled; none where it cannot be used again
+  std::optional<double> settled_;           ///< end of the step that proved the load to rest, s
+};
 
 }  // namespace holdfast::internal

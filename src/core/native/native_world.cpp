@@ -49,12 +49,15 @@ void NativeWorld::begin_anew() {
 }
 
 void NativeWorld::mark() {
-  mark_ = state_;
+  mark_ = Mark{state_, counters_, status_, rests_};
   begin_anew();
 }
 
 void NativeWorld::rewind() {
-  state_ = *mark_;
+  state_ = mark_->state;
+  counters_ = mark_->counters;
+  status_ = mark_->status;
+  rests_ = mark_->rests;
   begin_anew();
 }
 

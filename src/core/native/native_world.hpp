@@ -26,7 +26,7 @@ class NativeWorld {
   /// Takes the next step inside the phase, or all of them when nothing moves. Returns the time reached, s.
   double advance(const Phase& phase);
 
-  /// Remembers where the world is, and takes it back to there, to begin a phase.
+  /// Remembers where the world is, and takes it back to there, to begin a phase: all that it tells is as it was.
   void mark();
   void rewind();
 
@@ -62,10 +62,18 @@ class NativeWorld {
   Vec3 gravity_;
   std::unique_ptr<WorldMemory> memory_;
   WorldState state_;
-  std::optional<WorldState> mark_;
   Counters counters_;
   Status status_ = Status::ok;
   StepTransaction step_;
+
+  /// Where the world was when it was marked.
+  struct Mark {
+    WorldState state;
+    Counters counters;
+    Status status;
+    bool rests;
+  };
+  std::optional<Mark> mark_;
 
   bool rests_ = false;
   bool disturbed_ = false;             ///< a force or a coefficient has changed since the last step

@@ -34,11 +34,18 @@ void FailureOrder::enter(std::size_t layout) {
 }
 
 void FailureOrder::count(const WorldRecord& world, const Thresholds& thresholds) {
-  if (rejects(world, thresholds)) ++failures_[world.row.acceleration];
+  if (rejects(world, thresholds)) count_rejection(world.row.acceleration);
 }
 
-bool rejects(const WorldRecord& world, const Thresholds& thresholds) {
-  const Verdict verdict = verdict_of(world, thresholds);
+FailureOrder FailureOrder::for_next_run() const {
+  FailureOrder next = *this;
+  next.block_end_ = 0;
+  return next;
+}
+
+bool rejects(const WorldRecord& world, const Thresholds& thresholds) { return rejects(verdict_of(world, thresholds)); }
+
+bool rejects(Verdict verdict) {
   return verdict != Verdict::stayed && verdict != Verdict::failed && verdict != Verdict::not_needed;
 }
 

@@ -29,6 +29,12 @@ class FailureOrder {
   /// @param thresholds of the run
   void count(const WorldRecord& world, const Thresholds& thresholds);
 
+  /// Counts a layout that an acceleration rejects.
+  void count_rejection(std::size_t acceleration) { ++failures_[acceleration]; }
+
+  /// For another run of the same accelerations: with these failures, and no block open.
+  FailureOrder for_next_run() const;
+
   /// Indices of the accelerations, for the layouts of the open block.
   std::span<const std::size_t> order() const { return order_; }
 
@@ -43,6 +49,7 @@ class FailureOrder {
 };
 
 /// Whether what became of a world rejects its layout: it neither stayed, nor failed to be simulated.
+bool rejects(Verdict verdict);
 bool rejects(const WorldRecord& world, const Thresholds& thresholds);
 
 }  // namespace holdfast::internal

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/engine/engine_support.hpp"
-#include "core/engine/simulate.hpp"
 #include "parallel/schedulers/processor_time.hpp"
 #include "parallel/screening/failure_order.hpp"
 #include "parallel/screening/world_limits.hpp"
@@ -146,6 +145,8 @@ std::size_t UnitRunner::simulate_until_failure(const WorkUnit& unit,
                                                std::vector<WorldRecord>& worlds) const {
   const std::size_t acceleration_count = unit.acceleration_end - unit.acceleration_begin;
   std::vector<const std::string*> failed_by(layouts.size());  // name of the acceleration, once there is one
+  std::optional<LoadSimulation> load;
+  if (layouts.size() == 1) load.emplace(engine_, layouts.front()->layout, settings_);
   std::size_t simulated = 0;
   for (const std::size_t j : order) {
     const Acceleration& acceleration = accelerations_[j].acceleration;
@@ -163,7 +164,8 @@ std::size_t UnitRunner::simulate_until_failure(const WorkUnit& unit,
       batch_layouts.push_back(&layouts[i]->layout);
     }
     if (tried.empty()) continue;
-    std::vector<WorldRecord> records = simulate_batch(batch_layouts, {&acceleration});
+    std::vector<WorldRecord> records =
+        load ? simulate_next(*load, acceleration) : simulate_batch(batch_layouts, {&acceleration});
     simulated += records.size();
     if (records.size() < tried.size()) return simulated;
     for (std::size_t k = 0; k < tried.size(); ++k) {
@@ -179,10 +181,8 @@ std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<const Layo
   WorldBatch batch = make_batch(layouts, accelerations, settings_);
   std::vector<std::unique_ptr<SeriesRecorder>> owners;
   std::vector<Recorder*> recorders;
-  for (std::size_t i = 0; i < batch.worlds.size(); ++i) {
-    RecordingPlan plan = plan_for(plan_, *batch.worlds[i].acceleration);
-    plan.samples = static_cast<std::size_t>(most_samples(*batch.worlds[i].acceleration, settings_));
-    owners.push_back(std::make_unique<SeriesRecorder>(plan));
+  for (const World& world : batch.worlds) {
+    owners.push_back(std::make_unique<SeriesRecorder>(plan_of(*world.acceleration)));
     recorders.push_back(owners.back().get());
   }
   const StageTimer timer(costs_, Stage::simulate);
@@ -190,6 +190,20 @@ std::vector<WorldRecord> UnitRunner::simulate_batch(const std::vector<const Layo
   if (!simulate(engine_, batch, settings_, recorders, abort_)) return records;
   for (const auto& owner : owners) records.push_back(owner->take());
   return records;
+}
+
+std::vector<WorldRecord> UnitRunner::simulate_next(LoadSimulation& load, const Acceleration& acceleration) const {
+  SeriesRecorder recorder(plan_of(acceleration));
+  const StageTimer timer(costs_, Stage::simulate);
+  std::vector<WorldRecord> records;
+  if (load.run(acceleration, recorder, abort_)) records.push_back(recorder.take());
+  return records;
+}
+
+RecordingPlan UnitRunner::plan_of(const Acceleration& acceleration) const {
+  RecordingPlan plan = plan_for(plan_, acceleration);
+  plan.samples = static_cast<std::size_t>(most_samples(acceleration, settings_));
+  return plan;
 }
 
 }  // namespace holdfast::internal

@@ -13,6 +13,7 @@
 #include "core/engine/result_sink.hpp"
 #include "core/engine/run_inputs.hpp"
 #include "core/engine/series_recorder.hpp"
+#include "core/engine/simulate.hpp"
 #include "core/model/settings.hpp"
 #include "parallel/screening/timed_engine.hpp"
 #include "parallel/screening/work_units.hpp"
@@ -68,6 +69,11 @@ class UnitRunner {
   /// Every layout under every acceleration; nothing when aborted.
   std::vector<WorldRecord> simulate_batch(const std::vector<const Layout*>& layouts,
                                           const std::vector<const Acceleration*>& accelerations) const;
+
+  /// A load under its next acceleration, as a batch of one world; nothing when aborted.
+  std::vector<WorldRecord> simulate_next(LoadSimulation& load, const Acceleration& acceleration) const;
+
+  RecordingPlan plan_of(const Acceleration& acceleration) const;
 
   TimedEngine engine_;
   const Settings& settings_;

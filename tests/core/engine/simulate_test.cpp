@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "analyses/walls/wall_forces.hpp"
 #include "core/engine/journey.hpp"
 #include "recorded_calls.hpp"
+#include "same_bits.hpp"
 #include "scenes.hpp"
 #include "scripted_engine.hpp"
 
@@ -244,6 +246,44 @@ TEST_CASE("simulate: a world is the same alone, in a batch and together with oth
       CHECK(same->record.series.time == alone.record.series.time);
       CHECK(same->record.row.peak_total_kinetic_energy == alone.record.row.peak_total_kinetic_energy);
       CHECK(same->record.row.end_time == alone.record.row.end_time);
+    }
+  }
+}
+
+TEST_CASE("simulate: the worlds of a load one after another are what each is alone", "[core][simulate]") {
+  const Layout resting = stack(3, {1, 1, 0}, {0.6, 0.6, 0.6});
+  const Layout falling = stack(2, {1, 1, 0.05}, {0.6, 0.6, 0.6});
+  Layout leaning = resting;
+  leaning.boxes.push_back(box({3, 1, 0}, {0.2, 0.6, 0.2}));
+  leaning.boxes.push_back(box({3.15, 1, 0.2}, {0.6, 0.6, 0.6}));
+  const std::vector<Acceleration> accelerations = {constant(2.0, 0.3), constant(6.0, 0.4), constant(-14.0, 0.4),
+                                                   constant(2.0, 0.3)};
+  for (const char* const name : {"native", "native-plain"}) {
+    Settings settings;
+    settings.native.accuracy = Accuracy::screening;
+    settings.screening.wall_forces = name == std::string("native");  // native-plain measures none
+    const std::unique_ptr<Engine> engine = engine_of(name, settings);
+    for (const Layout& layout : {resting, falling, leaning}) {
+      LoadSimulation load(*engine, layout, settings);
+      for (const Acceleration& acceleration : accelerations) {
+        INFO(name << ", " << layout.boxes.size() << " boxes, " << acceleration.segments[0].acceleration.x());
+        const WorldRecord alone = run(*engine, layout, acceleration, settings).record;
+        SeriesRecorder recorder(recording_plan(settings, true, methods_of(analyses_of(settings))));
+        REQUIRE(load.run(acceleration, recorder, false));
+        const WorldRecord after = recorder.take();
+        CHECK(after.row.state_hash == alone.row.state_hash);
+        CHECK(after.row.end_time == alone.row.end_time);
+        CHECK(after.row.steps == alone.row.steps);
+        CHECK(after.row.steps_skipped == alone.row.steps_skipped);
+        CHECK(after.row.solve_iterations == alone.row.solve_iterations);
+        CHECK(after.row.max_residual == alone.row.max_residual);
+        CHECK(after.row.status == alone.row.status);
+        CHECK(after.row.caveats == alone.row.caveats);
+        CHECK(same_bits(after.end.peak_displacement, alone.end.peak_displacement));
+        CHECK(after.series.time == alone.series.time);
+        CHECK(same_bits(after.series.displacement, alone.series.displacement));
+        CHECK(same_bits(after.found.value<WallForces>().force, alone.found.value<WallForces>().force));
+      }
     }
   }
 }

@@ -44,6 +44,16 @@ TEST_CASE("failure_order: the order holds for a block, and is drawn up from thos
   CHECK(order_of(failures) == Order{1, 2, 0});
 }
 
+TEST_CASE("failure_order: another run begins with the failures that were counted", "[parallel][failure_order]") {
+  FailureOrder failures(3, {});
+  failures.enter(0);
+  failures.count_rejection(2);
+  FailureOrder next = failures.for_next_run();
+  next.enter(0);
+  CHECK(order_of(next) == Order{2, 0, 1});
+  CHECK(next.block_end() == 8);
+}
+
 TEST_CASE("failure_order: blocks double, up to 256 layouts", "[parallel][failure_order]") {
   FailureOrder failures(1, {});
   std::vector<std::size_t> ends;
