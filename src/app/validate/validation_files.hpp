@@ -40,13 +40,13 @@ using Bounds = std::map<std::tuple<std::string, std::string, std::string, std::s
 Result<Bounds> read_bounds(const std::string& path);
 
 /// Writes the errors of the rows as bounds, widened so that another processor's rounding does not miss them: twice the
-/// error and 1e-9 more. Verdicts stay as they are.
+/// error and 1e-9 more. Verdicts stay as they are. Settings that have no bounds (`has_bounds`) are left out.
 std::optional<Error> write_bounds(const std::string& path, std::span<const ValidationRow> rows);
 
 /// What keeps `write_bounds` from writing there, if anything.
 std::optional<Error> check_bounds_file(const std::string& path);
 
-/// The rows whose error is above its bound, or that have none.
+/// The rows whose error is above its bound, or that have none, among the settings that have bounds (`has_bounds`).
 std::vector<ValidationRow> missed(std::span<const ValidationRow> rows, const Bounds& bounds);
 
 /// The rows as JSON: a list of {case, engine, setting, metric, value, expected, error, tolerance, pass, cpu_seconds};

@@ -1,5 +1,7 @@
 #include "validate/laboratory/engine_settings.hpp"
 
+#include <algorithm>
+
 #include "core/native/native_options.hpp"
 
 namespace holdfast::internal {
@@ -54,17 +56,21 @@ const std::vector<EngineSetting>& engine_settings() {
       native_setting("reference", Accuracy::reference, false, false),
       bullet("bullet", "240 Hz, 50 it", 240, 50, true),
       bullet("bullet", "60 Hz, 10 it", 60, 10),
-      bullet("bullet", "120 Hz, 20 it", 120, 20),
-      bullet("bullet", "240 Hz, 10 it", 240, 10),
       bullet("bullet", "480 Hz, 50 it", 480, 50),
       bullet("bullet-f64", "240 Hz, 50 it", 240, 50),
       bullet("bullet-f64", "1000 Hz, 50 it", 1000, 50),
       bullet("bullet-stock", "240 Hz, 10 it", 240, 10, true),
-      bullet("bullet-stock", "60 Hz, 10 it", 60, 10),
       bullet("bullet-stock", "1000 Hz, 10 it", 1000, 10),
       opencl("240 Hz, 20 it", 240, 20),
   };
   return kSettings;
+}
+
+bool has_bounds(const std::string& engine, const std::string& setting) {
+  const std::vector<EngineSetting>& settings = engine_settings();
+  const auto first = std::find_if(settings.begin(), settings.end(),
+                                  [&](const EngineSetting& candidate) { return candidate.engine == engine; });
+  return engine == "native" || (first != settings.end() && first->name == setting);
 }
 
 }  // namespace holdfast::internal

@@ -38,6 +38,12 @@ TEST_CASE("validation_files: recorded bounds leave room for rounding and for not
   CHECK(missed(std::vector{row("rest (m)", 1e-8)}, *bounds).size() == 1);
   CHECK(missed(std::vector{row("stands", 1.0, ToleranceClass::verdict)}, *bounds).size() == 1);
   CHECK(missed(std::vector{row("a new one", 0.0)}, *bounds).size() == 1);
+  // Other settings of Bullet are points of the plot.
+  ValidationRow other = row("path (m)", 1.0);
+  other.setting = "60 Hz, 10 it";
+  CHECK(missed(std::vector{other}, *bounds).empty());
+  REQUIRE_FALSE(write_bounds(path, std::vector{other}).has_value());
+  CHECK(read_bounds(path)->empty());
   std::filesystem::remove(path);
 }
 
