@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Speed against error of native, Box3D and Jolt: road, gentle, sampled, harsh and large loads. README.md says what
-the numbers mean.
+"""Speed against error of native, Box3D and Jolt: loads that are asked whether they hold, and road, gentle, sampled,
+harsh and large loads. README.md says what the numbers mean.
 
 Example: bench/peers/compare.py build/release/bin/peer_bench --output build/peers
 """
@@ -19,13 +19,15 @@ from matplotlib.transforms import Bbox
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import peer_statistics as statistics
-from peer_runs import (ACCELERATIONS, BENCH, HARSH_LOADS, Runner, files_of, generated_loads, loose_loads,
-                       sampled_accelerations)
+from peer_runs import (ACCELERATIONS, BENCH, HARSH_LOADS, Runner, asked_loads, files_of, generated_loads, loose_loads,
+                       sampled_accelerations, weaker_accelerations)
 from tables import replace_tables, table_of
 
 BASE = "native-screening"
-KINDS = ["road", "loose", "gentle", "sampled", "harsh", "large"]
+KINDS = ["holds", "search", "road", "loose", "gentle", "sampled", "harsh", "large"]
 SETTINGS = {
+    "holds": [BASE, f"{BASE}:StepsPerSecond=30:Iterations=10", "native-standard", "box3d-60x4s", "box3d-60x8ks",
+              "box3d-60x16ks", "jolt-60s", "jolt-240s"],
     "road": [BASE, f"{BASE}:StepsPerSecond=30:Iterations=10", "native-standard", "box3d-60x4s", "box3d-60x8ks",
              "box3d-60x16ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s", "jolt-60ps", "jolt-240s", "jolt-240ps"],
     "gentle": [BASE, "native-standard", "box3d-60x4s", "box3d-60x4", "box3d-60x16ks", "jolt-60s", "jolt-60ps"],
@@ -38,6 +40,10 @@ SETTINGS = {
 REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
               "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
 SETTINGS["loose"], REFERENCES["loose"] = SETTINGS["road"], REFERENCES["road"]
+SETTINGS["search"], REFERENCES["holds"], REFERENCES["search"] = SETTINGS["holds"], REFERENCES["road"], REFERENCES["road"]
+ROAD = [ACCELERATIONS / f"road_{name}.txt" for name in ("brake_0g8", "rearward_0g5", "corner_left_0g5", "corner_right_0g5")]
+PROBLEMS = [3, 5, 7, 10]  # of Bischoff and Ratcliff, that the searches load containers with
+ASKED_LOADS = 20  # of each search, evenly chosen among those that it asks for
 TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
 SIZES = [100, 200, 400, 600]  # boxes of the large loads
 GENTLE_REPEATS = 3  # a world takes a few milliseconds, as long as it takes a process to get its first memory
@@ -79,6 +85,36 @@ class Comparison:
     def relative(self, worlds):
         cpu = statistics.cpu_per_second(worlds)
         return cpu, cpu / cpu[BASE if BASE in cpu else cpu.index[0]]
+
+    def holds(self):
+        """What a search asks: whether loads hold, with the bundled ones."""
+        layouts = files_of(self.arguments.layouts, self.arguments.most)
+        title = "Does it hold? The layouts of the road, with 1 mm of play"
+        return self.asked("holds", title, loose_loads(self.arguments.output / "loose_road", layouts), ROAD)
+
+    def search(self):
+        """The same with the loads that searches have asked for, under accelerations of which some of them hold all."""
+        accelerations = weaker_accelerations(self.arguments.output / "weaker")
+        layouts = [load for problem in PROBLEMS
+                   for load in asked_loads(self.arguments, problem, accelerations, ASKED_LOADS)]
+        return self.asked("search", "Does it hold? Loads of searches, under 0.6 g to the front and 0.4 g to the other sides",
+                          layouts, accelerations)
+
+    def asked(self, kind, title, layouts, accelerations):
+        """The table of layouts that are asked whether they hold all accelerations."""
+        known, _ = self.runner.references(kind, layouts, accelerations, self.references(kind))
+        answers = self.runner.ask(kind, layouts, accelerations, self.settings(kind))
+        wrong, holding, counted, every = statistics.wrong_answers(answers, known)
+        costs = answers.groupby("setting", sort=False).agg(cpu=("cpu_seconds", "sum"), asked=("layout", "size"),
+                                                           worlds=("worlds", "mean"))
+        per_second = costs["asked"] / costs["cpu"]
+        relative = per_second[BASE if BASE in per_second else per_second.index[0]] / per_second
+        self.fronts.append((kind, relative, f"wrong answers of {counted}", wrong.sum().astype(float)))
+        title = (f"{title}: {every} loads under {len(accelerations)} accelerations. {' and '.join(known['setting'].unique())} "
+                 f"agree on {counted} loads, of which {holding} hold.")
+        rows = [[name, number(relative[name]), number(per_second[name]), f"{costs['worlds'][name]:.1f}",
+                 str(wrong[name].sum())] for name in per_second.index]
+        return table_of(title, ["setting", "CPU, relative", "loads per CPU s", "worlds per load", f"wrong of {counted}"], rows)
 
     def road(self):
         return self.verdicts("road", "Road", files_of(self.arguments.layouts, self.arguments.most))
@@ -197,6 +233,7 @@ def main():
     parser.add_argument("--layouts", type=Path, nargs="+", default=[BENCH / "layouts", BENCH.parent / "configs" / "layouts"],
                         help="folders of the road, loose and gentle loads")
     parser.add_argument("--most", type=int, help="layouts of these at most, evenly chosen")
+    parser.add_argument("--search", type=Path, help="loading_search, for the loads of searches")
     parser.add_argument("--settings", nargs="+", help="instead of the usual ones of each kind")
     parser.add_argument("--references", nargs="+", help="instead of the usual ones of each kind")
     parser.add_argument("--into", type=Path, help="page whose tables are replaced, such as docs/evidence/peers.md")

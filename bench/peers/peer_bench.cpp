@@ -17,7 +17,8 @@
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_file.hpp"
 #include "parallel/schedulers/processor_time.hpp"
-#include "parallel/screening/series_limit.hpp"
+#include "parallel/screening/failure_order.hpp"
+#include "parallel/screening/world_limits.hpp"
 #include "setting_name.hpp"
 
 namespace holdfast::peers {
@@ -40,6 +41,7 @@ struct Request {
   std::string positions;  ///< empty: none
   double interval = 0.1;  ///< s
   int repeats = 1;
+  bool holds = false;  ///< whether layouts hold is all that is asked
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -94,6 +96,54 @@ WorldRecord run(const internal::Engine& engine, const Layout& layout, const Acce
   return record;
 }
 
+/// Whether a layout holds all accelerations, and what it takes to know.
+struct Answer {
+  bool holds = true;
+  std::size_t worlds = 0;
+  double cpu_seconds = 0.0;
+};
+
+/// Asks one layout after the other whether it holds all accelerations, as a search does: a world ends when its verdict
+/// is decided, and a layout with the first acceleration that it does not hold.
+class Asker {
+ public:
+  Asker(const internal::Engine& engine, const Settings& settings, const std::vector<Acceleration>& accelerations)
+      : engine_(engine),
+        settings_(settings),
+        accelerations_(accelerations),
+        plan_(recording_plan(settings, false)),
+        order_(accelerations.size(), engine.traits()) {
+    plan_.stop_when = internal::StopWhen::moved;
+  }
+
+  Answer ask(const Layout& layout) {
+    Answer answer;
+    const double begin = internal::processor_seconds();
+    order_.enter(asked_++);
+    internal::LoadSimulation load(engine_, layout, settings_);
+    for (const std::size_t i : order_.order()) {
+      internal::SeriesRecorder recorder(plan_);
+      load.run(accelerations_[i], recorder, false);
+      WorldRecord record = recorder.take();
+      record.row.acceleration = i;
+      order_.count(record, plan_.thresholds);
+      ++answer.worlds;
+      answer.holds = !rejects(record, plan_.thresholds);
+      if (!answer.holds) break;
+    }
+    answer.cpu_seconds = internal::processor_seconds() - begin;
+    return answer;
+  }
+
+ private:
+  const internal::Engine& engine_;
+  const Settings& settings_;
+  const std::vector<Acceleration>& accelerations_;
+  internal::RecordingPlan plan_;
+  internal::FailureOrder order_;
+  std::size_t asked_ = 0;
+};
+
 std::string row_of(const WorldRecord& record, const Settings& settings) {
   const internal::WorldVerdict verdict =
       judge_world(record.row, record.end, internal::by_run(recording_plan(settings, false).thresholds));
@@ -124,6 +174,26 @@ Acceleration read_acceleration(const std::string& path) {
   return value_or_fail(parse_acceleration(value_or_fail(internal::read_text_file(path)), warnings));
 }
 
+/// Layout by layout: whether it holds, by every engine.
+void ask_all(const Request& request, const Settings& settings, const std::vector<NamedEngine>& engines,
+             const std::vector<Acceleration>& accelerations) {
+  TextFile answers(request.worlds);
+  answers.write("layout,setting,repeat,boxes,worlds,cpu_seconds,holds\n");
+  std::vector<std::vector<Asker>> askers(static_cast<std::size_t>(request.repeats));
+  for (std::vector<Asker>& of_repeat : askers)
+    for (const NamedEngine& named : engines) of_repeat.emplace_back(*named.engine, settings, accelerations);
+  for (const std::string& path : request.layouts) {
+    const Layout layout = read_layout(path, settings);
+    for (std::size_t repeat = 0; repeat < askers.size(); ++repeat) {
+      for (std::size_t i = 0; i < engines.size(); ++i) {
+        const Answer answer = askers[repeat][i].ask(layout);
+        answers.write(fmt::format("{},{},{},{},{},{:.6f},{:d}\n", layout.name, engines[i].name, repeat,
+                                  layout.boxes.size(), answer.worlds, answer.cpu_seconds, answer.holds));
+      }
+    }
+  }
+}
+
 void run_all(const Request& request) {
   Settings settings;
   settings.results_interval = request.interval;
@@ -131,6 +201,7 @@ void run_all(const Request& request) {
   for (const std::string& name : request.settings) engines.push_back({name, value_or_fail(engine_of(name, settings))});
   std::vector<Acceleration> accelerations;
   for (const std::string& path : request.accelerations) accelerations.push_back(read_acceleration(path));
+  if (request.holds) return ask_all(request, settings, engines, accelerations);
 
   TextFile worlds(request.worlds);
   worlds.write(
@@ -168,12 +239,16 @@ int main(int count, char** values) {
   app.add_option("--settings", request.settings, "Such as native-screening, box3d-60x4s, jolt-480x20x4p")
       ->required()
       ->type_name("NAME");
-  app.add_option("--worlds", request.worlds, "CSV to write: one line per world, setting and repeat")
+  app.add_option("--worlds", request.worlds,
+                 "CSV to write: one line per world (with --holds: per layout), setting and repeat")
       ->required()
       ->type_name("FILE");
   app.add_option("--positions", request.positions, "CSV to write: displacements of all boxes, m")->type_name("FILE");
   app.add_option("--interval", request.interval, "Between two positions of a box, s")->type_name("S");
   app.add_option("--repeats", request.repeats, "How often every world is simulated")->type_name("N");
+  app.add_flag("--holds", request.holds,
+               "Ask only whether each layout holds all accelerations: worlds end when they are decided, a layout with "
+               "the first acceleration that it does not hold");
   CLI11_PARSE(app, count, values);
   holdfast::peers::run_all(request);
   return 0;

@@ -13,7 +13,6 @@ namespace holdfast::peers {
 namespace {
 
 using internal::Surface;
-using internal::SurfaceKind;
 using internal::Vec3;
 
 /// Thickness of the sides, m: as for Bullet.
@@ -22,20 +21,23 @@ constexpr double kSideThickness = 1.0;
 Vector plain(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec3(const Vector& v) { return {v[0], v[1], v[2]}; }
 
-/// Numbers the surfaces that differ, and finds the friction of their pairs.
+/// Numbers the surfaces that differ, and finds the friction of their pairs. Mats are not modelled.
 class Surfaces {
  public:
-  std::size_t number_of(SurfaceKind kind, double friction) {
-    for (std::size_t i = 0; i < known_.size(); ++i)
-      if (known_[i].kind == kind && known_[i].friction == friction) return i;
-    known_.push_back({kind, friction, 0.0});
+  std::size_t number_of(const Surface& surface) {
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+      const Surface& known = known_[i];
+      if (known.kind == surface.kind && known.friction == surface.friction && known.material == surface.material)
+        return i;
+    }
+    known_.push_back({.kind = surface.kind, .friction = surface.friction, .material = surface.material});
     return known_.size() - 1;
   }
 
   FrictionTable table(const internal::ContactSettings& contact) const {
     FrictionTable table{known_.size(), {}};
     for (const Surface& a : known_)
-      for (const Surface& b : known_) table.coefficients.push_back(friction_of_pair(contact, a, b));
+      for (const Surface& b : known_) table.coefficients.push_back(friction_of_pair(contact, a, b, 0.0));
     return table;
   }
 
@@ -43,7 +45,7 @@ class Surfaces {
   std::vector<Surface> known_;
 };
 
-Scene scene_of(const internal::WorldBatch& batch, const internal::World& world, const internal::Settings& settings) {
+Scene scene_of(const internal::WorldBatch& batch, const internal::World& world) {
   Scene scene;
   Surfaces surfaces;
   const internal::BoxView boxes = view(batch.boxes, world);
@@ -61,15 +63,15 @@ Scene scene_of(const internal::WorldBatch& batch, const internal::World& world, 
       body.mass = boxes.mass[i];
       body.inertia = plain(boxes.inertia[i]);
     }
-    body.surface = surfaces.number_of(SurfaceKind::box, boxes.friction[i]);
+    body.surface = surfaces.number_of(boxes.surface[i]);
   }
-  for (const internal::Panel& panel : container_panels(settings.container, kSideThickness)) {
+  for (const internal::Panel& panel : container_panels(world.container, kSideThickness)) {
     Body& body = scene.sides.emplace_back();
     body.start.position = plain(panel.centre);
     body.half_extents = plain(panel.half_extents);
-    body.surface = surfaces.number_of(panel.kind, settings.container.friction);
+    body.surface = surfaces.number_of(panel.surface);
   }
-  scene.friction = surfaces.table(settings.contact);
+  scene.friction = surfaces.table(world.contact);
   return scene;
 }
 
@@ -81,7 +83,7 @@ class SteppedWorld {
       : world_(&world),
         gravity_(0.0, 0.0, -settings.gravity),
         steps_per_second_(steps_per_second),
-        scene_(std::make_unique<Scene>(scene_of(batch, world, settings))),
+        scene_(std::make_unique<Scene>(scene_of(batch, world))),
         peer_(make(*scene_)),
         rounded_(scene_->boxes.size()),
         motions_(scene_->boxes.size()) {

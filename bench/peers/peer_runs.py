@@ -39,6 +39,30 @@ def generated_loads(folder, boxes, count):
     return files_of([target])
 
 
+def weaker_accelerations(folder):
+    """The accelerations of the road, with 0.6 g in place of 0.8 g and 0.4 g in place of 0.5 g, made anew."""
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    files = []
+    for name, share in (("brake_0g8", 0.75), ("rearward_0g5", 0.8), ("corner_left_0g5", 0.8), ("corner_right_0g5", 0.8)):
+        head, *rows = (ACCELERATIONS / f"road_{name}.txt").read_text(encoding="ascii").splitlines()
+        scaled = [[*row.split()[:2], *(f"{share * float(value):.6g}" for value in row.split()[2:])] for row in rows]
+        files.append(Path(folder) / f"weaker_{name}.txt")
+        files[-1].write_text("\n".join([head, *map("\t".join, scaled)]) + "\n", encoding="ascii")
+    return files
+
+
+def asked_loads(arguments, problem, accelerations, count):
+    """So many of the loads that a search for one problem asks for, evenly chosen; made once."""
+    folder = Path(arguments.output) / "asked" / str(problem)
+    if not folder.exists():
+        if not arguments.search:
+            sys.exit("--search: where loading_search is, which makes the loads of searches")
+        subprocess.run([arguments.search, BENCH / "instances.txt", str(problem), *accelerations, "--generations", "40",
+                        "--threads", "1", "--asked", folder], check=True, stdout=subprocess.DEVNULL)
+    files = sorted(folder.glob("*.txt"))
+    return [files[i * len(files) // count] for i in range(min(count, len(files)))]
+
+
 def sampled_accelerations(folder):
     """A lane change and a braking as curves of samples, made anew."""
     subprocess.run([sys.executable, BENCH / "sampled_accelerations.py", folder], check=True)
@@ -69,6 +93,14 @@ class Runner:
             command += ["--positions", positions, "--interval", str(interval)]
         subprocess.run([str(word) for word in command], check=True)
         return pd.read_csv(worlds), pd.read_csv(positions) if interval else None
+
+    def ask(self, name, layouts, accelerations, settings):
+        """Whether each layout holds all accelerations, by every setting, and what it costs to know."""
+        answers = self.output / f"{name}_answers.csv"
+        command = [self.program, "--holds", "--layouts", *layouts, "--accelerations", *accelerations, "--settings", *settings,
+                   "--worlds", answers]
+        subprocess.run([str(word) for word in command], check=True)
+        return pd.read_csv(answers)
 
     def references(self, name, layouts, accelerations, settings, interval=None):
         """The same for references, one acceleration after the other. Peers' results of the same inputs are kept from

@@ -41,6 +41,20 @@ def verdict_errors(worlds, references):
     return pd.DataFrame.from_dict(rows, orient="index"), len(true), len(agreed), apart
 
 
+def wrong_answers(answers, references):
+    """Which answers to "does it hold?" are wrong: one row per layout, one column per setting.
+
+    A layout holds when its largest displacements under all accelerations are below the limit in all references, and does
+    not when it is above under one acceleration in all of them; other layouts are left out. Returns (table, layouts that
+    hold, layouts that count, all layouts).
+    """
+    moved = (largest(references) > MOVED).groupby("layout")
+    holds, fails = ~moved.any().any(axis=1), (largest(references) > MOVED).all(axis=1).groupby("layout").any()
+    true = holds[holds | fails]
+    found = answers.pivot(index="layout", columns="setting", values="holds").reindex(true.index).astype(bool)
+    return found.ne(true, axis=0)[answers["setting"].unique()], int(true.sum()), len(true), len(holds)
+
+
 def consensus(references):
     """The boxes on which all references agree at a time: (their mean positions, the share that agrees per time)."""
     index = [*WORLD, "time", "box"]

@@ -32,7 +32,7 @@ std::optional<Error> override_key(Settings& settings, const std::string& section
   const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
   const internal::SettingKey* key = internal::find_setting(section, text.substr(0, equals));
   if (key == nullptr) return Error{.what = "no key of [" + section + "]", .value = text};
-  if (key->set(settings, 0, value)) return std::nullopt;
+  if (key->set(settings, {}, value)) return std::nullopt;
   return Error{.what = "no value of " + std::string(key->name), .value = value, .accepted = std::string(key->accepted)};
 }
 

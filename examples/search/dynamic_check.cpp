@@ -41,7 +41,10 @@ DynamicCheck::DynamicCheck(const Extents& container, const std::vector<std::stri
 
 std::vector<Stability> DynamicCheck::check(std::span<const Loading> loadings) {
   std::vector<holdfast::Layout> layouts;
-  for (const Loading& loading : loadings) layouts.push_back(layout_of(loading));
+  for (const Loading& loading : loadings) {
+    layouts.push_back(layout_of(loading));
+    if (on_loading) on_loading(loading, checked_ + layouts.size());
+  }
 
   std::vector<Stability> answers(loadings.size(), Stability{.holds = true});
   for (const holdfast::WorldOutcome& world : screen_.evaluate(layouts)) {

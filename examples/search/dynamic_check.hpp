@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <holdfast/holdfast.hpp>
 #include <span>
 #include <string>
@@ -21,6 +22,9 @@ class DynamicCheck {
   /// @param accelerations paths of files
   /// @param threads 0: one per core
   DynamicCheck(const Extents& container, const std::vector<std::string>& accelerations, int threads);
+
+  /// Is called with every loading that is checked, and its number from 1; nothing at first.
+  std::function<void(const Loading&, std::size_t)> on_loading;
 
   /// One answer per loading, in their order.
   std::vector<Stability> check(std::span<const Loading> loadings);

@@ -75,6 +75,14 @@ void write(const Loading& loading, const Instance& instance, const std::filesyst
 void run(const Options& options) {
   const Decoder decoder(read_instance(options.instances, options.problem));
   DynamicCheck check(decoder.instance().container, options.accelerations, options.threads);
+  if (!options.asked_folder.empty()) {
+    std::filesystem::create_directories(options.asked_folder);
+    check.on_loading = [&](const Loading& loading, std::size_t number) {
+      char name[32];
+      std::snprintf(name, sizeof name, "%06zu.txt", number);
+      write(loading, decoder.instance(), std::filesystem::path(options.asked_folder) / name);
+    };
+  }
   Search search(decoder, check, {.population = options.population, .seed = options.seed});
   Report report(search, check);
   int generation = 0;

@@ -12,7 +12,8 @@ const char* const kUsage =
     "  --population N      loadings per generation, at least 10 (50)\n"
     "  --seed N            another seed, another search (1)\n"
     "  --threads N         threads that simulate; 0: one per core (0)\n"
-    "  --out FOLDER        write the fullest loadings there as layout files\n";
+    "  --out FOLDER        write the fullest loadings there as layout files\n"
+    "  --asked FOLDER      write every loading that is checked there, in their order\n";
 
 namespace {
 
@@ -54,6 +55,8 @@ Options read_options(const std::vector<std::string>& words) {
       options.threads = number_of(name, value, 0);
     } else if (name == "--out") {
       options.out_folder = value;
+    } else if (name == "--asked") {
+      options.asked_folder = value;
     } else {
       throw std::runtime_error("there is no option " + name);
     }

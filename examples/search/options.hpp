@@ -21,8 +21,9 @@ struct Options {
   int generations = std::numeric_limits<int>::max();  ///< budget too: whichever is spent first
   std::size_t population = 50;
   std::uint64_t seed = 1;
-  int threads = 0;         ///< 0: one per core
-  std::string out_folder;  ///< where layout files of the best loadings go; empty: nowhere
+  int threads = 0;           ///< 0: one per core
+  std::string out_folder;    ///< where layout files of the best loadings go; empty: nowhere
+  std::string asked_folder;  ///< where those of all loadings go that are checked; empty: nowhere
 };
 
 extern const char* const kUsage;
