@@ -1,10 +1,13 @@
 #include "core/model/norms_page.hpp"
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "core/base/number_text.hpp"
 #include "core/model/friction_pairs.hpp"
 #include "core/model/norms.hpp"
+#include "core/model/push_direction.hpp"
 #include "core/model/wrapped_text.hpp"
 
 namespace holdfast::internal {
@@ -27,9 +30,36 @@ the front. Sizes are in g, 9.81 m/s². c_z is what is left of the load's weight 
 table does not say it. A c_z below 1 is a third component of the container's acceleration, a_z = -(1 - c_z) · 9.81 m/s²,
 which lowers weight and friction alike.
 
+A load is pushed against the acceleration of its container, whose frame has x from the front wall to the door, y from
+the left side to the right, seen forwards, and z upwards. Files of `configs/accelerations` are named after what the
+vehicle does:
+
+| the load is pushed to the | container's acceleration | such as | file |
+| --- | --- | --- | --- |
+)";
+
+/// What a vehicle does that pushes its load in each direction of margins, and the file that is named after it.
+struct Manoeuvre {
+  std::string_view what, file;
+};
+constexpr std::array<Manoeuvre, kDirectionCount> kManoeuvres = {
+    {{"braking", "road_brake_0g8.txt"},
+     {"driving off, or braking while it reverses", "road_rearward_0g5.txt"},
+     {"a turn to the right", "road_corner_right_0g5.txt"},
+     {"a turn to the left", "road_corner_left_0g5.txt"}}};
+
+constexpr std::string_view kNormsHead = R"(
 | norm | accelerations | source |
 | --- | --- | --- |
 )";
+
+/// "x > 0": the sign of a container's acceleration that pushes the load in a direction.
+std::string sign_of(std::size_t direction) {
+  const Vec3 acceleration = push_acceleration(direction, 1.0);
+  Vec3::Index axis = 0;
+  acceleration.cwiseAbs().maxCoeff(&axis);
+  return std::string(1, "xyz"[axis]) + (acceleration[axis] > 0.0 ? " > 0" : " < 0");
+}
 
 constexpr std::string_view kAccelerationsNotes = R"(
 Results call an acceleration `road-front-0g8`: norm, direction, size. The run prints the numbers and their source when
@@ -90,6 +120,10 @@ std::string title_of(const Norm& norm) { return std::string(norm.name) + (norm.t
 
 std::string norms_page() {
   std::string page(kAccelerationsIntro);
+  for (std::size_t i = 0; i < kDirectionCount; ++i)
+    page += "| " + std::string(kMarginDirections.at(i).name) + " | " + sign_of(i) + " | " +
+            std::string(kManoeuvres.at(i).what) + " | `" + std::string(kManoeuvres.at(i).file) + "` |\n";
+  page += kNormsHead;
   for (const Norm& norm : norms())
     page += "| `" + title_of(norm) + "` | " + numbers_of(norm) + " | " + std::string(norm.source) + " |\n";
   page += kAccelerationsNotes;
