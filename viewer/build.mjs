@@ -1,6 +1,7 @@
 // Builds the page: bundles the sources and puts script, worker and style into one HTML file.
 //   node build.mjs            build/viewer/viewer.html, and licenses.txt
 //   node build.mjs --tests    the unit tests, into build/viewer/tests
+import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
@@ -31,6 +32,15 @@ async function licensesText(withEngine) {
   return texts.join("\n\n");
 }
 
+/** The sources of norms, as `holdfast --norms-page` has written them: rows of name, accelerations and source. */
+async function normSources() {
+  const page = await readFile(path.join(here, "../docs/reference/norms.md"), "utf8");
+  const [, table] = page.split("| norm | accelerations | source |");
+  const rows = [...table.split("\n\n")[0].matchAll(/^\| `([^:`]+)(?::K)?` \| .*? \| (.*) \|$/gm)];
+  if (rows.length === 0) throw new Error("docs/reference/norms.md has no norms");
+  return JSON.stringify(Object.fromEntries(rows.map(([, name, source]) => [name, source])));
+}
+
 /** One script of everything that an entry file uses. */
 async function bundle(entry) {
   const result = await build({
@@ -43,10 +53,35 @@ async function bundle(entry) {
     charset: "utf8",
     legalComments: "none",
     alias: { "holdfast-engine": engine },
+    define: { HOLDFAST_NORM_SOURCES: await normSources() },
     // h5wasm looks for these under Node only.
     external: ["node:*", "fs", "path", "module", "url", "crypto", "worker_threads"],
   });
   return result.outputFiles[0].text;
+}
+
+/**
+ * What the page may do: run its own script, the workers in it and WebAssembly, and nothing else. It asks nobody for anything, whatever
+ * is in a file that it shows: `holdfast view --serve` alone lets it ask the server that it is from.
+ */
+function policyFor(script) {
+  const hash = createHash("sha256").update(script).digest("base64");
+  const rules = {
+    "default-src": "'none'",
+    "script-src": `'sha256-${hash}' 'wasm-unsafe-eval'`,
+    "worker-src": "blob:",
+    // Elements have styles of their own: colours, places, lengths of bars.
+    "style-src": "'unsafe-inline'",
+    "img-src": "data: blob:",
+    "media-src": "blob:",
+    // Packed parts of the page are read as such addresses.
+    "connect-src": "data:",
+    "base-uri": "'none'",
+    "form-action": "'none'",
+  };
+  return Object.entries(rules)
+    .map(([rule, sources]) => `${rule} ${sources}`)
+    .join("; ");
 }
 
 async function buildPage() {
@@ -59,9 +94,11 @@ async function buildPage() {
     bundle("src/data/worker.ts"),
     existsSync(engine) ? bundle("src/live/engine_worker.ts") : "",
   ]);
+  const inline = script.replaceAll("</script", "<\\/script");
   const parts = {
     STYLE: style,
-    SCRIPT: script.replaceAll("</script", "<\\/script"),
+    SCRIPT: inline,
+    POLICY: policyFor(inline),
     // The worker is nearly all HDF5 in WebAssembly: packed, it is a third as large.
     WORKER: gzipSync(worker, { level: 9 }).toString("base64"),
     ENGINE: live && gzipSync(live, { level: 9 }).toString("base64"),
@@ -88,6 +125,7 @@ async function buildTests() {
     outExtension: { ".js": ".mjs" },
     nodePaths: [path.join(here, "node_modules")],
     external: ["playwright-core"],
+    define: { HOLDFAST_NORM_SOURCES: await normSources() },
     logLevel: "warning",
   });
 }

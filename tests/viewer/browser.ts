@@ -6,7 +6,7 @@ const { chromium }: typeof import("playwright-core") = createRequire(PACKAGES)("
 
 let browser: Browser | undefined;
 
-/** A page in Debian's Chromium, with WebGL in software; an error of the script ends the test. */
+/** A page in Debian's Chromium, with WebGL in software; an error of the script ends the test, and so does any request that it makes. */
 export async function openPage(
   options: { file?: string; width?: number; height?: number; dark?: boolean; address?: string } = {},
 ) {
@@ -21,7 +21,14 @@ export async function openPage(
   page.on("pageerror", (error) => {
     throw error;
   });
-  await page.goto(options.address ?? `file://${PAGE}`);
+  const address = options.address ?? `file://${PAGE}`;
+  page.on("request", (request) => {
+    const { protocol, origin } = new URL(request.url());
+    const served = protocol === "http:" && origin === new URL(address).origin;
+    if (!["data:", "blob:"].includes(protocol) && !served && request.url().split("#")[0] !== address.split("#")[0])
+      throw new Error(`the page asks for ${request.url()}`);
+  });
+  await page.goto(address);
   if (options.file) await choose(page, options.file);
   return page;
 }

@@ -277,6 +277,15 @@ function loads(name) {
   screen(name, at("pairs.ini"), "--layouts", ...files, "--norm", "road");
 }
 
+/** Names that would be scripts where they were not text. */
+function hostile(name) {
+  const box = (from, called) => ({ corner_min: [from, 0, 0], corner_max: [from + 1, 1, 1], name: called });
+  const boxes = [box(0, "<img src=x onerror=window.hacked=1>"), box(1.5, "</script><script>window.hacked=1</script>")];
+  const loads = [{ name: "<script>window.hacked=1</script>", boxes }];
+  writeFileSync(at("hostile.json"), JSON.stringify({ holdfast: 1, loads }));
+  screen(name, DEMO, "--layouts", at("hostile.json"), "--norm", "road");
+}
+
 /** A file from before loads said more than places, sizes and materials. */
 async function withoutLoads(name, from) {
   const hdf5 = await library();
@@ -291,8 +300,9 @@ async function withoutLoads(name, from) {
 
 mkdirSync(folder, { recursive: true });
 loads("loads.h5");
+hostile("hostile.h5");
 screen("demo.h5", DEMO, "--layouts", ...layouts, "--norm", "road");
-const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27"];
+const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27", "--damage"];
 // Boxes slide sooner than on the mats of the demo: more of them fall, and the 0.5 g of the road just move them.
 const cardboard = at("cardboard.ini");
 writeFileSync(cardboard, readFileSync(DEMO, "utf8").replaceAll("= anti-slip", "= cardboard-cardboard"));

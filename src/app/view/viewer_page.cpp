@@ -50,11 +50,15 @@ std::string as_attribute(std::string_view text) {
   return escaped;
 }
 
-std::string filled(std::string_view page, std::string_view element) {
-  const std::size_t at = page.find(kPlace);
+/// What the policy of the page lets it ask for: packed parts of itself. A page that is served asks its server, too.
+constexpr std::string_view kMayAsk = "connect-src data:";
+
+/// A page with one of its parts replaced.
+std::string with(std::string_view page, std::string_view part, std::string_view other) {
+  const std::size_t at = page.find(part);
   std::string text;
-  text.reserve(page.size() + element.size());
-  text.append(page.substr(0, at)).append(element).append(page.substr(at + kPlace.size()));
+  text.reserve(page.size() + other.size());
+  text.append(page.substr(0, at)).append(other).append(page.substr(at + part.size()));
   return text;
 }
 
@@ -70,7 +74,8 @@ Result<std::string> viewer_page() {
   }
   Result<TextFile> file = read_text_file(path);
   if (!file) return file.errors();
-  if (!is_viewer_page(file->text) || file->text.find(kPlace) == std::string::npos) {
+  const auto has = [&](std::string_view part) { return file->text.find(part) != std::string::npos; };
+  if (!is_viewer_page(file->text) || !has(kPlace) || !has(kMayAsk)) {
     return Error{.file = path, .what = "is no page of the viewer", .accepted = "`make viewer` builds it again"};
   }
   return std::move(file->text);
@@ -79,14 +84,15 @@ Result<std::string> viewer_page() {
 bool is_viewer_page(std::string_view text) { return text.substr(0, 1024).find(kMark) != std::string_view::npos; }
 
 std::string page_with_results(std::string_view page, std::string_view name, std::string_view bytes) {
-  return filled(page, fmt::format(R"(<script type="text/plain" id="results" data-name="{}">{}</script>)",
-                                  as_attribute(name), base64(bytes)));
+  return with(page, kPlace,
+              fmt::format(R"(<script type="text/plain" id="results" data-name="{}">{}</script>)", as_attribute(name),
+                          base64(bytes)));
 }
 
 std::string page_with_address(std::string_view page, std::string_view name, std::string_view address) {
-  return filled(page,
-                fmt::format(R"(<script type="text/plain" id="results" data-name="{}" data-address="{}"></script>)",
-                            as_attribute(name), as_attribute(address)));
+  return with(with(page, kMayAsk, std::string(kMayAsk) + " 'self'"), kPlace,
+              fmt::format(R"(<script type="text/plain" id="results" data-name="{}" data-address="{}"></script>)",
+                          as_attribute(name), as_attribute(address)));
 }
 
 }  // namespace holdfast::internal
