@@ -30,10 +30,27 @@ test("the overview has the caveats, both margins, and what is not modelled", asy
   await page.keyboard.press("ArrowDown");
   const detail = await page.innerText(".detail");
   assert.match(detail, /largest displacement\s+[\d.]+ cm\s+displacement at the end/);
-  assert.match(detail, /critical box\s+\d+/);
+  assert.match(detail, /(goes first|nearest to a limit): box\s+\d+/);
   assert.match(detail, /margins in place\s+front [\d.]+ g.*\s+margins within the limits\s+front [\d.]+ g/);
   const scales = await page.innerText(".tools select[aria-label=Colour]");
   assert.match(scales, /largest displacement, m\s+margin within the limits, g\s+margin in place, g/);
+  await page.close();
+});
+
+test("the matrix is coloured by damage and by forces on walls; verdicts keep their signs, and lose their colours", async () => {
+  const page = await openPage({ file: "rich.h5" });
+  const background = () => page.$eval(".verdicts .swatch", (swatch) => getComputedStyle(swatch).backgroundColor);
+  assert.notEqual(await background(), "rgba(0, 0, 0, 0)");
+  await page.selectOption(".tools select[aria-label=Colour]", { label: "force on walls, share of en12642-xl" });
+  assert.equal(await background(), "rgba(0, 0, 0, 0)");
+  assert.match(await page.innerText(".order"), /0 %\s+100 % of en12642-xl, or more/);
+  await page.focus(".matrix");
+  await page.keyboard.press("Home");
+  assert.match(await page.innerText(".detail"), /The load is pushed to the front with 0\.8 g/);
+  assert.match(await page.innerText(".detail"), /hardest on a wall\s+[\d.]+ kN, \d+ % of en12642-xl/);
+  await page.selectOption(".tools select[aria-label=Colour]", { label: "boxes beyond the damage boundary" });
+  assert.match(await page.innerText(".order"), /no box\s+100 boxes or more/);
+  assert.match(await page.innerText(".detail"), /beyond the damage boundary\s+\d/);
   await page.close();
 });
 

@@ -131,7 +131,7 @@ test("arrow keys drive: boxes move, and what was driven is screened by the progr
   await page.keyboard.press("0");
   for (let press = 0; press < 7; ++press) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowUp");
-  await says(page, ".drive", /by hand[\s\S]*along\s+−0\.70 g[\s\S]*across\s+0\.10 g/);
+  await says(page, ".drive", /by hand[\s\S]*along\s+0\.70 g front[\s\S]*across\s+0\.10 g right/);
   await page.keyboard.press(" ");
   await reaches(page, 0.5);
   await page.keyboard.press("ArrowUp");
@@ -217,13 +217,13 @@ test("a box is put elsewhere by its number, by key and by pointer; the engine sa
   skip,
 }, async () => {
   const page = await openLive("demo.h5", 1);
-  const field = page.locator("input[aria-label^='x of its corner']");
+  const field = page.locator("input[aria-label^='From the front']");
   await page.focus(".scroller");
   await page.keyboard.press("ArrowDown");
   const before = Number(await field.inputValue());
   await page.keyboard.press("Shift+ArrowRight");
   await page.waitForFunction(
-    (value) => document.querySelector<HTMLInputElement>("input[aria-label^='x of']")!.value === value,
+    (value) => document.querySelector<HTMLInputElement>("input[aria-label^='From the front']")!.value === value,
     String(before + 1),
   );
   await says(page, ".drive .problem", /box \d+ overlaps box \d+/);
@@ -255,7 +255,7 @@ test("reset at the start brings back the layout of the file", { skip }, async ()
   const page = await openLive("demo.h5", 1);
   await page.focus(".scroller");
   await page.keyboard.press("ArrowDown");
-  const field = page.locator("input[aria-label^='x of its corner']");
+  const field = page.locator("input[aria-label^='From the front']");
   const before = await field.inputValue();
   await field.fill("700");
   await field.press("Enter");

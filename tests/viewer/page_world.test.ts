@@ -128,6 +128,17 @@ for (const colouring of ["displacement", "speed", "tilt", "first", "material", "
     await page.close();
   });
 
+test("boxes are coloured by how near they came to the damage boundary, and say their hardest impact", async () => {
+  const page = await openWorld("rich.h5", 5, "&colouring=damage&box=60");
+  assert.match(await page.innerText(".colours"), /not struck\s+twice the damage boundary, or more/);
+  assert.match(await page.innerText(".panel .box"), /hardest impact\s+[\d.]+ g, [\d.]+ m\/s/);
+  assert.match(
+    await page.innerText(".panel .top"),
+    /The load is pushed to the front with 0\.8 g, from 0\.5 s to 1\.5 s\./,
+  );
+  await page.close();
+});
+
 test("a scale has two ends: where one box goes beyond a limit, its time has one colour", async () => {
   const page = await openWorld("demo.h5", 1, "&colouring=first");
   assert.match(await page.innerText(".colours"), /^first, 0\.\d\d s\s+never beyond a limit$/);

@@ -128,7 +128,7 @@ async function live(page, world, scheme) {
 /** Brakes for a second, and pulls a box on top to the front. */
 async function pull(page) {
   await page.keyboard.press("0");
-  for (let press = 0; press < 6; ++press) await page.keyboard.press("ArrowRight");
+  for (let press = 0; press < 6; ++press) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press(" ");
   await page.waitForFunction(() => Number.parseFloat(document.querySelector(".readout").textContent) >= 0.8);
   await page.keyboard.press("0");

@@ -7,6 +7,7 @@ import { criticalBox, excursionsTo } from "../../viewer/src/data/excursions";
 import { betweenBoxes, frictionText, onFloor } from "../../viewer/src/data/friction";
 import { fixedMaterials, openingsText, readOpenings } from "../../viewer/src/data/openings";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../../viewer/src/data/outcome";
+import { pushSentence } from "../../viewer/src/data/push";
 import type { BoxColumns, Results, Series, World } from "../../viewer/src/data/results";
 import { caveatsOf } from "../../viewer/src/data/status";
 import { meaningOf, verdictText } from "../../viewer/src/data/verdict";
@@ -14,7 +15,17 @@ import { bedOf, insideOf } from "../../viewer/src/load/container_faces";
 import { accelerationAt, accelerationSteps } from "../../viewer/src/time/acceleration";
 import { between, slerp, tiltOf, times } from "../../viewer/src/time/poses";
 import { markers, roundStep, roundTicks, strips } from "../../viewer/src/time/strips";
-import { compared, degrees, fixed, margin, metres, newtons, seconds, tickText } from "../../viewer/src/ui/text";
+import {
+  compared,
+  degrees,
+  fixed,
+  margin,
+  metres,
+  newtons,
+  seconds,
+  tickText,
+  wayText,
+} from "../../viewer/src/ui/text";
 
 const LIMITS = { move: 0.1, drop: 0.05, tilt: 10 };
 
@@ -36,6 +47,51 @@ test("half way between two rotations is half the angle, the short way round", ()
     assert.ok(Math.abs(out[2] - Math.sin(Math.PI / 8)) < 1e-6);
     assert.ok(Math.abs(out[3] - Math.cos(Math.PI / 8)) < 1e-6);
   }
+});
+
+test("an acceleration pushes the load against where the container goes, in the words of a planner", () => {
+  const of = (...values: [number, number, number][]) =>
+    values.map((value, i) => ({ start: 0.5 + i, duration: 1, value }));
+  assert.equal(
+    pushSentence(of([7.848, 0, 0])),
+    "The load is pushed to the front with 0.8 g, from 0.5 s to 1.5 s.",
+    "braking",
+  );
+  // A vehicle that turns left accelerates to the left, which is a negative y.
+  assert.match(pushSentence(of([0, -4.905, 0])), /to the right with 0.5 g/);
+  assert.match(pushSentence(of([0, 4.905, 0])), /to the left with 0.5 g/);
+  assert.match(pushSentence(of([-4.905, 0, 0])), /to the rear with 0.5 g/);
+  assert.match(pushSentence(of([1, 1, 0])), /to the front and left with 0.144 g/);
+  assert.equal(
+    pushSentence(of([0, 2, 0], [0, 1, 0], [0, -2, 0])),
+    "The load is pushed to the left with 0.204 g, from 0.5 s to 2.5 s, then to the right with 0.204 g, from 2.5 s to 3.5 s.",
+    "what goes on in the same direction is one push",
+  );
+  const light = pushSentence(of([2.943, 0, -0.5 * 9.81]));
+  assert.match(light, /to the front with 0.3 g.* Meanwhile it weighs 50 % of what it weighs at rest\.$/);
+  assert.equal(pushSentence(of([0, 0, 0])), "The load is not pushed to any side.");
+  const many = [1, -1, 1, -1.5].map((x): [number, number, number] => [x, 0, 0]);
+  assert.equal(pushSentence(of(...many)), "The load is pushed 4 times, hardest to the rear with 0.153 g.");
+});
+
+test("a way is told in words: forwards, left, down", () => {
+  const way = (...displacement: number[]) => wayText(displacement).replaceAll("\u00a0", " ");
+  assert.equal(way(-0.123, 0.04, -0.02), "12.3 cm forwards, 4.0 cm right, 2.0 cm down");
+  assert.equal(way(1.5, -0.0004, 0), "1.50 m backwards");
+  assert.equal(wayText([0, 0, 0]), "");
+});
+
+test("the time line has a curve for each side that the load is pushed to", () => {
+  const segments = [
+    { start: 0, duration: 1, value: [7.848, 0, 0] },
+    { start: 1, duration: 1, value: [0, -4.905, 0] },
+  ];
+  const [pushed] = strips({ series: null, segments, accelerated: true } as unknown as World, 0, 2);
+  const curves = pushed.lines.map(({ label, values }) => [label, ...Array.from(values, (v) => Number(v.toFixed(6)))]);
+  assert.deepEqual(curves, [
+    ["front", 0.8, 0, 0],
+    ["right", 0, 0.5, 0.5],
+  ]);
 });
 
 test("segments of an acceleration hold from their start to before their end", () => {
@@ -387,7 +443,7 @@ test("each curve has a unit, and an axis that takes in all of its values", () =>
   const world = { series, segments: [], accelerated: true } as unknown as World;
   const found = strips(world, 0, 1).map(({ unit, ticks }) => ({ unit, ticks }));
   assert.deepEqual(found, [
-    { unit: "m/s²", ticks: [0, 0.5, 1] },
+    { unit: "g", ticks: [0, 0.5, 1] },
     { unit: "kJ", ticks: [0, 2, 4] },
     { unit: "boxes", ticks: [0, 1] },
   ]);

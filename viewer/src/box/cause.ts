@@ -1,11 +1,11 @@
 import { excursionsTo, shareOfLimits } from "../data/excursions";
 import { betweenBoxes, onFloor } from "../data/friction";
 import { REAR, sideName, UPRIGHT } from "../data/openings";
+import { GRAVITY } from "../data/push";
 import type { BoxColumns, Results, Series, Thresholds, World } from "../data/results";
 import { tiltOf } from "../time/poses";
 import { compared, gravities, metres } from "../ui/text";
 
-const GRAVITY = 9.81;
 /**
  * A box begins to move in the first sample in which it has used up more than this share of a limit: 1 cm or 1° with the usual ones.
  * A smaller share takes boxes that only give way to their neighbours, a greater one is too late to see what began.

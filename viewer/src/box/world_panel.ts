@@ -1,6 +1,7 @@
 import { isBeyond, shareOfLimits } from "../data/excursions";
 import { UPRIGHT } from "../data/openings";
 import { VERDICT_CODES } from "../data/outcome";
+import { GRAVITY, pushSentence } from "../data/push";
 import { type Container, type Margins, NOT_COUNTED, PRESSED, type Results, type World } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
@@ -9,7 +10,21 @@ import { boxVerdict } from "../load/quantities";
 import { between, tiltOf, times } from "../time/poses";
 import { element } from "../ui/dom";
 import type { Store } from "../ui/state";
-import { compared, degrees, fixed, joules, kilograms, margin, metres, newtons, plural, seconds } from "../ui/text";
+import {
+  compared,
+  degrees,
+  fixed,
+  gravities,
+  joules,
+  kilograms,
+  margin,
+  metres,
+  newtons,
+  percent,
+  plural,
+  seconds,
+  wayText,
+} from "../ui/text";
 import { BoxList } from "./box_list";
 import { boxText } from "./box_text";
 import { causeOf } from "./cause";
@@ -62,6 +77,7 @@ export class WorldPanel {
         element("span", { class: "faint" }, world.engine),
       ),
       soft(meaningOf(verdict, judgedAtEnd)),
+      world.accelerated ? soft(pushSentence(world.segments)) : null,
       ...counts.map(soft),
       isAtLeast(verdict, stopReason)
         ? element("p", { class: "notable" }, "It ended when that was decided: what would have followed is not known.")
@@ -194,7 +210,6 @@ export class WorldPanel {
     const isFixed = boxes.fixed[box] === 1;
     const first = boxes.firstBeyond[box];
     const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => String(Number((100 * side).toFixed(1))));
-    const [x, y, z] = [...boxes.endDisplacement.subarray(3 * box, 3 * box + 3)].map((part) => fixed(100 * part, 1));
     const facts: [string, string][] = [
       ["size, cm", size.join(" × ")],
       ["material", boxes.material[box]],
@@ -206,7 +221,7 @@ export class WorldPanel {
       ["mass", kilograms(boxes.mass[box])],
       ["largest displacement", metres(boxes.peak.displacement[box])],
       ["displacement at the end", metres(boxes.end.displacement[box])],
-      ["x, y, z at the end, cm", `${x}, ${y}, ${z}`],
+      ["of that", wayText(boxes.endDisplacement.subarray(3 * box, 3 * box + 3)) || "–"],
       ["largest drop", metres(boxes.peak.drop[box])],
       ["drop at the end", metres(boxes.end.drop[box])],
       ["largest tilt", degrees(boxes.peak.tilt[box])],
@@ -219,6 +234,11 @@ export class WorldPanel {
         "beyond a limit first",
         Number.isNaN(first) && verdict === VERDICT_CODES.stayed ? "never" : seconds(first),
       ]);
+    const { damage } = boxes;
+    if (damage) {
+      const hit = `${gravities(damage.acceleration[box] / GRAVITY)}, ${fixed(damage.velocityChange[box], 2)} m/s`;
+      way.push(["hardest impact", damage.beyond[box] ? `${hit}: beyond the boundary` : hit]);
+    }
     if (!isFixed) facts.push(...way);
     this.box.replaceChildren(
       element("h2", {}, boxText(boxes, box, "Box")),
@@ -269,7 +289,7 @@ export class WorldPanel {
           element("i", { class: "most", style: `width: ${share(most)}` }),
           element("i", { class: "now", style: `width: ${share(Number.isFinite(now) ? now : 0)}` }),
         ),
-        element("span", { class: "value" }, limit > 0 ? shareText(most / limit) : newtons(most)),
+        element("span", { class: "value" }, limit > 0 ? percent(most / limit) : newtons(most)),
       );
     });
     this.walls.replaceChildren(
@@ -297,9 +317,6 @@ const containerSentence = (container: Container) =>
   `In a container of its own: ${containerFactsOf(container)
     .map(([, text]) => text)
     .join("; ")}.`;
-
-/** In percent. What is more than 100 % reads as more. */
-const shareText = (share: number) => compared(100 * share, 100, (value, more) => `${fixed(value, more)} %`)[0];
 
 /** What a layout stands in each direction, as sentences. */
 function marginSentences(margins: Margins, layout: number, { boxes }: World): string[] {

@@ -1,14 +1,18 @@
 import { criticalBox, excursionsTo } from "./excursions";
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
-import { fixedMaterials } from "./openings";
+import { fixedMaterials, UPRIGHT } from "./openings";
 import { VERDICT_CODES } from "./outcome";
 import { LoadInputs, readContainers } from "./read_loads";
 import {
   type BoxColumns,
+  type BoxDamage,
+  type Damage,
   type Excursions,
+  type HardestWalls,
   type MarginColumns,
   type Margins,
   NOT_COUNTED,
+  PRESSED,
   type Replicas,
   type Results,
   type Segment,
@@ -127,6 +131,7 @@ export class ResultsReader {
     const earlier = results.judgedAtEnd;
     const fixed = fixedMaterials(results.settings);
     const load = this.loads.boxes(results.worlds.layout[index], column("boxes/material"));
+    const damage = results.damage && accelerated ? this.damage(begin, end) : undefined;
     const peak = earlier
       ? { displacement: float("boxes/peak_displacement"), drop: unknown(), tilt: unknown() }
       : peaks("peak");
@@ -152,6 +157,16 @@ export class ResultsReader {
       moved: flags("moved"),
       tilted: flags("tilted"),
       unstable: flags("unstable"),
+      damage,
+    };
+  }
+
+  private damage(begin: number, end: number): BoxDamage {
+    const column = (name: string) => this.file.numbers(`damage/${name}`, begin, end);
+    return {
+      acceleration: column("peak_acceleration") as Float32Array,
+      velocityChange: column("velocity_change") as Float32Array,
+      beyond: column("beyond") as Uint8Array,
     };
   }
 
@@ -231,6 +246,39 @@ function readSummary(file: Hdf5File, root: Record<string, string | number>, name
     hasWalls: file.has("walls"),
     margins: readMargins(file),
     replicas: readReplicas(file),
+    damage: readDamage(file, settings),
+    hardestWalls: readHardestWalls(file, settings),
+  };
+}
+
+function readDamage(file: Hdf5File, settings: Readonly<Record<string, string>>): Damage | undefined {
+  if (!file.has("damage")) return undefined;
+  return {
+    boxesBeyond: uint32(file.numbers("damage/boxes_beyond")),
+    boundary: {
+      acceleration: Number(settings["Screening/CriticalAcceleration"]),
+      velocityChange: Number(settings["Screening/CriticalVelocityChange"]),
+    },
+  };
+}
+
+function readHardestWalls(file: Hdf5File, settings: Readonly<Record<string, string>>): HardestWalls | undefined {
+  if (!file.has("walls")) return undefined;
+  const [force, limit] = ["lasting_force", "limit"].map((name) => file.numbers(`walls/${name}`));
+  const worlds = file.numbers("worlds/layout").length;
+  const sides = force.length / worlds;
+  const upright = UPRIGHT.map(({ name }) => PRESSED.indexOf(name));
+  const most = (of: (at: number) => number) =>
+    Float64Array.from({ length: worlds }, (_, world) => {
+      const known = upright.map((side) => of(sides * world + side)).filter((value) => !Number.isNaN(value));
+      return known.length > 0 ? Math.max(...known) : Number.NaN;
+    });
+  const forces = most((at) => force[at]);
+  return {
+    force: forces,
+    most: forces.reduce((sofar, value) => (value > sofar ? value : sofar), 0),
+    share: most((at) => (limit[at] > 0 ? force[at] / limit[at] : Number.NaN)),
+    norm: settings["Screening/Walls"] ?? "",
   };
 }
 

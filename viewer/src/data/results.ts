@@ -80,6 +80,25 @@ export interface Replicas {
   high: Float64Array;
 }
 
+/** How many boxes of each world were struck beyond the damage boundary; `NOT_COUNTED` in one that was not accelerated. */
+export interface Damage {
+  boxesBeyond: Uint32Array;
+  /** g, and m/s: a box is beyond the boundary where both are exceeded */
+  boundary: { acceleration: number; velocityChange: number };
+}
+
+/** The side of each world that is pressed hardest, of those that stand up. */
+export interface HardestWalls {
+  /** N, over 0.05 s; NaN in a world that was not accelerated */
+  force: Float64Array;
+  /** of the limit of the run's norm, the largest; NaN where there is none */
+  share: Float64Array;
+  /** N, the largest of all worlds */
+  most: number;
+  /** the norm that the limits are of; empty: none */
+  norm: string;
+}
+
 /** m: length, width, height */
 export type Size = [number, number, number];
 
@@ -119,6 +138,9 @@ export interface Results {
   hasWalls: boolean;
   margins: Margins | null;
   replicas: Replicas | null;
+  /** where the run has recorded them */
+  damage?: Damage;
+  hardestWalls?: HardestWalls;
 }
 
 /** How far boxes are from their reference poses: what the limits are compared with. */
@@ -165,6 +187,15 @@ export interface BoxColumns {
   moved: Uint8Array;
   tilted: Uint8Array;
   unstable: Uint8Array;
+  /** where the run has recorded it, and the world was accelerated */
+  damage?: BoxDamage;
+}
+
+/** How hard each box was struck: its largest acceleration (m/s²), and change of velocity in an impact (m/s). */
+export interface BoxDamage {
+  acceleration: Float32Array;
+  velocityChange: Float32Array;
+  beyond: Uint8Array;
 }
 
 /** Samples of a world. Tables over samples and boxes lie sample by sample. */

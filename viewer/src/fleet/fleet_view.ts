@@ -1,13 +1,14 @@
 import { containerFactsOf } from "../box/container_facts";
 import { frictionText } from "../data/friction";
 import { CAVEAT_BITS } from "../data/outcome";
+import { pushSentence } from "../data/push";
 import type { Results } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { choice, download, element } from "../ui/dom";
 import { legendItems } from "../ui/legend";
 import type { Store } from "../ui/state";
-import { count, degrees, margin, metres, plural, seconds } from "../ui/text";
+import { count, degrees, margin, metres, newtons, percent, plural, seconds } from "../ui/text";
 import { onTheme } from "../ui/theme";
 import { fleetCsv } from "./csv";
 import { type CellAt, Matrix } from "./matrix";
@@ -93,6 +94,11 @@ export class FleetView {
     this.describe(null);
   }
 
+  /** Layouts in the order shown, without those that are filtered out. */
+  get shownLayouts(): number[] {
+    return this.rows.map(({ layout }) => layout);
+  }
+
   focus(): void {
     this.matrix.node.focus({ preventScroll: true });
   }
@@ -108,6 +114,7 @@ export class FleetView {
 
   private arrange(): void {
     const { filter, sort, scale } = this.store.state;
+    this.node.dataset.scale = scale;
     this.rows = arranged(this.all, this.results.layouts, filter, sort);
     const all = this.all.length;
     this.shown.textContent =
@@ -118,7 +125,7 @@ export class FleetView {
   }
 
   private showColours(): void {
-    this.colours.replaceChildren(...legendItems(scaleLegend(this.store.state.scale)));
+    this.colours.replaceChildren(...legendItems(scaleLegend(this.store.state.scale, this.results)));
   }
 
   private worldAt(at: CellAt): number {
@@ -138,7 +145,7 @@ export class FleetView {
     const counts = verdictCounts(this.results);
     return element(
       "section",
-      {},
+      { class: "verdicts" },
       element("h2", {}, "Verdicts"),
       this.results.judgedAtEnd ? element("p", { class: "notable" }, JUDGED_AT_END) : null,
       element(
@@ -182,7 +189,7 @@ export class FleetView {
       );
       return;
     }
-    const { worlds, layouts, accelerations, margins, replicas, judgedAtEnd } = this.results;
+    const { worlds, layouts, accelerations, segments, margins, replicas, judgedAtEnd } = this.results;
     const layout = this.rows[at.row].layout;
     const verdict = worlds.verdict[world];
     const least = isAtLeast(verdict, worlds.stopReason[world]) ? "at least " : "";
@@ -194,7 +201,10 @@ export class FleetView {
       ["tilted", boxes(worlds.tilted[world])],
       ["unstable", boxes(worlds.unstable[world])],
       ["fallen at the end", count(worlds.fallenAtEnd[world])],
-      ["critical box", worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none"],
+      [
+        VERDICTS[verdict].fails ? "goes first: box" : "nearest to a limit: box",
+        worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none",
+      ],
       ["largest displacement", metres(worlds.peakDisplacement[world])],
       ["displacement at the end", metres(worlds.endDisplacement[world])],
       ["largest drop", metres(worlds.peakDrop[world])],
@@ -205,6 +215,13 @@ export class FleetView {
     if (own) facts.push(...containerFactsOf(own));
     if (replicas && replicas.count[world] > 0)
       facts.push(["replicas that fail", `${replicas.failed[world]} of ${replicas.count[world]}`]);
+    const { damage, hardestWalls } = this.results;
+    if (damage) facts.push(["beyond the damage boundary", count(damage.boxesBeyond[world])]);
+    if (hardestWalls && Number.isFinite(hardestWalls.force[world])) {
+      const { force, share, norm } = hardestWalls;
+      const ofLimit = norm !== "" ? `, ${percent(share[world])} of ${norm}` : "";
+      facts.push(["hardest on a wall", newtons(force[world]) + ofLimit]);
+    }
     const marginsOf = (all: Float64Array) =>
       DIRECTIONS.map((name, i) => `${name} ${margin(all[4 * layout + i])}`).join(", ");
     if (margins) facts.push(["margins in place", marginsOf(margins.inPlace.margin)]);
@@ -213,6 +230,7 @@ export class FleetView {
       element("h2", {}, "World"),
       element("p", { class: "strong" }, layouts[layout]),
       element("p", { class: "soft" }, accelerations[worlds.acceleration[world]]),
+      element("p", { class: "soft" }, pushSentence(segments[worlds.acceleration[world]])),
       element(
         "p",
         {},

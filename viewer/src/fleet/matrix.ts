@@ -48,6 +48,9 @@ export class Matrix {
           if (at) this.open(at);
         },
         onkeydown: (event: KeyboardEvent) => this.key(event),
+        onfocus: () => {
+          if (!this.at && this.rows.length > 0 && this.node.matches(":focus-visible")) this.move({ row: 0, column: 0 });
+        },
       },
       this.canvas,
       this.spacer,

@@ -3,7 +3,7 @@ import type { MarginColumns, Margins, Results } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 
 export type Sort = "worst" | "margin" | "name";
-export type Scale = "verdict" | "displacement" | "margin" | "place" | "share";
+export type Scale = "verdict" | "displacement" | "margin" | "place" | "share" | "damage" | "walls";
 
 export const DIRECTIONS = ["front", "rear", "left", "right"] as const;
 

@@ -1,5 +1,6 @@
 import { boxText } from "../box/box_text";
 import { onFloor } from "../data/friction";
+import { GRAVITY } from "../data/push";
 import type { Results, World } from "../data/results";
 import { choice, element } from "../ui/dom";
 import { fixed, gravities, newtons } from "../ui/text";
@@ -9,12 +10,19 @@ import type { Vector } from "./messages";
 import { placed } from "./placing";
 import { Slider } from "./slider";
 
-const GRAVITY = 9.81;
 const ACCURACIES = ["screening", "standard", "reference"] as const;
+/** Where the load is pushed along each axis, by numbers below 0 and above: the container's acceleration is opposite. */
 const AXES = [
-  { name: "along", title: "Acceleration of the container along its length, to the door (→ ←)" },
-  { name: "across", title: "Acceleration of the container across, to the right (↑ ↓)" },
-  { name: "up", title: "Acceleration of the container upwards (page up, page down)" },
+  { name: "along", to: ["front", "rear"], title: "Pushes the load to the front or to the rear (← →)" },
+  { name: "across", to: ["left", "right"], title: "Pushes the load to the left or to the right (↓ ↑)" },
+  { name: "upright", to: ["down", "up"], title: "Pushes the load down or up (page down, page up)" },
+] as const;
+
+/** Where a box is. */
+const CORNER = [
+  { name: "front", from: "From the front wall to the box" },
+  { name: "left", from: "From the left side to the box" },
+  { name: "floor", from: "From the floor to the box" },
 ] as const;
 
 /** What the panel does beside driving. */
@@ -52,7 +60,8 @@ export class LivePanel {
       ({ name, title }, axis) =>
         new Slider(name, title, { low: -1, high: 1, step: 0.01, zero: 0 }, (value) => {
           const next = driver.acceleration;
-          next[axis] = value * GRAVITY;
+          // From 0: the bits of the world tell 0 from −0.
+          next[axis] = 0 - value * GRAVITY;
           driver.accelerate(next);
         }),
     );
@@ -71,11 +80,11 @@ export class LivePanel {
         driver.rechoose();
       },
     );
-    this.corner = ["x", "y", "z"].map((name, axis) =>
+    this.corner = CORNER.map(({ from }, axis) =>
       element("input", {
         type: "number",
         step: 0.1,
-        "aria-label": `${name} of its corner with the smallest coordinates, cm`,
+        "aria-label": `${from}, cm`,
         onchange: () => this.place(axis),
       }),
     );
@@ -113,7 +122,7 @@ export class LivePanel {
         element(
           "h2",
           {},
-          "Acceleration",
+          "Pushed to",
           this.source,
           element(
             "button",
@@ -131,7 +140,7 @@ export class LivePanel {
         element(
           "div",
           { class: "corner" },
-          ...this.corner.map((input, axis) => element("label", {}, "xyz"[axis], input)),
+          ...this.corner.map((input, axis) => element("label", { title: CORNER[axis].from }, CORNER[axis].name, input)),
           element("span", { class: "faint" }, "cm"),
         ),
         this.boxHint,
@@ -153,10 +162,11 @@ export class LivePanel {
     this.show();
   }
 
-  /** m/s² along an axis, more than now. */
+  /** Pushes the load along an axis by so many g more than now. */
   nudge(axis: number, by: number): void {
     const next: Vector = this.driver.acceleration;
-    next[axis] = (Math.round(Math.min(1, Math.max(-1, next[axis] / GRAVITY + by)) * 100) / 100) * GRAVITY;
+    const push = Math.min(1, Math.max(-1, by - next[axis] / GRAVITY));
+    next[axis] = 0 - (Math.round(push * 100) / 100) * GRAVITY;
     this.driver.accelerate(next);
   }
 
@@ -196,8 +206,9 @@ export class LivePanel {
     this.problem.hidden = driver.problem === "";
     const now = driver.acceleration;
     for (const [axis, slider] of this.axes.entries()) {
-      const value = now[axis] / GRAVITY;
-      slider.show(value, gravities(value), replay);
+      const push = 0 - now[axis] / GRAVITY;
+      const to = Math.abs(push) < 0.005 ? "" : ` ${AXES[axis].to[push > 0 ? 1 : 0]}`;
+      slider.show(push, gravities(Math.abs(push)) + to, replay);
     }
     this.source.textContent = driver.driven.taken ? "by hand" : "the file's";
     const { friction } = driver.choices;

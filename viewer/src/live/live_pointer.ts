@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { GRAVITY } from "../data/push";
 import type { CameraRig } from "../load/camera_rig";
 import type { LoadScene } from "../load/load_scene";
 import { oncePerFrame } from "../ui/dom";
@@ -11,7 +12,7 @@ import { Pull } from "./pull";
 
 /** Pixels from where a click becomes a drag. */
 const CLICK = 4;
-const GRAVITY = 9.81;
+
 /** s that a push by key lasts */
 const PUSH = 0.2;
 

@@ -94,6 +94,7 @@ export class LiveRecord {
       moved: new Uint8Array(count),
       tilted: new Uint8Array(count),
       unstable: new Uint8Array(count),
+      damage: undefined,
     };
     this.results = {
       ...file,
@@ -107,6 +108,8 @@ export class LiveRecord {
       hasWalls: false,
       margins: null,
       replicas: null,
+      damage: undefined,
+      hardestWalls: undefined,
     };
     this.world = {
       ...of,

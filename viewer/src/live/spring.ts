@@ -1,4 +1,5 @@
 import type * as THREE from "three";
+import { GRAVITY } from "../data/push";
 
 /** 1/m: weights of the box that a metre of pull pulls with. */
 const STIFFNESS = 10;
@@ -6,7 +7,6 @@ const STIFFNESS = 10;
 const STRONGEST = 30;
 /** 1/s: how soon the pull slows down what it has set in motion, as a share of that of a spring that does not swing */
 const DAMPING = 0.5;
-const GRAVITY = 9.81;
 
 /**
  * The force of a spring from a point of a box to the pointer: N.

@@ -6,10 +6,19 @@ import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { type LegendEntry, ramp } from "../ui/legend";
 import { degrees, kilograms, margin, metres, seconds } from "../ui/text";
 import { colour, isDark } from "../ui/theme";
-import { boxVerdict, speedsAt, tiltsAt } from "./quantities";
+import { boxVerdict, damageIndices, speedsAt, tiltsAt } from "./quantities";
 
 /** What the colour of a box says. */
-export type Colouring = "verdict" | "displacement" | "speed" | "tilt" | "material" | "mass" | "margin" | "first";
+export type Colouring =
+  | "verdict"
+  | "displacement"
+  | "speed"
+  | "tilt"
+  | "material"
+  | "mass"
+  | "margin"
+  | "first"
+  | "damage";
 
 export interface Painted {
   /** one CSS colour per box */
@@ -30,6 +39,7 @@ export function colouringsOf(results: Results, world: World): { value: Colouring
   list.push({ value: "tilt", label: "tilt" });
   if (!results.judgedAtEnd) list.push({ value: "first", label: "first beyond a limit" });
   list.push({ value: "material", label: "material" }, { value: "mass", label: "mass" });
+  if (world.boxes.damage) list.push({ value: "damage", label: "damage" });
   if (results.margins) list.push({ value: "margin", label: "critical for a margin" });
   return list;
 }
@@ -140,6 +150,12 @@ function paintLoad(
         legend: known.length === 0 ? [within] : [...scale, within],
         moving: false,
       };
+    }
+    case "damage": {
+      const { damage } = boxes;
+      if (!damage || !results.damage) return paintVerdict(world);
+      const indices = damageIndices(damage, results.damage.boundary);
+      return paintScale(indices, 2, { from: "not struck", to: "twice the damage boundary, or more" }, false);
     }
     case "margin":
       return paintCritical(results, world);

@@ -7,7 +7,7 @@ interface Label {
   place: THREE.Vector3;
 }
 
-/** Names of front and door, and the size of the acceleration, beside what they name. */
+/** Names of front and door, and how hard the load is pushed, beside what they name. */
 export class Labels {
   readonly node = element("div", { class: "labels", "aria-hidden": "true" });
   private readonly labels: Label[];

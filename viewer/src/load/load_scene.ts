@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { isFull, REAR } from "../data/openings";
+import { pushedTo } from "../data/push";
 import type { Results, World } from "../data/results";
 import { accelerationOf } from "../time/acceleration";
 import { type PoseSource, Poses } from "../time/poses";
@@ -290,7 +291,10 @@ export class LoadScene {
     const { clientWidth, clientHeight } = this.node;
     this.renderer.setClearColor(colour("scene"), 1);
     this.renderer.render(this.scene, this.rig.camera);
-    const push = this.arrow.visible ? `a = ${gravities(this.arrow.size)}` : "";
+    const to = pushedTo(accelerationOf(this.world, this.state.time));
+    const push = this.arrow.visible
+      ? `pushed ${to === "" ? "" : `to the ${to} `}with ${gravities(this.arrow.size)}`
+      : "";
     this.labels.place(this.rig.camera, clientWidth, clientHeight, push, this.arrow.tip());
     this.drawn();
   }

@@ -1,11 +1,11 @@
 import * as THREE from "three";
+import { GRAVITY } from "../data/push";
 import { colour } from "../ui/theme";
 
 /** m of arrow per g */
 const LENGTH = 1.2;
-const GRAVITY = 9.81;
 
-/** The container's acceleration, as an arrow above its middle. */
+/** Where the load is pushed, and how hard, as an arrow above the middle of the container. */
 export class PushArrow extends THREE.ArrowHelper {
   /** g */
   size = 0;
@@ -15,12 +15,13 @@ export class PushArrow extends THREE.ArrowHelper {
     this.visible = false;
   }
 
+  /** @param acceleration of the container, m/s²: the load is pushed against it */
   set(acceleration: THREE.Vector3): void {
     this.size = acceleration.length() / GRAVITY;
     this.visible = this.size > 0.005;
     if (!this.visible) return;
     const length = LENGTH * this.size;
-    const direction = acceleration.clone().normalize();
+    const direction = acceleration.clone().negate().normalize();
     const [x, y, z] = this.container;
     this.position.set(x / 2, y / 2, z + 0.15).addScaledVector(direction, -length / 2);
     this.setDirection(direction);

@@ -1,5 +1,6 @@
 import { VERDICT_CODES } from "../data/outcome";
-import type { BoxColumns, World } from "../data/results";
+import { GRAVITY } from "../data/push";
+import type { BoxColumns, BoxDamage, Damage, World } from "../data/results";
 import { between, tiltOf, times } from "../time/poses";
 
 /** Verdict of a box, as a code of verdicts. */
@@ -37,3 +38,12 @@ export function tiltsAt(world: World, time: number, out: Float32Array): void {
       ? tiltOf(series.orientation, 4 * box, 4 * (sample * count + box))
       : (sample === 1 ? 1 : share) * boxes.end.tilt[box];
 }
+
+/** How near each box came to the damage boundary: 1 is there, and both of its numbers have to be exceeded. */
+export const damageIndices = (
+  { acceleration, velocityChange }: BoxDamage,
+  boundary: Damage["boundary"],
+): Float32Array =>
+  acceleration.map((size, box) =>
+    Math.min(size / GRAVITY / boundary.acceleration, velocityChange[box] / boundary.velocityChange),
+  );

@@ -1,3 +1,5 @@
+import { UPRIGHT } from "../data/openings";
+import { GRAVITY, pushesOf } from "../data/push";
 import type { World } from "../data/results";
 import { accelerationSteps } from "./acceleration";
 
@@ -62,15 +64,17 @@ function strip(name: string, unit: string, lines: Line[]): Strip {
 export function strips(world: World, begin: number, end: number): Strip[] {
   const steps = accelerationSteps(world, begin, end);
   const time = [...steps.map((step) => step.time), end];
-  const axes = ["x", "y", "z"].map((label, axis) => ({
-    label,
-    colour: `axis-${label}`,
-    time,
-    values: [...steps.map((step) => step.value[axis]), steps.at(-1)?.value[axis] ?? 0],
-    steps: true,
-  }));
-  const acting = axes.filter(({ values }) => values.some((value) => value !== 0));
-  const list = [strip("acceleration", "m/s²", acting.length > 0 ? acting : axes.slice(0, 1))];
+  const curve = (label: string, axis: string, of: (value: readonly number[]) => number): Line => {
+    const values = steps.map(({ value }) => of(value));
+    return { label, colour: `axis-${axis}`, time, values: [...values, values.at(-1) ?? 0], steps: true };
+  };
+  const pushes = [
+    ...UPRIGHT.map(({ name, axis }, side) => curve(name, "xy"[axis], (value) => pushesOf(value)[side])),
+    curve("down", "z", ([, , up]) => Math.max(0, up) / GRAVITY),
+    curve("up", "z", ([, , up]) => Math.max(0, -up) / GRAVITY),
+  ];
+  const acting = pushes.filter(({ values }) => Array.from(values).some((value) => value !== 0));
+  const list = [strip("pushed to", "g", acting.length > 0 ? acting : pushes.slice(0, 1))];
   const { series } = world;
   if (series) {
     const line = { label: "", time: series.time };

@@ -12,7 +12,8 @@ const FONT = "11px ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Helvetica Neue
 const TOP = 16;
 const BOTTOM = 18;
 const LEFT = 140;
-const RIGHT = 16;
+/** Names of curves stand behind their ends. */
+const RIGHT = 40;
 /** Names of the strips end here, and leave room for the numbers of their axes. */
 const NAMES = LEFT - 44;
 /** Pixels between the numbers of the time axis, at least, and between labels of curves. */

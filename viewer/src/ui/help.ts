@@ -12,6 +12,7 @@ const KEYS: readonly [string, string][] = [
   ["X", "compare with another world"],
   ["L", "live: drive the world in the engine of this page"],
   ["G, T, C", "ghost, traces, centre of gravity"],
+  ["ctrl P", "a page to print, of the open load or of all that are shown"],
   ["S", "picture, PNG at twice the size"],
   ["V", "video, WebM"],
   ["escape", "choose no box; back to the matrix"],
@@ -22,9 +23,9 @@ const LIVE: readonly [string, string][] = [
   ["space, .", "run or pause; a single step"],
   ["R", "reset: before it started; again: layout and settings of the file"],
   ["B", "replay the file's world: are these its bits?"],
-  ["← →, ↑ ↓", "accelerate along, across, by 0.1 g"],
-  ["page up, down", "accelerate upwards, downwards"],
-  ["0", "no acceleration"],
+  ["← →, ↑ ↓", "push the load along, across, by 0.1 g"],
+  ["page up, down", "push the load up, down"],
+  ["0", "push it no more"],
   ["shift arrows", "push the chosen box; at the start, move it by 1 cm"],
 ];
 

@@ -24,6 +24,23 @@ export function metres(value: number, more = 0): string {
   return `${fixed(value, 2 + more)} m`;
 }
 
+/** Words for the two directions of each axis of the container: below 0 and above. */
+const WAYS = [
+  ["forwards", "backwards"],
+  ["left", "right"],
+  ["down", "up"],
+] as const;
+
+/**
+ * A displacement (m) in the words of whoever looks forwards; nothing where it is less than a millimetre on each axis. Lines break between
+ * its parts alone.
+ */
+export const wayText = (displacement: ArrayLike<number>): string =>
+  WAYS.map((words, axis) => ({ size: Math.abs(displacement[axis]), word: words[displacement[axis] > 0 ? 1 : 0] }))
+    .filter(({ size }) => size >= 0.001)
+    .map(({ size, word }) => `${metres(size)} ${word}`.replaceAll(" ", "\u00a0"))
+    .join(", ");
+
 export const degrees = (value: number, more = 0) => (Number.isFinite(value) ? `${fixed(value, 1 + more)}°` : "–");
 export const seconds = (value: number) => (Number.isFinite(value) ? `${fixed(value, 2)} s` : "–");
 export const kilograms = (value: number) => `${value < 10 ? value.toFixed(2) : value.toFixed(1)} kg`;
@@ -53,6 +70,10 @@ export function compared(
   while (more < most && a !== b && text(a, more) === text(b, more)) ++more;
   return [text(a, more), text(b, more)];
 }
+
+/** A share of a whole or of a limit. What is more than 100 % reads as more. */
+export const percent = (share: number) =>
+  Number.isFinite(share) ? compared(100 * share, 100, (value, more) => `${fixed(value, more)} %`)[0] : "–";
 
 export const count = (value: number) => (value === NOT_COUNTED ? "–" : value.toLocaleString("en"));
 
