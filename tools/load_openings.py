@@ -86,11 +86,12 @@ class Loads:
         run_size = [float(settings[f"Container/{name}"]) / 100 for name in ("Length", "Width", "Height")]  # m
         self.run_openings = Openings(settings, run_size)
         self.names = texts_in(inputs, "box_name")  # by box
+        self.materials = texts_in(inputs, "material_name")  # by box, of those whose material has a name
         self.bearing_limit, self.mat = (inputs[name][:] if name in inputs else np.full(boxes, np.nan) for name in ("bearing_limit", "mat"))
-        fixed, named = fixed_materials(settings), texts_in(inputs, "material_name")
+        fixed = fixed_materials(settings)
         # Per box of the layouts: part of the container.
         self.is_fixed = np.isin(inputs["material"][:], [int(name) for name in fixed if re.fullmatch(r"-?\d+", name)])
-        self.is_fixed[[box for box, name in named.items() if name in fixed]] = True
+        self.is_fixed[[box for box, name in self.materials.items() if name in fixed]] = True
         if "fixed" in inputs:
             self.is_fixed |= inputs["fixed"][:] != 0
         sizes = inputs["container_size"][:] if "container_size" in inputs else np.full((layouts, 3), np.nan)
@@ -110,12 +111,9 @@ class Loads:
     def all_closed(self):
         return self.run_openings.is_closed and all(openings.is_closed for _, openings in self.own.values())
 
-    def own_container_text(self, layout):
-        """Type and size of a layout's own container, as a sentence behind others; nothing where it is in that of the run."""
-        if layout not in self.own:
-            return ""
-        kind, openings = self.own[layout]
-        return f" The container is {f'of type {kind}, ' if kind else ''}{size_text(openings.container)}."
+    def type_of(self, layout):
+        """The type of the container of a layout in the catalogue; nothing where it has none."""
+        return self.own[layout][0] if layout in self.own else self.run_type
 
     def run_text(self):
         """The container of the run, or that layouts have their own."""

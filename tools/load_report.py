@@ -1,14 +1,15 @@
 #!/usr/bin/python3
-"""Writes a page to print for each layout of a results file that does not hold, as HTML or, with WeasyPrint, as PDF.
+"""Writes a page to print for each layout of a results file, the worst first, as HTML or, with WeasyPrint, as PDF.
 
-Each page shows the load from above, from the side and from a corner, what fails under what, which box goes first, and
-margins and wall forces where the run has them. Verdicts are by all that ever happened; of a file of an earlier version,
+Each page shows the load from above, from the side and from a corner, how the run was made, what fails under what, which
+box goes first, and margins and wall forces where the run has them. The page of the viewer prints the same one. Verdicts are by all that ever happened; of a file of an earlier version,
 by where boxes are at the end. Example: load_report.py results.h5 report.html
 """
 import argparse
 import html
 import json
 import os
+import pathlib
 import re
 import signal
 import sys
@@ -21,7 +22,7 @@ try:
     import numpy as np
 except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
-from load_openings import Loads, side_name
+from load_openings import Loads, side_name, size_text
 from load_views import FILLS, draw, packed_faces, turned_faces
 
 VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
@@ -45,17 +46,18 @@ READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken
 TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes", "material_name", "box_name", "container_type",
          "open_sides", "drop_sides")  # datasets that are no numbers
 WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
-MOST_BOXES = 10  # rows of a page's table
+MOST_BOXES = 8  # rows of a page's table
 FEW_COLUMNS = 9  # of a table whose heads are in a line
+# Rows for which a page has room in its tables of boxes and of what is loaded, beside four accelerations; those that margins or walls
+# take of them, those of the views of the end, and those that each of the two tables has anyway.
+ROWS, ROWS_OF_MARGINS, ROWS_OF_END, LEAST_ROWS = 14, 6, 10, 3
 MOST_LISTED = 6  # of what a line of the front page lists
 MOST_ON_MATS = 20  # boxes that a note names
-STYLE = """@page{size:A4;margin:14mm}body{font:13px/1.4 sans-serif;max-width:190mm;margin:1em auto;padding:0 1em;color:#222}
-h1{font-size:20px}h2{font-size:16px;margin:0 0 .3em}section{break-before:page;padding-top:1em}
-table{border-collapse:collapse;margin:.6em 0;font-size:12px}td,th{border-bottom:1px solid #d5d9de;padding:2px 9px 2px 0;text-align:right}
-th{font-weight:600}td:first-child,th:first-child,.text{text-align:left}td,th{white-space:nowrap}
-.wrap td:last-child,.name,.many th{white-space:normal}.name{min-width:7em}.many td,.many th{padding-right:5px}.views{display:flex}.views div{margin-right:5mm}
-h3{font-size:13px;margin:.7em 0 0}.beside{display:flex}.beside div{flex:none;margin-right:5mm}figure{margin:0}.note{margin:.3em 0}figcaption,.note{color:#5a6470;font-size:11px}.bad{color:#b02a25;font-weight:600}
-.key span{display:inline-block;width:.9em;height:.9em;border:1px solid #5a6470;margin:0 .3em 0 1em;vertical-align:-.1em}.key span:first-child{margin-left:0}"""
+ECCENTRICITY = 0.05  # of the length, from the middle: where the centre of gravity of a container may lie in general
+ECCENTRICITY_SOURCE = "CTU Code 2014, Annex 7, 3.1.4"
+NO_CONTAINER = ("trailer", "van", "pallet")  # types whose axles, or who stacks them, say where a load may lie
+ASIDE = 0.1  # a component of a push that is smaller than this share of the largest one is left out of its direction
+STYLE = pathlib.Path(__file__).with_name("load_report.css")
 
 
 def check_types(file):
@@ -108,6 +110,9 @@ class Results:
         self.end_turn = self.last_orientations(file)
         self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
         self.needed = self.needed_margins(file)
+        self.pushes = self.hardest_pushes(file)  # per acceleration, in words
+        self.state_hash = file["worlds/state_hash"][:]
+        self.norm_source = ""  # where the numbers of the run's norm are from
         self.bearing = {}  # per layout with bearing limits: least and largest load on each box at rest, kg
 
     def places(self, file, end_displacement):
@@ -148,7 +153,24 @@ class Results:
         if not str(self.settings.get("Screening/Norm", "")):
             return np.zeros(len(SIDES))
         values = file["inputs/accelerations/value"][:]
+        values = values[values[:, 2] == 0]  # as for the program: those that leave the load its weight
         return np.array([max(0.0, (sign * values[:, axis]).max(initial=0.0)) for axis, sign in PUSHED_BY]) / GRAVITY
+
+    @staticmethod
+    def hardest_pushes(file):
+        """Where each acceleration pushes the load hardest, and how hard: "front 0.8 g"; nothing where it does not push."""
+        accelerations = file["inputs/accelerations"]
+        values = accelerations["value"][:]
+        told = []
+        for begin, count in zip(accelerations["segment_begin"][:].astype(int), accelerations["segment_count"][:].astype(int)):
+            sizes = np.linalg.norm(values[begin:begin + count, :2], axis=1) / GRAVITY
+            if not sizes.max(initial=0) > 0.005:
+                told.append("")
+                continue
+            value = values[begin + sizes.argmax()] / GRAVITY
+            sides = [name for name, (axis, sign) in zip(SIDES, PUSHED_BY) if sign * value[axis] > ASIDE * sizes.max()]
+            told.append(f"{' and '.join(sides)} {sizes.max():.3g} g")
+        return told
 
     def take_ends_for_peaks(self):
         """Fills in what a file of an earlier version has under another name, or not at all: which box went first, and when."""
@@ -281,8 +303,9 @@ def worlds_table(results, layout, worlds):
         summary = {name: column[world] for name, column in results.world_summary.items()}
         verdict = results.verdict_of(world)
         name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
+        pushed = results.pushes[results.worlds["acceleration"][world]]
         if summary["verdict"] in (FAILED, NOT_NEEDED):
-            rows.append([name, verdict, *[""] * 6, html.escape(results.status_text[world])])
+            rows.append([name, pushed, verdict, *[""] * 6, html.escape(results.status_text[world])])
             continue
         first = first_box(results, world)
         caveats = dict(words for bit, words in CAVEATS.items() if results.caveats[world] & bit)
@@ -291,16 +314,16 @@ def worlds_table(results, layout, worlds):
         if results.replicas is not None:
             replicas = {key: column[world] for key, column in results.replicas.items()}
             told = f"{REPLICA_VERDICTS[replicas['verdict']]}: {replicas['failed']} of {replicas['count']} fail" if replicas["count"] else ""
-        rows.append([name, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
+        rows.append([name, pushed, f"<span class=bad>{verdict}</span>" if results.fails(world) else verdict,
                      "-" if first is None else box_at(results.box_text(layout, first), results.box_summary["first_beyond"][results.rows_of(world)][first]),
                      f"{summary['fallen_boxes']} ({summary['fallen_at_end']})", summary["moved_boxes"], summary["tilted_boxes"],
                      most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"], 100 * results.limits["move_threshold"]), told,
                      ", ".join(filter(None, [*caveats, html.escape(results.status_text[world])]))])
-    heads = ["acceleration", "verdict", "first", "fallen", "moved", "tilted", "farthest, cm", "replicas", "to know"]
+    heads = ["acceleration", "pushed to", "verdict", "goes first", "fallen", "moved", "tilted", "farthest, cm", "replicas", "to know"]
     if results.replicas is None:
         for row in [heads, *rows]:
             row.pop(-2)
-    return table(heads, rows, text=(1, 2, 7, 8), kind="wrap") + note(results, explained)
+    return table(heads, rows, text=(1, 2, 3, 8, 9), kind="wrap") + note(results, explained)
 
 
 def note(results, explained):
@@ -349,9 +372,8 @@ def margins_table(results, layout):
         needed = results.needed[i]
         stands = f"<span class=bad>{size(margin)}</span>" if margin + ROUNDING < needed else size(margin)
         rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", results.box_text(layout, int(box) - 1) if box else "-"])
-    named = any(results.loads.name(row) for row in range(results.span_of(layout).start, results.span_of(layout).stop))
-    heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "first"]
-    return "<div><h3>How many g it stands</h3>" + table(heads, rows, text=(len(heads) - 1,) if named else ()) + "</div>"
+    heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "goes first above"]
+    return "<div><h3>How many g it stands</h3>" + table(heads, rows, text=(len(heads) - 1,)) + "</div>"
 
 
 def walls_table(results, layout, worlds):
@@ -375,8 +397,13 @@ def walls_table(results, layout, worlds):
             + table(["wall", "largest", "limit", "share", "under"], rows, text=(4,)) + "</div>")
 
 
-def boxes_table(results, layout, worlds):
-    """The boxes that were beyond a limit, under the acceleration in which each went farthest."""
+def rows_for(room, other):
+    """Rows of a table that shares the room of a page with another one, which has so many at most."""
+    return max(LEAST_ROWS, room - min(other, room // 2))
+
+
+def farthest_boxes(results, worlds):
+    """The boxes that were beyond a limit, with how far each went and the acceleration in which it went farthest; the farthest first."""
     found = {}
     for world in worlds:
         rows = results.rows_of(world)
@@ -384,11 +411,16 @@ def boxes_table(results, layout, worlds):
             peak = float(results.box_peak[rows][box, 0])
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
-    order = sorted(found, key=lambda box: -found[box][0])
+    return dict(sorted(found.items(), key=lambda item: -item[1][0]))
+
+
+def boxes_table(results, layout, found, most):
+    """:param found: of farthest_boxes"""
+    order = list(found)
     loads, span = results.loads, results.span_of(layout)
     limits = [results.limits[f"{name}_threshold"] for name in ("move", "drop", "tilt")]
     lines = []
-    for box in order[:MOST_BOXES]:
+    for box in order[:most]:
         _, world = found[box]
         row, own = results.rows_of(world).start + box, span.start + box
         size = results.high[own] - results.low[own]
@@ -400,7 +432,7 @@ def boxes_table(results, layout, worlds):
         lines.append([box + 1, html.escape(loads.short_name(own)), " × ".join(f"{round(100 * part, 1):g}" for part in size),
                       weight(results.box_mass[row]), weight(loads.bearing_limit[own]), *excursion,
                       when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
-    more = f"<p>and {counted(len(order) - MOST_BOXES, 'more box')}</p>" if len(order) > MOST_BOXES else ""
+    more = f"<p>and {counted(len(order) - most, 'more box')}</p>" if len(order) > most else ""
     columns = {"box": True, "name": any(map(loads.name, range(span.start, span.stop))), "size, cm": True, "mass, kg": True,
                "may bear, kg": np.isfinite(loads.bearing_limit[span]).any(), "farthest, cm": True, "drop, cm": True, "tilt, °": True,
                "beyond from": True, "under": True, "leaves at": any(line[-1] for line in lines)}
@@ -453,10 +485,76 @@ def end_views(results, layout, worlds):
     loaded = results.initial[rows]
     boxes = list(zip(results.low[span] - loaded, results.high[span] - loaded, results.end_turn[rows], results.end[rows]))
     top, corner = (f"<figure>{draw(turned_faces(boxes, view), states, openings, view, width)}<figcaption>{caption}</figcaption></figure>"
-                   for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("corner", 360, "from the corner")))
+                   for view, width, caption in (("top", 270, "from above; the front wall is on the left"), ("corner", 270, "from the corner")))
     name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
     key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, fixed.any())
     return f"<h3>At the end under {name}</h3><div class=views><div>{top}</div>{corner}</div>{key}"
+
+
+def centre_text(results, layout, world):
+    """Where the centre of gravity of a load is, and where it may lie."""
+    free = ~results.loads.is_fixed[results.span_of(layout)]
+    mass = results.box_mass[results.rows_of(world)][free].astype(float)
+    if not mass.sum() > 0:
+        return "-"
+    openings = results.loads.openings(layout)
+    x, y, z = mass @ results.initial[results.rows_of(world)][free] / mass.sum()
+    length = openings.container[0]
+    where = f"{x:.2f} m from the front wall ({percent(x / length)} of the length), {y:.2f} m from the left side, {z:.2f} m above the floor"
+    if results.loads.type_of(layout).startswith(NO_CONTAINER):
+        return f"{where}. Axle loads are not calculated."
+    low, high = ((0.5 + sign * ECCENTRICITY) * length for sign in (-1, 1))
+    may = f"It may lie from {low:.2f} m to {high:.2f} m from the front wall ({ECCENTRICITY_SOURCE})"
+    return f"{where}. " + (f"{may}: it does." if low <= x <= high else f"<span class=bad>{may}: it does not.</span>")
+
+
+def run_facts(results):
+    """How a run was made, by name."""
+    attributes, settings = results.attributes, results.settings
+    norm = str(settings.get("Screening/Norm", ""))
+    accuracy = f" {settings.get('Native/Accuracy', '')}" if attributes["engine"] == "native" else ""
+    made = str(attributes["created_utc"]).replace("T", " ").replace("Z", " UTC")
+    return {"norm": f"{norm}: {results.norm_source}" if results.norm_source else norm or "none: accelerations of files",
+            "friction": friction_text(settings), "of materials": friction_of_materials(settings), "limits": limits_of(results),
+            "simulated": f"{attributes['software']}, {attributes['engine']}{accuracy}, {made}"}
+
+
+def facts_table(results, layout, world):
+    openings = results.loads.openings(layout)
+    container = [f"{results.loads.type_of(layout)}, {size_text(openings.container)}".removeprefix(", "), openings.text()]
+    facts = {"container": html.escape("; ".join(filter(None, container))), "centre of gravity": centre_text(results, layout, world),
+             **{name: html.escape(text) for name, text in run_facts(results).items()}}
+    return table(["", ""], [[name, text] for name, text in facts.items() if text], text=(1,), kind="wrap")
+
+
+def items_of(results, layout, world):
+    """Masses of boxes by name and size; nothing where boxes have no names and hardly two are alike: such a list says nothing that the
+    drawings do not."""
+    loads, span, rows = results.loads, results.span_of(layout), results.rows_of(world)
+    items = {}
+    for box in np.flatnonzero(~loads.is_fixed[span]):
+        own = span.start + box
+        name = re.sub(r"[\s_#.-]*\d+$", "", loads.name(own)) or loads.name(own) or loads.materials.get(own, "")
+        size = " × ".join(f"{round(100 * part, 1):g}" for part in results.high[own] - results.low[own])
+        items.setdefault((name, size), []).append(float(results.box_mass[rows][box]))
+    return items if len(items) <= ROWS or any(name for name, _ in items) else {}
+
+
+def items_table(items, most):
+    """What is loaded."""
+    if not items:
+        return ""
+    lines = [[html.escape(name) or "box", len(masses), size, " to ".join(dict.fromkeys([weight(min(masses)), weight(max(masses))])) + " kg",
+              f"{weight(sum(masses))} kg"] for (name, size), masses in list(items.items())[:most]]
+    rest = sum(map(len, list(items.values())[most:]))
+    return ("<h3>What is loaded</h3>" + table(["item", "number", "length × width × height, cm", "each", "together"], lines)
+            + (f"<p>and {counted(rest, 'more box')}</p>" if rest else ""))
+
+
+def hashes(results, worlds):
+    """How worlds ended, to the bit."""
+    told = [f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])} {results.state_hash[world]:016x}" for world in worlds]
+    return f"<p class=note>Hashes of the ends: {', '.join(told)}.</p>"
 
 
 def page(results, layout):
@@ -475,11 +573,12 @@ def page(results, layout):
             states[first] = "first"
     size = sum(np.prod(high - low) for (low, high), of_container in zip(boxes, fixed) if not of_container) / np.prod(openings.container)
     views = ""
+    names = [results.loads.name(span.start + box) for box in range(len(boxes))]
     if boxes:
         top, side, corner = (
-            f"<figure>{draw(packed_faces(boxes, view), states, openings, view, width)}<figcaption>{caption}</figcaption></figure>"
-            for view, width, caption in (("top", 300, "from above; the front wall is on the left"), ("side", 300, "from the left side"),
-                                         ("corner", 360, f"from above the {'door' if openings.is_full('rear') else 'rear'}")))
+            f"<figure>{draw(packed_faces(boxes, view), states, openings, view, width, names)}<figcaption>{caption}</figcaption></figure>"
+            for view, width, caption in (("top", 330, "from above; the front wall is on the left"), ("side", 330, "from the left side"),
+                                         ("corner", 350, f"from above the {'door' if openings.is_full('rear') else 'rear'}")))
         views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
     key = colour_key({"first": "first to go under some acceleration", "later": "beyond a limit", "still": "stayed under all"}, fixed.any())
     if text := mats_text(results, layout):
@@ -488,12 +587,21 @@ def page(results, layout):
         text = openings.text()
         key += f"<p class=note>{text[0].upper() + text[1:]}. The floor is dashed where no wall stands on it.</p>"
     also = f", and {fixed.sum()} fixed" if fixed.any() else ""
-    moved = boxes_table(results, layout, simulated) if simulated and any(state in ("first", "later") for state in states) else ""
+    found = farthest_boxes(results, simulated)
+    items = items_of(results, layout, simulated[0]) if simulated else {}
+    left, end = departures(results, layout, simulated), end_views(results, layout, simulated)
+    beside = margins_table(results, layout) + (walls_table(results, layout, worlds) if simulated else "")
+    room = (ROWS - (ROWS_OF_MARGINS if beside else 0) - (ROWS_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4))
+    moved = boxes_table(results, layout, found, rows_for(room, len(items))) if found else ""
     mass = "" if np.isnan(results.mass_of(layout)) else f" of {weight(results.mass_of(layout))} kg"
+    holds = all(results.world_summary["verdict"][world] == STAYED for world in worlds)
+    every = counted(len(worlds), "acceleration")
+    verdict = (f"<span class=good>holds under {'its acceleration' if len(worlds) == 1 else f'all {every}'}</span>" if holds
+               else f"<span class=bad>fails under {len(failing)} of {every}</span>")
     return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}{mass}, {percent(size)} of the "
-            f"container's volume{also}; fails under {len(failing)} of {counted(len(worlds), 'acceleration')}.{html.escape(results.loads.own_container_text(layout))}</p>{views}"
-            f"{key if boxes else ''}{worlds_table(results, layout, worlds)}{departures(results, layout, simulated)}{end_views(results, layout, simulated)}<div class=beside>{margins_table(results, layout)}"
-            f"{walls_table(results, layout, worlds) if simulated else ''}</div>{moved}{bearing_table(results, layout)}</section>")
+            f"container's volume{also}; {verdict}.</p>{views}"
+            f"{key if boxes else ''}{facts_table(results, layout, simulated[0]) if simulated else ''}{worlds_table(results, layout, worlds)}{left}{end}<div class=beside>{beside}</div>"
+            f"{moved}{bearing_table(results, layout)}{items_table(items, rows_for(room, len(found))) + hashes(results, simulated) if simulated else ''}</section>")
 
 
 def mats_text(results, layout):
@@ -532,27 +640,25 @@ def friction_of_materials(settings):
 
 
 def front_page(results, order, shown):
-    names = {"engine": str(results.attributes["engine"]), "accuracy": str(results.settings.get("Native/Accuracy", "")),
-             "norm": str(results.settings.get("Screening/Norm", "")), "friction": friction_text(results.settings),
-             "of materials": friction_of_materials(results.settings), "limits": limits_of(results), "container": results.loads.run_text(), "software": str(results.attributes["software"]),
-             "run of": str(results.attributes["created_utc"]), "command": str(results.attributes["command_line"])}
-    if names["engine"] != "native":
-        del names["accuracy"]
+    names = {**run_facts(results), "container": results.loads.run_text(), "command": str(results.attributes["command_line"])}
     facts = table(["run", ""], [[key, html.escape(value)] for key, value in names.items() if value], text=(1,), kind="wrap")
     rows = [[html.escape(results.layout_names[layout]), ", ".join(
         f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])}: {results.verdict_of(world)}"
-        for world in results.worlds_of(layout) if results.fails(world))] for layout in order[:shown]]
-    told = f"{len(order)} of {counted(len(results.layout_names), 'layout')} {'does' if len(order) == 1 else 'do'} not hold.{' ' + ORDER if len(order) > 1 else ''}"
+        for world in results.worlds_of(layout) if results.fails(world)) or "holds"] for layout in order[:shown]]
+    failing = sum(any(map(results.fails, results.worlds_of(layout))) for layout in order)
+    told = f"{failing} of {counted(len(order), 'layout')} {'does' if failing == 1 else 'do'} not hold.{' ' + ORDER if failing > 1 else ''}"
+    if failing == 0:
+        told = "The layout holds." if len(order) == 1 else "All layouts hold."
     if shown < len(order):
         told += f" The worst {shown} have a page here." if shown > 1 else " The worst one has a page here."
-    return (f"<h1>Loads that do not hold</h1><p>{told}</p>{note(results, {})}{facts}"
+    return (f"<h1>How loads stand</h1><p>{told}</p>{note(results, {})}{facts}"
             + (table(["layout", "fails under"], rows, text=(1,), kind="wrap") if rows else ""))
 
 
 def worst_first(results):
-    """Layouts that fail under some acceleration, in the order that ORDER says."""
+    """Layouts in the order that ORDER says, and then those that hold, in the order of the file."""
     counts = {FELL: ("fallen_boxes",), UNSTABLE: ("unstable_boxes",), MOVED: ("moved_boxes", "tilted_boxes")}
-    ranks = []
+    ranks, holding = [], []
     for layout in range(len(results.layout_names)):
         failing = [world for world in results.worlds_of(layout) if results.fails(world)]
         if failing:
@@ -560,7 +666,9 @@ def worst_first(results):
             gone = sum(max(int(results.world_summary[name][world]) for name in counts[verdict])
                        for world, verdict in zip(failing, verdicts) if verdict in counts)
             ranks.append((*(-verdicts.count(verdict) for verdict in WORST), -gone, layout))
-    return [layout for *_, layout in sorted(ranks)]
+        else:
+            holding.append(layout)
+    return [layout for *_, layout in sorted(ranks)] + holding
 
 
 def write(text, path):
@@ -599,12 +707,14 @@ def main():
     parser.add_argument("results", help="results file of holdfast screen")
     parser.add_argument("output", help="report to write, .html or .pdf")
     parser.add_argument("--bearing", help="JSON with the least and the largest load on each box of layouts by number, kg")
+    parser.add_argument("--norm-source", default="", help="where the numbers of the run's norm are from")
     parser.add_argument("--most", type=int, default=50, help="most layouts that get a page, the worst ones (default: %(default)s)")
     options = parser.parse_args()
     try:
         signal.setitimer(signal.ITIMER_PROF, READING_SECONDS)
         with h5py.File(options.results) as file:
             results = Results(file)
+        results.norm_source = options.norm_source
         if options.bearing:
             with open(options.bearing, encoding="utf-8") as file:
                 results.bearing = {int(layout): ranges for layout, ranges in json.load(file).items()}
@@ -621,10 +731,10 @@ def make_report(results, options):
     shown = min(len(order), options.most)
     pages = "".join(page(results, layout) for layout in order[:shown])
     write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="holdfast report">'
-          f"<title>Loads that do not hold</title><style>{STYLE}</style></head><body>{front_page(results, order, shown)}{pages}</body></html>\n",
+          f"<title>How loads stand</title><style>{STYLE.read_text(encoding='utf-8')}</style></head><body class=report>{front_page(results, order, shown)}{pages}</body></html>\n",
           options.output)
-    fail = f"{counted(len(order), 'layout')} that {'does' if len(order) == 1 else 'do'} not hold"
-    told = f"{shown} of {fail}; --most {len(order)} writes all" if shown < len(order) else fail
+    all_of = counted(len(order), "layout")
+    told = f"{shown} of {all_of}; --most {len(order)} writes all" if shown < len(order) else all_of
     print(f"{options.output}: {told}")
 
 

@@ -1,4 +1,6 @@
 """Draws a load as it was packed, as SVG: from above, from the side, and from a corner."""
+import html
+
 import numpy as np
 
 from load_openings import SIDES
@@ -6,6 +8,8 @@ from load_openings import SIDES
 FILLS = {"still": "#e9edf2", "later": "#f3c58b", "first": "#d9534f", "fixed": "#949da8"}
 LINE, FRAME = "#5a6470", "#222831"
 BED, GROUND = "#dfe2e6", "#f3f4f6"
+HIGHEST = {"top": 140, "side": 140, "corner": 260}  # pixels: a page has room for pictures that are so high
+LETTER, LETTER_WIDTH = 7, 0.56  # pixels of letters of labels, and the share of that which one is wide
 GROUND_MARGIN = 0.5  # m around the container that the ground is drawn for
 # Where a point of the container goes on the page, per view: rows are the page's right and up.
 TOP = np.array([[1.0, 0, 0], [0, 1, 0]])
@@ -129,13 +133,38 @@ def rotation_of(quaternion):
                      [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
-def draw(boxes, states, openings, view, width):
+def fitting_label(name, number, width, height):
+    """The label that fits into a face of so many pixels: the name, else the number, else nothing."""
+    fitting = (text for text in (name, str(number)) if text and height - 2 >= LETTER and width - 3 >= LETTER_WIDTH * LETTER * len(text))
+    return next(fitting, "")
+
+
+def label(text, x, y):
+    return f'<text x="{x:.1f}" y="{y + 0.35 * LETTER:.1f}" font-size="{LETTER}" text-anchor="middle" fill="{FRAME}">{html.escape(text)}</text>'
+
+
+def packed_label(at, faces, names):
+    """The label of the box that is painted as the one `at`, unless one that is painted later would cut it in two.
+
+    :param faces: per box in the order in which they are painted, its index and its one face, on the page
+    """
+    i, corners = faces[at]
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    text = fitting_label(names[i], i + 1, *(high - low))
+    middle = (low + high) / 2
+    half = np.array([LETTER_WIDTH * LETTER * len(text), LETTER]) / 2
+    covered = any(((later.min(axis=0) < middle + half) & (later.max(axis=0) > middle - half)).all() for _, later in faces[at + 1:])
+    return "" if covered or not text else label(text, *middle)
+
+
+def draw(boxes, states, openings, view, width, names=None):
     """SVG of boxes in a container, with those that lie beside it.
 
     :param boxes: of packed_faces or turned_faces
     :param states: per box a key of FILLS
     :param openings: of the container
-    :param width: of the picture, in pixels
+    :param width: of the picture at most, in pixels
+    :param names: per box, for labels of boxes from above and from the side; None: only those that go first have their numbers
     """
     projection = {"top": TOP, "side": SIDE, "corner": CORNER}[view]
     room = np.array([np.zeros(3), np.asarray(openings.container, dtype=float)])
@@ -148,8 +177,9 @@ def draw(boxes, states, openings, view, width):
     points += [corner for _, faces in boxes for corners, _ in faces for corner in corners]
     edges = np.array(points) @ projection.T
     low, high = edges.min(axis=0), edges.max(axis=0)
-    scale = (width - 2) / (high - low)[0]
-    height = scale * (high - low)[1] + 2
+    across, up = high - low
+    scale = min((width - 2) / across, (HIGHEST[view] - 2) / up)
+    width, height = round(scale * across) + 2, scale * up + 2
 
     def place(points):
         flat = (np.asarray(points) @ projection.T - low) * scale + 1
@@ -161,12 +191,15 @@ def draw(boxes, states, openings, view, width):
     hidden = [(axis, not far) for axis, far in FACES[view]]
     ground, frame, over = ([], outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
     parts = [[], []]  # of boxes: behind the floor, and before it
-    for i, faces in boxes:
+    labelled = names is not None and view != "corner"
+    flat = [(i, place(faces[0][0])) for i, faces in boxes] if labelled else []
+    for at, (i, faces) in enumerate(boxes):
         drawn = parts[0 if is_beyond_hidden_side(faces, openings.container, view) else 1]
         for corners, shade in faces:
             drawn.append(polygon(place(corners), fill=shaded(FILLS[states[i]], shade), stroke=LINE, stroke_width=0.6, stroke_linejoin="round"))
-        if states[i] == "first":
-            x, y = place(faces[0 if view != "corner" else 1][0]).mean(axis=0)
-            drawn.append(f'<text x="{x:.1f}" y="{y + 3:.1f}" font-size="9" text-anchor="middle">{i + 1}</text>')
+        if labelled:
+            drawn.append(packed_label(at, flat, names))
+        elif states[i] == "first":
+            drawn.append(label(str(i + 1), *place(faces[0 if view != "corner" else 1][0]).mean(axis=0)))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}">'
             + "".join([*ground, *parts[0], *frame, *parts[1], *over]) + "</svg>")

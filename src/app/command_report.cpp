@@ -9,6 +9,7 @@
 #include "app/report.hpp"
 #include "app/shared_script.hpp"
 #include "app/stored_bearing.hpp"
+#include "core/model/norms.hpp"
 #include "io/export/text_output.hpp"
 #include "io/input/text_file.hpp"
 #include "io/results/results_reader.hpp"
@@ -46,11 +47,14 @@ ExitCode run_report_command(const ReportOptions& options) {
   return guard_reading({.path = options.results_path, .cure = "simulate it again", .memory = options.memory}, [&] {
     Result<ResultsReader> results = ResultsReader::open(options.results_path);
     if (!results) return fail(ExitCode::bad_usage, results.error());
-    const Result<std::string> bearing = bearing_json(*results);
+    const Result<std::string> bearing = bearing_json(*results, static_cast<std::size_t>(options.most));
     if (!bearing) return fail(ExitCode::bad_usage, bearing.error());
     const std::string bearing_file = file_in_memory(*bearing);
     std::vector<std::string> arguments = {"--most", fmt::format("{}", options.most)};
     if (!bearing_file.empty()) arguments.insert(arguments.end(), {"--bearing", bearing_file});
+    // The norm is a text of the file, which may have been another program's.
+    if (const auto norm = find_norm(results->info().norm))
+      arguments.insert(arguments.end(), {"--norm-source", std::string(norm->norm->source)});
     arguments.insert(arguments.end(), {"--", options.results_path, options.output_path});
     const std::optional<int> status = run_shared_script("load_report.py", arguments);
     if (status == 0) return ExitCode::done;

@@ -41,12 +41,13 @@ bool has_limit(const Layout& layout) {
 
 }  // namespace
 
-Result<std::string> bearing_json(ResultsReader& results) {
+Result<std::string> bearing_json(ResultsReader& results, std::size_t most) {
   const Result<std::vector<bool>> fails = failing_layouts(results);
   if (!fails) return fails.errors();
+  auto shown = static_cast<std::size_t>(std::count(fails->begin(), fails->end(), true));
   std::vector<std::pair<std::size_t, Layout>> limited;
   for (std::size_t i = 0; i < fails->size(); ++i) {
-    if (!(*fails)[i]) continue;
+    if (!(*fails)[i] && shown++ >= most) continue;
     Result<Layout> layout = stored_layout(results, i);
     if (!layout) return layout.errors();
     if (has_limit(*layout)) limited.emplace_back(i, std::move(*layout));

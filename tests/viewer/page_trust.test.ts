@@ -74,17 +74,24 @@ test("the page can ask nobody for anything, and runs no script but its own", asy
   });
 });
 
-test("a name is text, whatever it says: in the matrix, beside the load and in lists", async () => {
+test("a name is text, whatever it says: in the matrix, beside the load, in lists and on paper", async () => {
   const page = await openPage({ file: "hostile.h5" });
   await page.evaluate(() => {
+    window.print = () => {};
     location.hash = "world=1";
   });
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
   await page.focus(".scroller");
   await page.keyboard.press("ArrowDown");
   assert.match(await page.innerText("aside.panel .box"), /<img src=x onerror=|<\/script><script>/i);
+  await page.keyboard.press("Control+p");
+  await page.waitForSelector(".report section", { state: "attached" });
+  assert.match((await page.textContent(".report")) ?? "", /<img src=x onerror=.*<script>/s);
   assert.match((await page.textContent("header")) ?? "", /<script>/);
-  const made = await page.evaluate(() => [document.querySelectorAll("img, #app script").length, "hacked" in window]);
+  const made = await page.evaluate(() => [
+    document.querySelectorAll("img, #app script, .report script").length,
+    "hacked" in window,
+  ]);
   assert.deepEqual(made, [0, false]);
   await page.close();
 });

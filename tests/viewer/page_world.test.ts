@@ -44,7 +44,7 @@ test("from the fleet to the critical box, with the keyboard alone", async () => 
   await page.keyboard.press("n");
   await shown(page);
   assert.ok((await colours(page)) > 100, "the load is drawn");
-  assert.match(await page.innerText(".panel"), /critical box\s+Box \d+ .*beyond a limit first, at −?\d\.\d\d s/i);
+  assert.match(await page.innerText(".panel"), /what goes first\s+Box \d+ .*beyond a limit first, at −?\d\.\d\d s/i);
   await page.focus(".panel .link");
   await page.keyboard.press("Enter");
   assert.match(await page.innerText(".panel .box"), /largest displacement\s+[\d.]+ cm\s+displacement at the end/);

@@ -11,6 +11,7 @@ import { whyNotLive } from "./live/live_words";
 import { VIEWS } from "./load/camera_rig";
 import { firstOther, otherWorld, sameWorld } from "./load/other_world";
 import { WorldView } from "./load/world_view";
+import { Printed } from "./print/printed";
 import { download, element } from "./ui/dom";
 import { helpDialog } from "./ui/help";
 import { type Keymap, listenToKeys } from "./ui/keys";
@@ -36,7 +37,9 @@ class App {
     () => this.store.update(FLEET),
     () => this.chooser.click(),
     () => this.help.showModal(),
+    () => this.print(),
   );
+  private readonly printed = new Printed();
   private readonly help = helpDialog();
   private readonly client = ResultsClient.start();
   private results: Results | null = null;
@@ -67,12 +70,40 @@ class App {
       const file = event.dataTransfer?.files[0];
       if (file) this.open({ kind: "file", file });
     });
+    document.body.append(this.printed.node);
+    document.addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "p" || !this.results) return;
+      event.preventDefault();
+      this.print();
+    });
+    addEventListener("beforeprint", () => {
+      if (this.results && this.fleet && this.printed.node.childElementCount === 0)
+        this.printed.overview(this.results, this.fleet.shownLayouts);
+    });
+    addEventListener("afterprint", () => this.printed.clear());
     addEventListener("popstate", () => this.store.restore(location.hash));
     this.store.listen((_, changed) => {
       if (changed.has("world") || changed.has("other") || changed.has("live")) this.show();
     });
     listenToKeys(() => ({ ...this.keys(), ...this.live?.keys }));
     this.begin();
+  }
+
+  /** Prints a page of the load that is open, or of each that the matrix shows. */
+  private async print(): Promise<void> {
+    const { results, fleet } = this;
+    if (!results || !fleet) return;
+    const { world } = this.store.state;
+    this.root.setAttribute("aria-busy", "true");
+    try {
+      const client = await this.client;
+      const layouts = world === null ? fleet.shownLayouts : [results.worlds.layout[world]];
+      await this.printed.print(results, layouts, (index) => client.world(index));
+    } catch (error) {
+      this.bar.say((error as Error).message);
+    } finally {
+      this.root.removeAttribute("aria-busy");
+    }
   }
 
   private keys(): Keymap {

@@ -42,7 +42,7 @@ export function compareTable(shown: readonly Shown[]): HTMLElement {
       row("moved", number("moved")),
       row("tilted", number("tilted")),
       row("unstable", number("unstable")),
-      row("critical box", ({ world }) => (world.criticalBox > 0 ? count(world.criticalBox) : "none")),
+      row("goes first, or nearest", ({ world }) => (world.criticalBox > 0 ? count(world.criticalBox) : "none")),
       row("largest displacement", ({ results, world }) => metres(results.worlds.peakDisplacement[world.index])),
       row("displacement at the end", ({ results, world }) => metres(results.worlds.endDisplacement[world.index])),
       row("largest kinetic energy", ({ results, world }) => joules(results.worlds.peakEnergy[world.index])),

@@ -134,16 +134,17 @@ export class WorldPanel {
         element(
           "section",
           {},
-          element("h2", {}, "Critical box"),
+          element("h2", {}, "What goes first"),
           element("p", {}, "None: no box has used up 1 % of a limit."),
         ),
       ];
     const first = boxes.firstBeyond[box];
+    const beyond = boxVerdict(boxes, box) !== VERDICT_CODES.stayed;
     return [
       element(
         "section",
         {},
-        element("h2", {}, "Critical box"),
+        element("h2", {}, beyond ? "What goes first" : "Nearest to a limit"),
         element(
           "p",
           {},

@@ -100,7 +100,7 @@ export class FleetView {
   }
 
   focus(): void {
-    this.matrix.node.focus({ preventScroll: true });
+    this.matrix.focus();
   }
 
   /** The next world, in the order shown, that does not hold; -1 goes back. */

@@ -7,19 +7,27 @@ import { switchTheme } from "./theme";
 export class TopBar {
   private readonly path = element("nav", { "aria-label": "Where you are" });
   private readonly notice = element("span", { class: "notice", role: "status" });
+  private readonly printButton: HTMLElement;
   readonly node: HTMLElement;
 
   constructor(
     private readonly home: () => void,
     choose: () => void,
     help: () => void,
+    print: () => void,
   ) {
+    this.printButton = element(
+      "button",
+      { class: "plain", onclick: print, title: "A page to print for each load (Ctrl-P)" },
+      "Print",
+    );
     this.node = element(
       "header",
       {},
       this.path,
       this.notice,
       element("span", { class: "gap" }),
+      this.printButton,
       element("button", { class: "plain", onclick: choose }, "Open…"),
       element(
         "button",
@@ -47,6 +55,7 @@ export class TopBar {
     }
     for (const title of titles) steps.push(element("span", { class: "crumb" }, title));
     this.path.replaceChildren(...steps);
+    this.printButton.hidden = results === null;
     this.notice.textContent =
       results && !results.complete
         ? "Part of an unfinished run: it has some of its worlds. holdfast screen --resume finishes the run."
