@@ -24,6 +24,8 @@ export class Matrix {
   private rows: readonly Row[] = [];
   private scale: Scale = "verdict";
   private at: CellAt | null = null;
+  /** It has the focus since it opens: nobody has asked for a cell yet. */
+  private begins = false;
   private header = 32;
   private cell = WIDEST;
   readonly redraw = oncePerFrame(() => this.draw());
@@ -49,7 +51,8 @@ export class Matrix {
         },
         onkeydown: (event: KeyboardEvent) => this.key(event),
         onfocus: () => {
-          if (!this.at && this.rows.length > 0 && this.node.matches(":focus-visible")) this.move({ row: 0, column: 0 });
+          const told = this.begins || this.at !== null || this.rows.length === 0;
+          if (!told && this.node.matches(":focus-visible")) this.move({ row: 0, column: 0 });
         },
       },
       this.canvas,
@@ -57,6 +60,12 @@ export class Matrix {
     );
     new ResizeObserver(() => this.measure()).observe(this.node);
     onTheme(this.redraw);
+  }
+
+  focus(): void {
+    this.begins = true;
+    this.node.focus({ preventScroll: true });
+    this.begins = false;
   }
 
   show(rows: readonly Row[], scale: Scale): void {
