@@ -40,8 +40,8 @@ GRAVITY = 9.81  # m/s2: what norms call 1 g
 ROUNDING = 1e-6  # of numbers that have two digits
 LARGEST_MARGIN = 1.5  # g: margins are not sought beyond it
 WORST = (UNSTABLE, FELL, MOVED)  # the worst first
-ORDER = ("The worst come first: those that are unstable under most accelerations, then those in which boxes fall under most, then those "
-         "in which boxes move under most, then those with most such boxes.")
+ORDER = ("The worst come first: those with most boxes that are unstable, then those with most that fall, then those with most that move, "
+         "under all accelerations together.")
 READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken not to come to an end: SIGPROF ends the process
 TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes", "material_name", "box_name", "container_type",
          "open_sides", "drop_sides")  # datasets that are no numbers
@@ -232,7 +232,8 @@ def table(heads, rows, text=(), kind=""):
     def cells(tag, row):
         return "".join(f'<{tag}{kind_of(i) if i in text else ""}>{cell}</{tag}>' for i, cell in enumerate(row))
 
-    return f"<table class='{kind}'><tr>{cells('th', heads)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
+    head = f"<tr>{cells('th', heads)}</tr>" if any(heads) else ""
+    return f"<table class='{kind}'>{head}" + "".join(f"<tr>{cells('td', row)}</tr>" for row in rows) + "</table>"
 
 
 def counted(number, noun):
@@ -261,7 +262,7 @@ def compared(value, limit):
 
 def percent(share):
     """A share of a limit, or of a whole."""
-    return f"{compared(100 * share, 100)}%"
+    return f"{compared(100 * share, 100)} %"
 
 
 def when(time):
@@ -662,10 +663,11 @@ def worst_first(results):
     for layout in range(len(results.layout_names)):
         failing = [world for world in results.worlds_of(layout) if results.fails(world)]
         if failing:
-            verdicts = [results.world_summary["verdict"][world] for world in failing]
-            gone = sum(max(int(results.world_summary[name][world]) for name in counts[verdict])
-                       for world, verdict in zip(failing, verdicts) if verdict in counts)
-            ranks.append((*(-verdicts.count(verdict) for verdict in WORST), -gone, layout))
+            boxes = Counter()
+            for world in failing:
+                verdict = results.world_summary["verdict"][world]
+                boxes[verdict] += max((int(results.world_summary[name][world]) for name in counts.get(verdict, ())), default=0)
+            ranks.append((*(-boxes[verdict] for verdict in WORST), layout))
         else:
             holding.append(layout)
     return [layout for *_, layout in sorted(ranks)] + holding

@@ -16,7 +16,8 @@ import unittest
 from cli import HOLDFAST, PATIENCE, SEED_ACCELERATION, SEED_LAYOUT, CliTest, wait_for
 
 # Stands in for the page of `make viewer`, which the tests of the program do not need.
-PAGE = '<!doctype html>\n<meta name="generator" content="holdfast viewer">\n<body><!--RESULTS--></body>\n'
+PAGE = ('<!doctype html>\n<meta name="generator" content="holdfast viewer">\n<meta content="connect-src data:; base-uri">\n'
+        '<body><!--RESULTS--></body>\n')
 
 
 class ViewTest(CliTest):
@@ -49,6 +50,11 @@ class View(ViewTest):
         self.assert_exit(done, 0)
         self.assertEqual(done.stdout, "results.html\n")
         self.assertEqual(self.embedded(self.folder / "results.html"), ("results.h5", self.results.read_bytes()))
+        self.assertIn('"connect-src data:; base-uri"', (self.folder / "results.html").read_text())
+
+    def test_a_page_that_says_not_what_it_may_ask_for_is_none_of_the_viewer(self):
+        self.write("share/holdfast/viewer.html", PAGE.replace("connect-src", "connect"))
+        self.assert_refused(self.view("view", "results.h5", "--no-open"), "viewer.html", "is no page of the viewer", code=1)
 
     def test_a_page_is_replaced_and_another_file_is_not(self):
         for _ in range(2):
@@ -112,6 +118,7 @@ class Serve(ViewTest):
         status, page, _ = self.ask(f"/{self.token}/")
         self.assertEqual(status, 200)
         self.assertIn(b'data-name="results.h5" data-address="results"', page)
+        self.assertIn(b"\"connect-src data: 'self'; base-uri\"", page, "it may ask its server")
         # A browser takes packed answers, which would cost the server seconds.
         packed = self.ask(f"/{self.token}/", **{"Accept-Encoding": "gzip, deflate, br"})
         self.assertEqual((packed[1], packed[2]["Content-Encoding"]), (page, None))

@@ -1,8 +1,9 @@
 import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
 import { choose, closeBrowser, openPage } from "./browser";
-import { RESULTS } from "./places";
+import { PROGRAM, RESULTS } from "./places";
 
 after(closeBrowser);
 
@@ -78,6 +79,25 @@ test("the page of `holdfast view` has its results in it", async () => {
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
   assert.match(await page.innerText("header"), /demo\.h5\s+BR15_077_ep\.txt · road-front-0g8/);
   await page.close();
+});
+
+test("a page that is served asks its server alone", async () => {
+  const server = spawn(PROGRAM, ["view", "--serve", "--no-open", `${RESULTS}/demo.h5`], {
+    stdio: ["ignore", "pipe", "inherit"],
+  });
+  try {
+    const address = await new Promise<string>((told) =>
+      server.stdout.once("data", (text) => told(String(text).trim())),
+    );
+    const page = await openPage({ address });
+    await page.waitForSelector("#app:not([aria-busy]) > main.fleet");
+    assert.match(await page.innerText("header"), /demo\.h5/);
+    await page.keyboard.press("n");
+    await page.waitForSelector("#app:not([aria-busy]) > main.world");
+    await page.close();
+  } finally {
+    server.kill();
+  }
 });
 
 test("the table has names of critical boxes, and of containers", async () => {

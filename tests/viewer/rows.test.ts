@@ -10,7 +10,6 @@ const row = (layout: number, badness: number, displacement: number, margin: numb
   worlds: new Int32Array(1),
   badness,
   failing: [0, badness, 0],
-  gone: 0,
   displacement,
   margin,
 });
@@ -25,7 +24,7 @@ test("rows are sorted by what is worst, smallest, first", () => {
   assert.deepEqual(order("margin"), [2, 0, 3, 1]);
 });
 
-test("the most worlds with the worst verdict come first, then with the next one, then the most boxes", () => {
+test("most boxes with the worst verdict come first, then with the next one: 18 that fell before 2", () => {
   const { stayed, moved, fell } = VERDICT_CODES;
   // Per layout and acceleration: verdict, boxes that fell, boxes that moved, and the largest displacement, m.
   const worlds = [
@@ -34,13 +33,14 @@ test("the most worlds with the worst verdict come first, then with the next one,
     [fell, 2, 2, 1, moved, 0, 9, 0.2],
     [moved, 0, 20, 4, moved, 0, 20, 4],
     [fell, 1, 1, 1, fell, 1, 1, 1],
+    [fell, 18, 18, 1, stayed, 0, 0, 0],
   ].flatMap((row, layout) => [
     { layout, acceleration: 0, verdict: row[0], fallen: row[1], moved: row[2], far: row[3] },
     { layout, acceleration: 1, verdict: row[4], fallen: row[5], moved: row[6], far: row[7] },
   ]);
   const column = (key: keyof (typeof worlds)[0]) => Uint32Array.from(worlds, (world) => world[key]);
   const results = {
-    layouts: ["a", "b", "c", "d", "e"],
+    layouts: ["a", "b", "c", "d", "e", "f"],
     accelerations: ["x", "y"],
     judgedAtEnd: false,
     margins: null,
@@ -50,14 +50,14 @@ test("the most worlds with the worst verdict come first, then with the next one,
       verdict: column("verdict"),
       fallen: column("fallen"),
       moved: column("moved"),
-      tilted: new Uint32Array(10),
-      unstable: new Uint32Array(10),
-      stopReason: new Uint8Array(10).fill(STOP_REASON_CODES.sleeping),
+      tilted: new Uint32Array(12),
+      unstable: new Uint32Array(12),
+      stopReason: new Uint8Array(12).fill(STOP_REASON_CODES.sleeping),
       peakDisplacement: Float32Array.from(worlds, ({ far }) => far),
     },
   } as unknown as Results;
   const sorted = arranged(rowsOf(results), results.layouts, "", "worst").map((r) => results.layouts[r.layout]);
-  assert.deepEqual(sorted, ["e", "c", "b", "a", "d"]);
+  assert.deepEqual(sorted, ["f", "c", "b", "e", "a", "d"]);
 });
 
 test("a cell of margins says the largest that is tried with a plus, and what is unstable in words", async () => {

@@ -20,10 +20,8 @@ export interface Row {
   worlds: Int32Array;
   /** of its worst world */
   badness: number;
-  /** worlds with each verdict of `WORST`, in that order */
+  /** boxes that went beyond a limit in the worlds with each verdict of `WORST`, in that order: sums of the numbers in its cells */
   failing: number[];
-  /** boxes beyond a limit in those, together: the sum of the numbers in its cells */
-  gone: number;
   /** m, the largest of its worlds */
   displacement: number;
   /** g, smallest of the four directions; NaN where it is not known */
@@ -35,7 +33,7 @@ const WORST = VERDICTS.map((_, code) => code)
   .filter((code) => VERDICTS[code].fails)
   .sort((a, b) => VERDICTS[b].badness - VERDICTS[a].badness);
 
-/** Which of two rows has more worlds of the worst verdict, or of the next one where they have as many. */
+/** Which of two rows has more boxes of the worst verdict, or of the next one where they have as many. */
 const byFailing = (a: Row, b: Row) => b.failing.map((count, i) => count - a.failing[i]).find((more) => more !== 0) ?? 0;
 
 /** How many boxes were beyond the limit that decided a world's verdict. */
@@ -54,7 +52,6 @@ export function rowsOf(results: Results): Row[] {
     worlds: new Int32Array(accelerations.length).fill(-1),
     badness: -1,
     failing: WORST.map(() => 0),
-    gone: 0,
     displacement: 0,
     margin: margins ? smallest(judgedMargins(margins).margin.subarray(4 * layout, 4 * layout + 4)) : Number.NaN,
   }));
@@ -65,8 +62,7 @@ export function rowsOf(results: Results): Row[] {
     row.worlds[worlds.acceleration[world]] = world;
     row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
     const failure = WORST.indexOf(worlds.verdict[world]);
-    if (failure >= 0) row.failing[failure] += 1;
-    row.gone += goneBoxes(results, world);
+    if (failure >= 0) row.failing[failure] += goneBoxes(results, world);
     if (displacements[world] > row.displacement) row.displacement = displacements[world];
   }
   return rows;
@@ -82,7 +78,7 @@ const collator = new Intl.Collator("en", { numeric: true });
 /** What each order is, in words. */
 export const ORDERS: Record<Sort, string> = {
   worst:
-    "By how many worlds are unstable, then by how many fell, then by how many moved, then by how many boxes did so.",
+    "By how many boxes are unstable, then by how many fell, then by how many moved, under all accelerations together.",
   margin: "By the smallest margin of the four directions, the one that layouts are judged by.",
   name: "By the names of the layouts.",
 };
@@ -97,8 +93,7 @@ export function arranged(rows: readonly Row[], names: readonly string[], filter:
   const byName = (a: Row, b: Row) => collator.compare(names[a.layout], names[b.layout]);
   const unknownLast = (margin: number) => (Number.isNaN(margin) ? Number.POSITIVE_INFINITY : margin);
   const orders: Record<Sort, (a: Row, b: Row) => number> = {
-    worst: (a, b) =>
-      byFailing(a, b) || b.gone - a.gone || b.badness - a.badness || b.displacement - a.displacement || byName(a, b),
+    worst: (a, b) => byFailing(a, b) || b.badness - a.badness || b.displacement - a.displacement || byName(a, b),
     margin: (a, b) => unknownLast(a.margin) - unknownLast(b.margin) || byName(a, b),
     name: byName,
   };

@@ -19,7 +19,7 @@ import { caveatsOf } from "../data/status";
 import { failing, JUDGED_AT_END, NOT_MODELLED, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { element } from "../ui/dom";
-import { compared, degrees, fixed, kilograms, marginNumber, metres, percent, plural, seconds } from "../ui/text";
+import { compared, fixed, marginNumber, percent, plural, seconds } from "../ui/text";
 import { drawLoad, FILLS, type PackedBox, type State, VIEW_NAMES, type View } from "./drawing";
 import { NORM_SOURCES } from "./norm_sources";
 
@@ -32,6 +32,11 @@ const LEAST_ROWS = 3;
 const WIDTHS: Record<View, number> = { top: 330, side: 330, corner: 350 };
 
 type Cell = string | HTMLElement;
+
+/** kg, with a digit behind the point where it says something. */
+const weight = (mass: number) => fixed(mass, mass >= 100 ? 0 : 1);
+/** The shortest number, of a limit that somebody has set. */
+const short = (value: number) => String(Number(value.toPrecision(6)));
 
 const bad = (text: string) => element("span", { class: "bad" }, text);
 const note = (...parts: Cell[]) => element("p", { class: "note" }, ...parts);
@@ -160,7 +165,7 @@ export function runFacts(results: Results): [string, string][] {
   const norm = settings["Screening/Norm"] ?? "";
   const source = NORM_SOURCES[norm.split(":")[0]];
   const accuracy = results.engine === "native" ? ` ${settings["Native/Accuracy"] ?? ""}` : "";
-  const limits = `displaced by ${metres(thresholds.move)}, lowered by ${metres(thresholds.drop)}, tilted by ${degrees(thresholds.tilt)}`;
+  const limits = `displaced by ${short(100 * thresholds.move)} cm, lowered by ${short(100 * thresholds.drop)} cm, tilted by ${short(thresholds.tilt)}°`;
   const facts: [string, string][] = [
     ["norm", norm === "" ? "none: accelerations of files" : source ? `${norm}: ${source}` : norm],
     ["friction", frictionText(settings)],
@@ -194,10 +199,10 @@ function itemsTable(all: readonly Item[], most: number): HTMLElement | null {
   const size = (item: Item) => item.size.map((side) => Number((100 * side).toFixed(1))).join(" × ");
   const rows = all.slice(0, most).map((item) => {
     const { name, masses } = item;
-    const [least, most] = [Math.min(...masses), Math.max(...masses)].map((mass) => kilograms(mass).replace(" kg", ""));
+    const [least, most] = [Math.min(...masses), Math.max(...masses)].map(weight);
     const each = least === most ? least : `${least} to ${most}`;
     const sum = masses.reduce((sofar, mass) => sofar + mass, 0);
-    return [name || "box", String(masses.length), size(item), `${each} kg`, kilograms(sum)];
+    return [name || "box", String(masses.length), size(item), `${each} kg`, `${weight(sum)} kg`];
   });
   const rest = all.slice(most).reduce((sum, { masses }) => sum + masses.length, 0);
   return element(
@@ -362,7 +367,7 @@ function boxesTable({ thresholds }: Results, found: readonly [number, World][], 
       String(boxes.id[box]),
       boxes.name[box],
       size.join(" × "),
-      kilograms(boxes.mass[box]),
+      weight(boxes.mass[box]),
       mostAndLast(100 * peak.displacement[box], 100 * end.displacement[box], 100 * thresholds.move),
       mostAndLast(100 * peak.drop[box], 100 * end.drop[box], 100 * thresholds.drop),
       mostAndLast(peak.tilt[box], end.tilt[box], thresholds.tilt),
@@ -375,7 +380,7 @@ function boxesTable({ thresholds }: Results, found: readonly [number, World][], 
     { head: "box" },
     { head: "name", left: true, shown: named },
     { head: "size, cm" },
-    { head: "mass" },
+    { head: "mass, kg" },
     { head: "farthest, cm" },
     { head: "drop, cm" },
     { head: "tilt, °" },
@@ -410,7 +415,7 @@ function headline(world: World, worlds: readonly World[]): HTMLElement {
   }, 0);
   const [length, width, height] = container.size;
   const parts = boxes.fixed.length - free.length;
-  const load = `${plural(free.length, "box")} of ${kilograms(massOf(boxes))}, ${percent(volume / (length * width * height))} of the container's volume${parts > 0 ? `, and ${parts} fixed` : ""}; `;
+  const load = `${plural(free.length, "box")} of ${weight(massOf(boxes))} kg, ${percent(volume / (length * width * height))} of the container's volume${parts > 0 ? `, and ${parts} fixed` : ""}; `;
   const fails = worlds.filter(({ verdict }) => failing(verdict) || verdict === VERDICT_CODES.failed).length;
   const all = plural(worlds.length, "acceleration");
   const holds = worlds.every(({ verdict }) => verdict === VERDICT_CODES.stayed);
