@@ -19,7 +19,7 @@ import { caveatsOf } from "../data/status";
 import { failing, JUDGED_AT_END, NOT_MODELLED, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { element } from "../ui/dom";
-import { compared, fixed, marginNumber, percent, plural, seconds } from "../ui/text";
+import { fixed, marginNumber, percent, plural, seconds } from "../ui/text";
 import { drawLoad, FILLS, type PackedBox, type State, VIEW_NAMES, type View } from "./drawing";
 import { NORM_SOURCES } from "./norm_sources";
 
@@ -214,12 +214,16 @@ function itemsTable(all: readonly Item[], most: number): HTMLElement | null {
   );
 }
 
+/** A number beside a limit, with as many digits as it takes to see whether it is beyond. */
+function besideLimit(value: number, limit: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const texts = [0, 1, 2, 3].map((digits) => fixed(value, digits));
+  return texts.find((text) => Number(text) > limit === value > limit) ?? texts[3];
+}
+
 /** A number at its largest, and in brackets at the end, beside its limit. */
-const mostAndLast = (most: number, last: number, limit: number) => {
-  const text = (value: number) =>
-    Number.isFinite(value) ? compared(value, limit, (of, more) => fixed(of, more))[0] : "–";
-  return `${text(most)} (${text(last)})`;
-};
+const mostAndLast = (most: number, last: number, limit: number) =>
+  `${besideLimit(most, limit)} (${besideLimit(last, limit)})`;
 
 const when = (time: number) => (Number.isNaN(time) ? "–" : time >= 0 ? seconds(time) : "settling");
 
