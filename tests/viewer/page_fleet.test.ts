@@ -31,7 +31,7 @@ test("the overview has the caveats, both margins, and what is not modelled", asy
   await page.keyboard.press("ArrowDown");
   const detail = await page.innerText(".detail");
   assert.match(detail, /largest displacement\s+[\d.]+ cm\s+displacement at the end/);
-  assert.match(detail, /(goes first|nearest to a limit): box\s+\d+/);
+  assert.match(detail, /(goes first|nearest to a limit)\s+box \d+/);
   assert.match(detail, /margins in place\s+front [\d.]+ g.*\s+margins within the limits\s+front [\d.]+ g/);
   const scales = await page.innerText(".tools select[aria-label=Colour]");
   assert.match(scales, /largest displacement, m\s+margin within the limits, g\s+margin in place, g/);
@@ -116,6 +116,18 @@ test("the table has names of critical boxes, and of containers", async () => {
   assert.ok(of("trailer.csv").some((line) => line.critical_box === "1" && line.critical_box_name === "Drinks 1"));
   await page.hover("canvas", { position: { x: 400, y: 50 } });
   assert.match(await page.innerText(".detail"), /container\s+trailer-curtain, 13\.60/);
+  await page.close();
+});
+
+test("a cell says what goes first by its name", async () => {
+  const page = await openPage({ file: "loads.h5" });
+  await page.fill("input[type=search]", "trailer");
+  await page.focus(".matrix");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() =>
+    /goes first\s+box 17, Flour 1/.test(document.querySelector<HTMLElement>(".detail")?.innerText ?? ""),
+  );
   await page.close();
 });
 

@@ -1,8 +1,9 @@
+import { boxText } from "../box/box_text";
 import { containerFactsOf } from "../box/container_facts";
 import { frictionText } from "../data/friction";
 import { CAVEAT_BITS } from "../data/outcome";
 import { pushSentence } from "../data/push";
-import type { Results } from "../data/results";
+import { NOT_COUNTED, type Results } from "../data/results";
 import { causes, caveatsOf } from "../data/status";
 import { isAtLeast, JUDGED_AT_END, meaningOf, NOT_MODELLED, VERDICTS, verdictText } from "../data/verdict";
 import { choice, download, element } from "../ui/dom";
@@ -24,6 +25,9 @@ function containerFacts({ container, ownContainers, layouts }: Results): [string
   return facts;
 }
 
+/** Worlds of a file of which names are read without being asked for. */
+const MOST_NAMED = 2000;
+
 /** The landing page of a file: which loadings fail under what. */
 export class FleetView {
   readonly node: HTMLElement;
@@ -35,6 +39,10 @@ export class FleetView {
   private readonly order = element("span", { class: "faint" });
   private readonly colours = element("ul", { class: "colours" });
   private readonly filter: HTMLInputElement;
+  private described: CellAt | null = null;
+  /** of critical boxes, by world */
+  private names: string[] = [];
+  private namesAsked = false;
 
   constructor(
     private readonly results: Results,
@@ -182,6 +190,7 @@ export class FleetView {
   /** What the world under the pointer is about. */
   private describe(at: CellAt | null): void {
     const world = at ? this.worldAt(at) : -1;
+    this.described = at;
     if (!at || world < 0) {
       this.detail.replaceChildren(
         element("h2", {}, "World"),
@@ -189,6 +198,7 @@ export class FleetView {
       );
       return;
     }
+    this.readNames();
     const { worlds, layouts, accelerations, segments, margins, replicas, judgedAtEnd } = this.results;
     const layout = this.rows[at.row].layout;
     const verdict = worlds.verdict[world];
@@ -201,10 +211,7 @@ export class FleetView {
       ["tilted", boxes(worlds.tilted[world])],
       ["unstable", boxes(worlds.unstable[world])],
       ["fallen at the end", count(worlds.fallenAtEnd[world])],
-      [
-        VERDICTS[verdict].fails ? "goes first: box" : "nearest to a limit: box",
-        worlds.criticalBox[world] > 0 ? count(worlds.criticalBox[world]) : "none",
-      ],
+      [VERDICTS[verdict].fails ? "goes first" : "nearest to a limit", this.criticalText(world)],
       ["largest displacement", metres(worlds.peakDisplacement[world])],
       ["displacement at the end", metres(worlds.endDisplacement[world])],
       ["largest drop", metres(worlds.peakDrop[world])],
@@ -242,6 +249,22 @@ export class FleetView {
       ...caveatsOf(worlds.caveats[world]).map((caveat) => element("p", { class: "notable" }, caveat.meaning)),
       element("dl", {}, ...facts.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
     );
+  }
+
+  /** The critical box of a world with its name, once names have been read. */
+  private criticalText(world: number): string {
+    const box = this.results.worlds.criticalBox[world];
+    if (box === 0) return "none";
+    return box === NOT_COUNTED ? "–" : boxText({ id: Uint32Array.of(box), name: [this.names[world] ?? ""] }, 0);
+  }
+
+  /** Reads names when a world is pointed at first, of a file that has few enough for that. */
+  private async readNames(): Promise<void> {
+    if (this.namesAsked || this.results.worlds.layout.length > MOST_NAMED) return;
+    this.namesAsked = true;
+    this.names = await this.criticalNames().catch(() => []);
+    // What is shown may have been filtered meanwhile.
+    if (this.described && this.described.row < this.rows.length) this.describe(this.described);
   }
 
   private facts(): HTMLElement {
