@@ -168,7 +168,7 @@ test("a part says that its run is not finished", async () => {
 
 test("the overview says what the order is, what colours mean, and the friction that acts", async () => {
   const page = await openPage({ file: "rich.h5" });
-  assert.match(await page.innerText(".order"), /^By how many worlds are unstable, then by how many fell/);
+  assert.match(await page.innerText(".order"), /^By how many boxes are unstable, then by how many fell/);
   assert.match(
     await page.innerText("aside"),
     /friction\s+box on box 0\.5, on the floor 0\.5, on walls 0\.45\s+container/,

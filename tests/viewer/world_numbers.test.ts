@@ -15,17 +15,7 @@ import { bedOf, insideOf } from "../../viewer/src/load/container_faces";
 import { accelerationAt, accelerationSteps } from "../../viewer/src/time/acceleration";
 import { between, slerp, tiltOf, times } from "../../viewer/src/time/poses";
 import { markers, roundStep, roundTicks, strips } from "../../viewer/src/time/strips";
-import {
-  compared,
-  degrees,
-  fixed,
-  margin,
-  metres,
-  newtons,
-  seconds,
-  tickText,
-  wayText,
-} from "../../viewer/src/ui/text";
+import { compared, degrees, fixed, margin, metres, newtons, seconds, tickText, waysOf } from "../../viewer/src/ui/text";
 
 const LIMITS = { move: 0.1, drop: 0.05, tilt: 10 };
 
@@ -74,11 +64,14 @@ test("an acceleration pushes the load against where the container goes, in the w
   assert.equal(pushSentence(of(...many)), "The load is pushed 4 times, hardest to the rear with 0.153 g.");
 });
 
-test("a way is told in words: forwards, left, down", () => {
-  const way = (...displacement: number[]) => wayText(displacement).replaceAll("\u00a0", " ");
-  assert.equal(way(-0.123, 0.04, -0.02), "12.3 cm forwards, 4.0 cm right, 2.0 cm down");
-  assert.equal(way(1.5, -0.0004, 0), "1.50 m backwards");
-  assert.equal(wayText([0, 0, 0]), "");
+test("a displacement is told in words: forwards, left, down", () => {
+  assert.deepEqual(waysOf([-0.123, 0.04, -0.02]), [
+    ["forwards", "12.3 cm"],
+    ["right", "4.0 cm"],
+    ["down", "2.0 cm"],
+  ]);
+  assert.deepEqual(waysOf([1.5, -0.0004, 0]), [["backwards", "1.50 m"]]);
+  assert.deepEqual(waysOf([0, 0, 0]), []);
 });
 
 test("the time line has a curve for each side that the load is pushed to", () => {

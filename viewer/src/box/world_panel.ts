@@ -23,7 +23,7 @@ import {
   percent,
   plural,
   seconds,
-  wayText,
+  waysOf,
 } from "../ui/text";
 import { BoxList } from "./box_list";
 import { boxText } from "./box_text";
@@ -222,7 +222,7 @@ export class WorldPanel {
       ["mass", kilograms(boxes.mass[box])],
       ["largest displacement", metres(boxes.peak.displacement[box])],
       ["displacement at the end", metres(boxes.end.displacement[box])],
-      ["of that", wayText(boxes.endDisplacement.subarray(3 * box, 3 * box + 3)) || "–"],
+      ...waysOf(boxes.endDisplacement.subarray(3 * box, 3 * box + 3)),
       ["largest drop", metres(boxes.peak.drop[box])],
       ["drop at the end", metres(boxes.end.drop[box])],
       ["largest tilt", degrees(boxes.peak.tilt[box])],

@@ -31,15 +31,11 @@ const WAYS = [
   ["down", "up"],
 ] as const;
 
-/**
- * A displacement (m) in the words of whoever looks forwards; nothing where it is less than a millimetre on each axis. Lines break between
- * its parts alone.
- */
-export const wayText = (displacement: ArrayLike<number>): string =>
+/** The parts of a displacement (m) in the words of whoever looks forwards, without those of less than a millimetre. */
+export const waysOf = (displacement: ArrayLike<number>): [way: string, size: string][] =>
   WAYS.map((words, axis) => ({ size: Math.abs(displacement[axis]), word: words[displacement[axis] > 0 ? 1 : 0] }))
     .filter(({ size }) => size >= 0.001)
-    .map(({ size, word }) => `${metres(size)} ${word}`.replaceAll(" ", "\u00a0"))
-    .join(", ");
+    .map(({ size, word }) => [word, metres(size)]);
 
 export const degrees = (value: number, more = 0) => (Number.isFinite(value) ? `${fixed(value, 1 + more)}°` : "–");
 export const seconds = (value: number) => (Number.isFinite(value) ? `${fixed(value, 2)} s` : "–");
