@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ std::vector<Setting> read_settings(const std::string& text) {
     for (const internal::PlacedSetting& placed : internal::placed_settings(config.settings))
       if (config.given.contains({placed.section, placed.name}))
         settings.push_back({placed.section, placed.name, placed.key->get(config.settings, placed.of)});
+    // Pairs of any materials are no rows of the table: they are the three coefficients of [Contact].
+    for (const auto& given : config.given) {
+      const bool is_there = std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) {
+        return setting.section == given.first && setting.key == given.second;
+      });
+      if (is_there) continue;
+      const internal::PlacedSetting placed = *internal::place_setting(given.first, given.second);
+      settings.push_back({placed.section, placed.name, placed.key->get(config.settings, placed.of)});
+    }
     return settings;
   });
 }

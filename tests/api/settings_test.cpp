@@ -26,6 +26,10 @@ TEST_CASE("settings: the text of a config.ini gives its keys by their main spell
   CHECK(same(settings[1], {"Container", "Length", "600.5"}));
   CHECK(same(settings[2], {"Material 3", "Density", "300"}));
   CHECK(holdfast::read_settings("").empty());
+  const std::vector<Setting> pairs = holdfast::read_settings("[Friction]\nwall, any = 0.3\npallet, floor = 0.25\n");
+  REQUIRE(pairs.size() == 2);
+  CHECK(same(pairs[0], {"Friction", "pallet, floor", "0.25"}));
+  CHECK(same(pairs[1], {"Friction", "any, wall", "0.3"}));
   CHECK_THROWS_WITH(holdfast::read_settings("[Container]\nLength = long\n"), Catch::Contains("config:2:10"));
 }
 
