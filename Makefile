@@ -86,7 +86,7 @@ viewer-engine:  ## Build the native engine as WebAssembly, for the page: build/v
 
 viewer-engine-test: program viewer-engine $(VIEWER_PACKAGES)  ## Compare its bits with the program's, in node and in a browser
 	@$(INSTALL) --viewer-test
-	node --test tests/viewer/test_engine.mjs tests/viewer/test_engine_browser.mjs
+	node --test tests/viewer/test_engine.mjs tests/viewer/test_engine_loads.mjs tests/viewer/test_engine_browser.mjs
 
 viewer-test: program viewer  ## Check the page's sources, and test it alone and in a browser
 	@$(INSTALL) --viewer-test

@@ -73,7 +73,7 @@ viewer_engine_packages=(
   emscripten         # compiles the native engine to WebAssembly
   node-acorn         # emscripten's own reader of JavaScript
   libfast-float-dev  # numbers from text, which emscripten's C++ library lacks
-  cmake ninja-build libeigen3-dev libhwy-dev
+  cmake ninja-build libeigen3-dev libhwy-dev nlohmann-json3-dev
 )
 viewer_test_packages=(
   chromium           # the browser that the tests of the page drive

@@ -6,7 +6,7 @@ import path from "node:path";
 
 export const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "../..");
 export const ENGINE = process.env.HOLDFAST_ENGINE ?? path.join(root, "build/viewer/engine.mjs");
-const PROGRAM = process.env.HOLDFAST ?? path.join(root, "build/release/bin/holdfast");
+export const PROGRAM = process.env.HOLDFAST ?? path.join(root, "build/release/bin/holdfast");
 const CONFIG = path.join(root, "configs/demo.ini");
 const LAYOUTS = ["configs/layouts", "bench/layouts"];
 const ACCELERATIONS = "configs/accelerations";

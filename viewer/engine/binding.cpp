@@ -4,68 +4,26 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "api/apply_settings.hpp"
-#include "api/c_arguments.hpp"
-#include "api/c_settings.hpp"
 #include "api/convert.hpp"
 #include "api/version.hpp"
-#include "core/engine/engine_registry.hpp"
-#include "core/engine/engine_support.hpp"
 #include "core/engine/series_recorder.hpp"
 #include "core/engine/simulate.hpp"
 #include "core/model/world.hpp"
-#include "holdfast/holdfast.h"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/layout_reader.hpp"
+#include "page_call.hpp"
 
 using namespace holdfast::internal;
 
-#define EXPORTED extern "C" __attribute__((visibility("default")))
+namespace holdfast::internal {
 
 namespace {
 
-// The page has one thread. What a call leaves here is there until the next one.
-std::string message;
-std::vector<double> rows;
-
-template <class Work>
-int call(Work&& work) noexcept {
-  message.clear();
-  rows.clear();
-  try {
-    work();
-    return HOLDFAST_OK;
-  } catch (const BadArgument& bad) {
-    message = bad.what;
-    return HOLDFAST_BAD_ARGUMENT;
-  } catch (const std::exception& error) {
-    message = error.what();
-    return HOLDFAST_ERROR;
-  }
-}
-
-/// The settings behind a handle, where the default of `holdfast_world_new` is that of the page too.
-Settings settings_of(const holdfast_settings* handle) {
-  Settings settings;
-  const int status = with_settings(handle, [&](const std::vector<holdfast::Setting>& given) {
-    apply_settings(settings, given);
-    return static_cast<int>(HOLDFAST_OK);
-  });
-  if (status != HOLDFAST_OK) throw BadArgument{"the settings are not to be had"};
-  return settings;
-}
-
-TextFile file_of(const char* name, const char* text) {
-  return {.path = required(name, "name"), .name = name, .text = required(text, "text")};
-}
-
-void append(const Vec3& vector) { rows.insert(rows.end(), vector.begin(), vector.end()); }
+void append(const Vec3& vector) { page_answer.numbers.insert(page_answer.numbers.end(), vector.begin(), vector.end()); }
 
 // The page gets the fields of a world that a structure of C has: all but the message, which is no number.
 #define FIELD_ROW(scope, type, name, ...) HOLDFAST_IF_C_##scope("field " #type " " #name "\n")
@@ -76,24 +34,70 @@ void append(const Vec3& vector) { rows.insert(rows.end(), vector.begin(), vector
 /// Appends a number; a hash as its upper and its lower half, since one number has too few bits.
 template <class Value>
 void append_field(std::string_view type, Value value) {
-  if (type != "hash") return rows.push_back(static_cast<double>(value));
+  std::vector<double>& numbers = page_answer.numbers;
+  if (type != "hash") return numbers.push_back(static_cast<double>(value));
   const auto hash = static_cast<std::uint64_t>(value);
-  rows.push_back(static_cast<double>(hash >> 32));
-  rows.push_back(static_cast<double>(hash & 0xffffffffU));
+  numbers.push_back(static_cast<double>(hash >> 32));
+  numbers.push_back(static_cast<double>(hash & 0xffffffffU));
 }
-
-void append(const holdfast::WorldOutcome& world) { HOLDFAST_WORLD_FIELDS(FIELD_NUMBERS) }
 
 }  // namespace
 
+void append(const holdfast::WorldOutcome& world){HOLDFAST_WORLD_FIELDS(FIELD_NUMBERS)}
+
+std::vector<holdfast::Setting> given_settings(const holdfast_settings* handle) {
+  std::vector<holdfast::Setting> settings;
+  const int status = with_settings(handle, [&](const std::vector<holdfast::Setting>& given) {
+    settings = given;
+    return static_cast<int>(HOLDFAST_OK);
+  });
+  if (status != HOLDFAST_OK) throw BadArgument{"the settings are not to be had"};
+  return settings;
+}
+
+Settings settings_of(const holdfast_settings* handle) {
+  Settings settings;
+  apply_settings(settings, given_settings(handle));
+  return settings;
+}
+
+TextFile file_of(const char* name, const char* text) {
+  return {.path = required(name, "name"), .name = name, .text = required(text, "text")};
+}
+
+std::unique_ptr<Engine> engine_of(const Settings& settings) {
+  const EngineEntry* entry = find_engine(settings.screening.engine);
+  if (entry == nullptr || entry->make == nullptr) throw BadArgument{"the page has the engines native and native-plain"};
+  std::unique_ptr<Engine> engine = value_or_throw(entry->make(settings));
+  if (const auto error = why_unsupported(*engine, settings)) throw exception_of({*error});
+  return engine;
+}
+
+WorldRecord simulate_world(const Engine& engine, const Layout& layout, const Acceleration& acceleration,
+                           const Settings& settings, bool series) {
+  const Layout* const layouts[] = {&layout};
+  const Acceleration* const accelerations[] = {&acceleration};
+  WorldBatch batch = make_batch(layouts, accelerations, settings);
+  SeriesRecorder recorder(plan_for(recording_plan(settings, series), acceleration));
+  Recorder* const recorders[] = {&recorder};
+  simulate(engine, batch, settings, recorders, std::atomic<bool>(false));
+  return recorder.take();
+}
+
+}  // namespace holdfast::internal
+
 const char* holdfast_version() { return kVersion; }
 
-/// Why the last call of a function of this file failed.
-EXPORTED const char* page_message() { return message.c_str(); }
+/// Why the last call of a function of these files failed.
+EXPORTED const char* page_message() { return page_answer.message.c_str(); }
 
-/// Numbers that the last call of a function of this file has read.
-EXPORTED const double* page_numbers() { return rows.data(); }
-EXPORTED std::size_t page_number_count() { return rows.size(); }
+/// Numbers that the last call has read or found.
+EXPORTED const double* page_numbers() { return page_answer.numbers.data(); }
+EXPORTED std::size_t page_number_count() { return page_answer.numbers.size(); }
+
+/// The text that it has left, and the columns of its numbers: a line for each, its name and how many they are.
+EXPORTED const char* page_text() { return page_answer.text.c_str(); }
+EXPORTED const char* page_columns() { return page_answer.columns.c_str(); }
 
 /// Reads the text of a layout file into rows of seven numbers, m.
 /// @param name what messages call it
@@ -104,7 +108,7 @@ EXPORTED int page_read_layout(const holdfast_settings* settings, const char* nam
     for (const Box& box : layout.boxes) {
       append(box.corner_min);
       append(box.corner_max);
-      rows.push_back(box.material.id());
+      page_answer.numbers.push_back(box.material.id());
     }
   });
 }
@@ -115,8 +119,8 @@ EXPORTED int page_read_acceleration(const char* name, const char* text) {
     std::vector<Error> warnings;
     const Acceleration acceleration = value_or_throw(parse_acceleration(file_of(name, text), warnings));
     for (const Segment& segment : acceleration.segments) {
-      rows.push_back(segment.start);
-      rows.push_back(segment.duration);
+      page_answer.numbers.push_back(segment.start);
+      page_answer.numbers.push_back(segment.duration);
       append(segment.acceleration);
     }
   });
@@ -133,11 +137,7 @@ EXPORTED int page_screen(const holdfast_settings* handle, const double* boxes, s
                          const double* segments, std::size_t segment_count) {
   return call([&] {
     const Settings settings = settings_of(handle);
-    const EngineEntry* entry = find_engine(settings.screening.engine);
-    if (entry == nullptr || entry->make == nullptr)
-      throw BadArgument{"the page has the engines native and native-plain"};
-    const std::unique_ptr<Engine> engine = value_or_throw(entry->make(settings));
-    if (const auto error = why_unsupported(*engine, settings)) throw exception_of({*error});
+    const std::unique_ptr<Engine> engine = engine_of(settings);
     std::vector<Error> errors;
     const Layout layout = read_layout(layout_of("the layout", boxes, box_count), "the layout",
                                       holdfast::LengthUnit::metre, settings, errors)
@@ -145,15 +145,9 @@ EXPORTED int page_screen(const holdfast_settings* handle, const double* boxes, s
     if (!errors.empty()) throw exception_of(errors);
     const Acceleration acceleration =
         value_or_throw(read_acceleration(acceleration_of("the acceleration", segments, segment_count)));
-    const Layout* const layouts[] = {&layout};
-    const Acceleration* const accelerations[] = {&acceleration};
-    WorldBatch batch = make_batch(layouts, accelerations, settings);
-    const RecordingPlan plan = recording_plan(settings, false);
-    SeriesRecorder recorder(plan);
-    Recorder* const recorders[] = {&recorder};
-    simulate(*engine, batch, settings, recorders, std::atomic<bool>(false));
     holdfast::WorldOutcome world;
-    fill_world(recorder.take(), plan.thresholds, false, world);
+    fill_world(simulate_world(*engine, layout, acceleration, settings, false),
+               recording_plan(settings, false).thresholds, false, world);
     append(world);
   });
 }

@@ -49,8 +49,129 @@ export interface World {
   free(): void;
 }
 
+/** A container as JSON of ours has it: docs/start/loads.md. Lengths in m. */
+export interface Shape {
+  type?: string;
+  size: [number, number, number];
+  open_sides?: string[];
+  drop_sides?: Record<string, number>;
+  bed_height?: number;
+}
+
+/** A box of a load, the same. */
+export interface LoadBox {
+  corner_min: [number, number, number];
+  corner_max: [number, number, number];
+  name?: string;
+  material: number | string;
+  /** kg */
+  mass?: number;
+  centre_of_mass?: [number, number, number];
+  mat?: number;
+  fixed?: boolean;
+  order?: number;
+  /** kg */
+  bearing_limit?: number;
+}
+
+/** A load, the same: all that it says. */
+export interface Load {
+  name: string;
+  container?: Shape;
+  boxes: LoadBox[];
+}
+
+/** What is wrong with an input, or has to be known of it. */
+export interface Problem {
+  /** the whole sentence, as the program prints it: file:line:column: what: value; accepted */
+  message: string;
+  file: string;
+  /** from 1; 0: it is not about one */
+  line: number;
+  column: number;
+  what: string;
+  value: string;
+  /** what would be accepted; options of the program among it */
+  accepted: string;
+}
+
+/** A load of a file; one with errors cannot be used, and has no boxes. */
+export interface ReadLoad {
+  name: string;
+  /** first line of a layout file */
+  header: string;
+  boxCount: number;
+  /** kg, of what is not fixed */
+  mass: number;
+  errors: Problem[];
+  warnings: Problem[];
+  load: Load;
+}
+
+/** All loads of a file. */
+export interface ReadFile {
+  /** what it was taken for, in words */
+  form: string;
+  /** of the file as a whole */
+  notes: Problem[];
+  loads: ReadLoad[];
+}
+
+/** How files are read, as options of the program: `--container` and so on. */
+export interface ReadChoices {
+  container?: string;
+  unit?: string;
+  axes?: string;
+  format?: string;
+  columns?: string;
+}
+
+/** What there is to choose from, with where its numbers are from. */
+export interface Catalogue {
+  containers: { name: string; what: string; payload: number; source: string; shape: Shape }[];
+  norms: { name: string; numbers: string; source: string; takesSize: boolean }[];
+  friction: { name: string; materials: string; dry: number; wet: number | null }[];
+  frictionSource: string;
+  formats: { name: string; what: string }[];
+}
+
+/** What a run has with some settings. */
+export interface RunFacts {
+  /** all settings, as the results file has them */
+  settings: Record<string, string>;
+  /** of loads that have none of their own */
+  container: Shape;
+  /** of verdicts: m, m, degree */
+  limits: { drop: number; move: number; tilt: number };
+  /** that the settings name */
+  norm: {
+    name: string;
+    numbers: string;
+    source: string;
+    /** g: front, rear, left, right */
+    neededMargins: [number, number, number, number];
+    accelerations: {
+      name: string;
+      purpose: string;
+      segments: { start: number; duration: number; value: [number, number, number] }[];
+    }[];
+  } | null;
+}
+
+/** Columns of numbers by their names. */
+export type Columns = Record<string, Float64Array>;
+
+export type RunSettings = GivenSettings & Pick<ReadChoices, "container">;
+
 export interface Engine {
   readonly version: string;
+  catalogue(): Catalogue;
+  run(inputs?: RunSettings): RunFacts;
+  readLoads(content: string | Uint8Array, name: string, inputs?: GivenSettings & ReadChoices): ReadFile;
+  /** What `holdfast screen` says of a load under an acceleration of the norm, and what the results file has of its boxes. */
+  screenLoad(load: Load, acceleration: number, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
+  /** What `holdfast margins` finds: four directions in each column. */
+  loadMargins(load: Load, inputs: RunSettings): Columns;
   readLayout(text: string, inputs?: GivenSettings & { name?: string }): Float64Array;
   readAcceleration(text: string, name?: string): Float64Array;
   /** What `holdfast screen` says of the world; `cpuSeconds` is 0, since the engine here has no clock. */

@@ -87,14 +87,66 @@ class Engine {
 
   /** Simulates a world to its end as `holdfast screen` does: its verdict, counts and state hash. Inputs as of `world`. */
   screen(inputs) {
-    const numbers = this.withInputs(inputs, (...places) => this.read(this.wasm.page_screen(...places))).values();
-    const next = () => numbers.next().value;
-    const value = (type) => {
-      if (type === 'hash') return hexText(next(), 8) + hexText(next(), 8);
-      const number = next();
-      return this.names[type]?.[number] ?? number;
-    };
-    return Object.fromEntries(this.outcomeFields.map(([type, name]) => [name, value(type)]));
+    return this.outcomeOf(this.withInputs(inputs, (...places) => this.read(this.wasm.page_screen(...places))));
+  }
+
+  // ---- Loads: what files of loads say, in the form of docs/start/loads.md. ----
+
+  /** What there is to choose from: containers, norms, pairs of materials with their friction, known formats of files. */
+  catalogue() {
+    return JSON.parse(this.readText(this.wasm.page_catalogue()));
+  }
+
+  /**
+   * What a run has: all settings as the results file has them, the container of loads that have none of their own, and the norm that
+   * the settings name, with its accelerations.
+   * @param {object} [inputs] `config` and `settings`, as of `world`; `container` for all loads, also before their own
+   */
+  run(inputs = {}) {
+    return this.withSettings(inputs, (settings) =>
+      this.withTexts([inputs.container ?? ''], ([container]) =>
+        JSON.parse(this.readText(this.wasm.page_run(settings, container)))));
+  }
+
+  /**
+   * All loads of a file of any form that the program reads, with what is said of the file and of each load.
+   * @param {string | Uint8Array} content its text, or its bytes
+   * @param {string} name of the file, for messages and names of loads
+   * @param {object} [inputs] `config` and `settings`, as of `world`; `container`, `unit`, `axes`, `format` and `columns`, as
+   *   the options of the program
+   */
+  readLoads(content, name, inputs = {}) {
+    const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
+    const choices = ['container', 'unit', 'axes', 'format', 'columns'].map((choice) => inputs[choice] ?? '');
+    const lines = this.withSettings(inputs, (settings) =>
+      this.withBytes(bytes.length, (at) => {
+        new Uint8Array(this.wasm.memory.buffer).set(bytes, at);
+        return this.withTexts([name, ...choices], (places) =>
+          this.readText(this.wasm.page_read_loads(settings, at, bytes.length, ...places)));
+      }));
+    const [file, ...rest] = lines.trimEnd().split('\n').map((line) => JSON.parse(line));
+    const loads = [];
+    for (let i = 0; i < rest.length; i += 2) loads.push({ ...rest[i], load: rest[i + 1] });
+    return { ...file, loads };
+  }
+
+  /**
+   * Simulates a load to its end under an acceleration of the norm that the settings name, as `holdfast screen` does.
+   * @param {object} load as `readLoads` gives it
+   * @param {number} acceleration of the norm, from 0
+   * @param {object} inputs `config` and `settings`, as of `world`; `container` as of `run`
+   * @param {boolean} [recorded] also give what the results file has of boxes and samples
+   * @returns {{outcome: object, columns: Record<string, Float64Array>}}
+   */
+  screenLoad(load, acceleration, inputs, recorded = false) {
+    const { outcome, ...columns } = this.withLoad(load, inputs, (settings, container, text) =>
+      this.readColumns(this.wasm.page_screen_load(settings, container, text, acceleration, recorded ? 1 : 0)));
+    return { outcome: this.outcomeOf(outcome), columns };
+  }
+
+  /** How many g a load stands, in the directions front, rear, left and right, as `holdfast margins` finds it. */
+  loadMargins(load, inputs) {
+    return this.withLoad(load, inputs, (...places) => this.readColumns(this.wasm.page_load_margins(...places)));
   }
 
   // ---- Between JavaScript and the memory of the engine, which moves when it grows: views are made anew. ----
@@ -175,6 +227,12 @@ class Engine {
         })));
   }
 
+  withLoad(load, inputs, work) {
+    const text = JSON.stringify({ holdfast: 1, loads: [load] });
+    return this.withSettings(inputs, (settings) =>
+      this.withTexts([inputs.container ?? '', text], (places) => work(settings, ...places)));
+  }
+
   checkPage(status) {
     if (status !== 0) throw new EngineError(this.textAt(this.wasm.page_message()));
   }
@@ -182,6 +240,33 @@ class Engine {
   read(status) {
     this.checkPage(status);
     return this.numbersAt(this.wasm.page_numbers(), this.wasm.page_number_count());
+  }
+
+  readText(status) {
+    this.checkPage(status);
+    return this.textAt(this.wasm.page_text());
+  }
+
+  /** Columns of numbers by their names. */
+  readColumns(status) {
+    const numbers = this.read(status);
+    let begin = 0;
+    return Object.fromEntries(this.textAt(this.wasm.page_columns()).trimEnd().split('\n').map((row) => {
+      const [name, count] = row.split(' ');
+      return [name, numbers.subarray(begin, (begin += Number(count)))];
+    }));
+  }
+
+  /** A world by the names of its fields. */
+  outcomeOf(numbers) {
+    const values = numbers.values();
+    const next = () => values.next().value;
+    const value = (type) => {
+      if (type === 'hash') return hexText(next(), 8) + hexText(next(), 8);
+      const number = next();
+      return this.names[type]?.[number] ?? number;
+    };
+    return Object.fromEntries(this.outcomeFields.map(([type, name]) => [name, value(type)]));
   }
 }
 

@@ -4,9 +4,11 @@
 
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <system_error>
 
 namespace holdfast::internal {
@@ -38,11 +40,15 @@ std::optional<long> parse_integer(std::string_view text) {
 
 std::string number_text(double number) {
   constexpr int kAlwaysEnough = 17;  // digits after which every double is itself again
-  for (int digits = 1; digits < kAlwaysEnough; ++digits) {
-    std::string text = rounded_text(number, digits);
-    if (parse_number(text) == number) return text;
-  }
-  return rounded_text(number, kAlwaysEnough);
+  int digits = 1;
+  while (digits < kAlwaysEnough && parse_number(rounded_text(number, digits)) != number) ++digits;
+  // The shorter one of two forms, as to_chars writes it.
+  char scientific[64];
+  std::snprintf(scientific, sizeof scientific, "%.*e", digits - 1, number);
+  const int exponent = static_cast<int>(*parse_integer(std::strchr(scientific, 'e') + 1));
+  char fixed[512];
+  std::snprintf(fixed, sizeof fixed, "%.*f", std::max(0, digits - 1 - exponent), number);
+  return std::strlen(fixed) <= std::strlen(scientific) ? fixed : scientific;
 }
 
 std::string rounded_text(double number, int digits) {
