@@ -14,6 +14,7 @@ const output = path.join(here, "../build/viewer");
 const engine = path.join(output, "engine.mjs");
 /** Whose code is in the page beside ours: their licences go where it goes. HDF5's is in that of h5wasm. */
 const pageLicenses = {
+  fflate: path.join(here, "node_modules/fflate/LICENSE"),
   h5wasm: path.join(here, "node_modules/h5wasm/LICENSE.txt"),
   three: path.join(here, "node_modules/three/LICENSE"),
 };
@@ -22,6 +23,7 @@ const engineLicenses = {
   Eigen: "/usr/share/doc/libeigen3-dev/copyright",
   Highway: "/usr/share/doc/libhwy-dev/copyright",
   fast_float: "/usr/share/doc/libfast-float-dev/copyright",
+  "JSON for Modern C++": "/usr/share/doc/nlohmann-json3-dev/copyright",
   emscripten: "/usr/share/doc/emscripten/copyright",
 };
 
@@ -92,7 +94,7 @@ async function buildPage() {
     ),
     bundle("src/main.ts"),
     bundle("src/data/worker.ts"),
-    existsSync(engine) ? bundle("src/live/engine_worker.ts") : "",
+    existsSync(engine) ? bundle("src/engine/engine_worker.ts") : "",
   ]);
   const inline = script.replaceAll("</script", "<\\/script");
   const parts = {

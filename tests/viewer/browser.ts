@@ -35,7 +35,7 @@ export async function openPage(
 
 /** Opens a file of the tests, and waits until the page shows it or says why not. */
 export async function choose(page: Page, file: string): Promise<void> {
-  await page.setInputFiles('input[aria-label="Results file"]', file.startsWith("/") ? file : `${RESULTS}/${file}`);
+  await page.setInputFiles('input[aria-label="Files"]', file.startsWith("/") ? file : `${RESULTS}/${file}`);
   await page.waitForSelector("#app:not([aria-busy]) > main:not(.landing), #app:not([aria-busy]) .problem");
 }
 

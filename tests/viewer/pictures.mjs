@@ -27,7 +27,7 @@ const made = (name) => `${root}/build/viewer/results/${name}`;
 async function open(colorScheme, file, width = 1440, height = 900) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme });
   await page.goto(`file://${root}/build/viewer/viewer.html`);
-  await page.setInputFiles('input[aria-label="Results file"]', file);
+  await page.setInputFiles('input[aria-label="Files"]', file);
   await page.waitForSelector("#app:not([aria-busy]) > main.fleet");
   return page;
 }

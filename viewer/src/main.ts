@@ -3,31 +3,55 @@ import type { Place } from "./data/messages";
 import { fromBase64 } from "./data/packed";
 import type { Results } from "./data/results";
 import { ResultsClient } from "./data/results_client";
+import type { ResultsSource } from "./data/results_source";
 import { failing } from "./data/verdict";
+import { EngineClient, engineCarried } from "./engine/engine_client";
+import { EnginePool } from "./engine/engine_pool";
 import { FleetView } from "./fleet/fleet_view";
-import { EngineClient } from "./live/engine_client";
 import { LiveView } from "./live/live_view";
 import { whyNotLive } from "./live/live_words";
 import { VIEWS } from "./load/camera_rig";
 import { firstOther, otherWorld, sameWorld } from "./load/other_world";
 import { WorldView } from "./load/world_view";
+import { MendPanel } from "./mend/mend_panel";
 import { Printed } from "./print/printed";
+import { ACCEPTED, inputsOf, isResults } from "./screen/input_files";
+import { ProgressBar } from "./screen/progress_bar";
+import { runSettings } from "./screen/run_choices";
+import { Screening } from "./screen/screening";
+import { Setup } from "./screen/setup";
+import { SetupView } from "./screen/setup_view";
 import { download, element } from "./ui/dom";
 import { helpDialog } from "./ui/help";
 import { type Keymap, listenToKeys } from "./ui/keys";
 import { landing } from "./ui/landing";
-import { START, Store } from "./ui/state";
+import { START, Store, type ViewState } from "./ui/state";
 import { startTheme } from "./ui/theme";
 import { TopBar } from "./ui/top_bar";
 
 /** No world is open. */
-const FLEET = { world: null, other: null, live: false } as const;
+const FLEET = { world: null, other: null, live: false, mend: false } as const;
 
-/** Starts the page: a results file comes from the user, from the page itself or from the address that served it. */
+/** Milliseconds between two pictures of a matrix that fills. */
+const FILLING = 200;
+
+/** Said where loads are to be screened, and the page was built without the engine. */
+const NO_ENGINE =
+  "This page has no engine in it, and shows results files alone: make viewer-engine, and then make viewer, put it in.";
+
+/**
+ * Starts the page: loads come from the user, and a results file from the user, from the page itself or from the address that served
+ * it.
+ */
 class App {
   private readonly root = document.getElementById("app")!;
   private readonly store = new Store(location.hash);
-  private readonly chooser = element("input", { type: "file", accept: ".h5,.hdf5", "aria-label": "Results file" });
+  private readonly chooser = element("input", {
+    type: "file",
+    multiple: true,
+    accept: ACCEPTED,
+    "aria-label": "Files",
+  });
   private readonly secondChooser = element("input", {
     type: "file",
     accept: ".h5,.hdf5",
@@ -42,20 +66,26 @@ class App {
   private readonly printed = new Printed();
   private readonly help = helpDialog();
   private readonly client = ResultsClient.start();
-  private results: Results | null = null;
-  private second: { client: Promise<ResultsClient>; results: Results } | null = null;
+  /** What is shown; null: nothing yet. */
+  private source: ResultsSource | null = null;
+  private second: ResultsSource | null = null;
+  private setup: { setup: Promise<Setup>; pool: EnginePool } | null = null;
   private turn = 0;
+  private setupView: SetupView | null = null;
+  private screening: Screening | null = null;
   private fleet: FleetView | null = null;
   private world: WorldView | null = null;
   private live: LiveView | null = null;
+  private mending: MendPanel | null = null;
+  /** name of the layout whose world is shown */
+  private shownLayout = "";
   /** why the world that is shown cannot run here */
   private whyNot: string | null = null;
 
   constructor() {
     this.chooser.hidden = true;
     this.chooser.addEventListener("change", () => {
-      const file = this.chooser.files?.[0];
-      if (file) this.open({ kind: "file", file });
+      this.take([...(this.chooser.files ?? [])]);
       this.chooser.value = "";
     });
     this.secondChooser.hidden = true;
@@ -67,8 +97,7 @@ class App {
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
-      const file = event.dataTransfer?.files[0];
-      if (file) this.open({ kind: "file", file });
+      this.take([...(event.dataTransfer?.files ?? [])]);
     });
     document.body.append(this.printed.node);
     document.addEventListener("keydown", (event) => {
@@ -83,7 +112,7 @@ class App {
     addEventListener("afterprint", () => this.printed.clear());
     addEventListener("popstate", () => this.store.restore(location.hash));
     this.store.listen((_, changed) => {
-      if (changed.has("world") || changed.has("other") || changed.has("live")) this.show();
+      if (["world", "other", "live", "mend"].some((key) => changed.has(key as keyof ViewState))) this.show();
     });
     listenToKeys(() => ({ ...this.keys(), ...this.live?.keys }));
     this.begin();
@@ -91,14 +120,14 @@ class App {
 
   /** Prints a page of the load that is open, or of each that the matrix shows. */
   private async print(): Promise<void> {
-    const { results, fleet } = this;
-    if (!results || !fleet) return;
+    const { source, fleet } = this;
+    if (!source || !fleet) return;
+    const { results } = source;
     const { world } = this.store.state;
     this.root.setAttribute("aria-busy", "true");
     try {
-      const client = await this.client;
       const layouts = world === null ? fleet.shownLayouts : [results.worlds.layout[world]];
-      await this.printed.print(results, layouts, (index) => client.world(index));
+      await this.printed.print(results, layouts, (index) => source.world(index));
     } catch (error) {
       this.bar.say((error as Error).message);
     } finally {
@@ -134,6 +163,7 @@ class App {
       p: () => this.goFailing(-1),
       m: () => this.store.update(FLEET),
       x: () => this.compare(),
+      e: world(() => this.mend()),
       l: world(() => this.drive()),
       s: either((view) => this.savePicture(view)),
       v: world((view) => this.saveVideo(view)),
@@ -183,27 +213,115 @@ class App {
     else this.fill(landing(null, () => this.chooser.click()));
   }
 
-  private async open(place: Place, afresh = true): Promise<void> {
+  private get results(): Results | null {
+    return this.source?.results ?? null;
+  }
+
+  /** Files of the user's: results, or loads. */
+  private async take(files: readonly File[]): Promise<void> {
+    if (files.length === 0) return;
+    const file = files.find(isResults);
+    if (file) return this.open({ kind: "file", file });
+    if (!engineCarried()) return this.refuse(NO_ENGINE);
     this.root.setAttribute("aria-busy", "true");
     try {
-      this.results = await (await this.client).open(place);
-      if (afresh) this.store.update({ ...START, colouring: this.store.state.colouring });
-      this.fleet = new FleetView(this.results, this.store, async () => (await this.client).criticalNames());
-      this.closeWorld();
-      await this.show();
+      const inputs = (await Promise.all(files.map(inputsOf))).flat();
+      const setup = await this.startSetup();
+      await setup.add(inputs);
+      this.showSetup(setup);
     } catch (error) {
-      this.results = null;
-      this.bar.show(null, []);
-      this.fill(landing((error as Error).message, () => this.chooser.click()));
+      this.refuse((error as Error).message);
     } finally {
       this.root.removeAttribute("aria-busy");
     }
   }
 
+  private async open(place: Place, afresh = true): Promise<void> {
+    this.root.setAttribute("aria-busy", "true");
+    try {
+      const client = await this.client;
+      await client.open(place);
+      if (afresh) this.store.update({ ...START, colouring: this.store.state.colouring });
+      await this.showSource(client, null);
+    } catch (error) {
+      this.source = null;
+      this.refuse((error as Error).message);
+    } finally {
+      this.root.removeAttribute("aria-busy");
+    }
+  }
+
+  /** Says what could not be opened: where something is shown, above it. */
+  private refuse(sentence: string): void {
+    if (this.source || this.setupShown) {
+      this.bar.say(sentence);
+      return;
+    }
+    this.bar.show(null, []);
+    this.fill(landing(sentence, () => this.chooser.click()));
+  }
+
+  private async showSource(source: ResultsSource, head: HTMLElement | null): Promise<void> {
+    this.source = source;
+    this.fleet = new FleetView(source.results, this.store, () => source.criticalNames(), head);
+    this.closeWorld();
+    await this.show();
+  }
+
+  private startSetup(): Promise<Setup> {
+    if (!this.setup) {
+      const pool = new EnginePool();
+      const setup = Setup.start(pool, this.store.state.run, (run) => this.store.update({ run }));
+      this.setup = { setup, pool };
+    }
+    return this.setup.setup;
+  }
+
+  private get setupShown(): boolean {
+    return this.root.querySelector("main.setup") !== null;
+  }
+
+  private showSetup(setup: Setup): void {
+    this.setupView ??= new SetupView(
+      setup,
+      () => this.chooser.click(),
+      () => this.screen(setup),
+    );
+    this.closeWorld();
+    this.bar.show(null, ["Loads"]);
+    this.fill(this.setupView.node);
+    this.setupView.focus();
+  }
+
+  /** Simulates the loads of a setup, and shows their matrix, which fills. */
+  private async screen(setup: Setup): Promise<void> {
+    const { pool, facts, loads, choices, name, version } = setup;
+    if (!facts) return;
+    this.screening?.cancel();
+    const screening = new Screening(pool, name, version, facts, loads, runSettings(choices), choices.margins);
+    this.screening = screening;
+    this.store.update({ ...START, colouring: this.store.state.colouring, run: this.store.state.run });
+    const bar = new ProgressBar(screening, () => this.showSetup(setup));
+    await this.showSource(screening, bar.node);
+    const { fleet } = this;
+    let latest = 0;
+    screening.listen(() => {
+      const { running } = screening.progress;
+      const now = performance.now();
+      if (running && now - latest < FILLING) return;
+      latest = now;
+      fleet?.grow(running);
+      this.mending?.show();
+      if (this.mending) this.world?.refresh();
+    });
+    await screening.run();
+  }
+
   /** The fleet, a world, or two. */
   private async show(): Promise<void> {
-    const { results, fleet } = this;
-    if (!results || !fleet) return;
+    const { source, fleet } = this;
+    if (!source || !fleet) return;
+    const { results } = source;
     const { world, other, live } = this.store.state;
     const turn = ++this.turn;
     if (world === null || world >= results.worlds.layout.length) {
@@ -215,7 +333,7 @@ class App {
     }
     this.root.setAttribute("aria-busy", "true");
     try {
-      const shown = [{ results, world: await (await this.client).world(world) }];
+      const shown = [{ results, world: await source.world(world) }];
       this.whyNot = whyNotLive(shown[0].world);
       if (live && !this.whyNot) {
         await this.showLive(shown[0], turn);
@@ -223,10 +341,15 @@ class App {
       }
       const second = this.secondFile();
       if (other !== null && second && other < second.results.worlds.layout.length)
-        shown.push({ results: second.results, world: await (await second.client).world(other) });
+        shown.push({ results: second.results, world: await second.world(other) });
       if (turn !== this.turn) return;
+      const before = this.world && this.shownLayout === shown[0].world.layout ? this.world : null;
       this.closeWorld();
-      this.world = new WorldView(shown, this.store, shown[1] ? this.chooserOf(shown[1]) : null, this.actions());
+      const mend = this.mendPanel(shown);
+      const chooser = shown[1] ? this.chooserOf(shown[1]) : null;
+      this.world = new WorldView(shown, this.store, chooser, this.actions(), mend?.node, before);
+      this.mending = mend;
+      this.shownLayout = shown[0].world.layout;
       this.bar.show(
         results,
         shown.map((of) => `${of.world.layout} · ${of.world.acceleration}`),
@@ -256,10 +379,28 @@ class App {
     this.fill(live.node);
   }
 
+  /** What changes the load of a world; null: nobody wants to, or it is not of this page. */
+  private mendPanel(shown: readonly Shown[]): MendPanel | null {
+    const { screening, source, store } = this;
+    if (!store.state.mend || !screening || source !== screening || shown.length > 1) return null;
+    if (!screening.loadOf(screening.results.worlds.layout[shown[0].world.index])) return null;
+    return new MendPanel(screening, shown[0].world, store, () => this.show());
+  }
+
   /** What else can be done with a world. */
   private actions(): HTMLElement[] {
-    const { other } = this.store.state;
+    const { other, mend } = this.store.state;
+    const mending = element(
+      "button",
+      {
+        title: "Move, turn, take away boxes, and what would help (E)",
+        "aria-pressed": String(mend),
+        onclick: () => this.mend(),
+      },
+      "Mend",
+    );
     return [
+      ...(this.source === this.screening && this.screening ? [mending] : []),
       element(
         "button",
         {
@@ -282,6 +423,11 @@ class App {
     ];
   }
 
+  private mend(): void {
+    if (this.screening && this.source === this.screening)
+      this.store.update({ mend: !this.store.state.mend, other: null, otherFile: "" });
+  }
+
   private drive(): void {
     const { world, live } = this.store.state;
     if (this.whyNot) this.bar.say(this.whyNot);
@@ -289,9 +435,9 @@ class App {
   }
 
   /** The file that the second world of a comparison is from. */
-  private secondFile(): { client: Promise<ResultsClient>; results: Results } | null {
+  private secondFile(): ResultsSource | null {
     const { otherFile } = this.store.state;
-    if (otherFile === "") return this.results && { client: this.client, results: this.results };
+    if (otherFile === "") return this.source;
     return this.second?.results.name === otherFile ? this.second : null;
   }
 
@@ -319,11 +465,11 @@ class App {
     const layout = layouts[worlds.layout[world]];
     const acceleration = accelerations[worlds.acceleration[world]];
     try {
-      const client = ResultsClient.start();
-      const results = await (await client).open({ kind: "file", file });
+      const client = await ResultsClient.start();
+      const results = await client.open({ kind: "file", file });
       const other = sameWorld(results, layout, acceleration);
       if (other < 0) throw new Error(`${file.name} has no world of ${layout} under ${acceleration}.`);
-      this.second = { client, results };
+      this.second = client;
       this.store.update({ other: null, otherFile: "" });
       this.store.update({ other, otherFile: file.name });
     } catch (error) {
@@ -334,6 +480,8 @@ class App {
   private closeWorld(): void {
     this.world?.close();
     this.world = null;
+    this.mending?.close();
+    this.mending = null;
     this.live?.close();
     this.live = null;
   }

@@ -100,6 +100,7 @@ export class WorldPanel {
           )
         : null,
       element("p", { class: "faint" }, NOT_MODELLED),
+      world.stateHash ? element("p", { class: "faint" }, `State hash ${world.stateHash}`) : null,
     );
   }
 

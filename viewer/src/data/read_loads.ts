@@ -3,7 +3,7 @@ import { centimetres } from "./lengths";
 import { readOpenings } from "./openings";
 import type { BoxColumns, Container, LoadedLayout, Results, Size } from "./results";
 
-const OWN_CENTRES = "centres of mass of its own";
+export const OWN_CENTRES = "centres of mass of its own";
 
 /** m: an offset of a centre of mass that is more than rounding. */
 const OFFSET = 1e-4;
@@ -110,7 +110,7 @@ export class LoadInputs {
  * Gives numbers to materials with names, and to fixed boxes, in the rows of a layout, and the settings of these numbers. Those of
  * the names stay: no box has them.
  */
-function numbered(
+export function numbered(
   rows: Float64Array,
   materials: readonly string[],
   fixed: (box: number) => boolean,
@@ -145,6 +145,25 @@ function numbered(
   return made;
 }
 
+/**
+ * The container that a load has of its own.
+ * @param open names of sides, and `low` with the height of each in cm, as the keys of [Container] take them
+ * @param bedHeight m
+ */
+export function ownContainer(type: string, size: Size, open: string, low: string, bedHeight: number): Container {
+  const [length, width, height] = size;
+  const sides = { "Container/OpenSides": open, "Container/DropSides": low };
+  const lengths = {
+    "Container/Length": length,
+    "Container/Width": width,
+    "Container/Height": height,
+    "Container/BedHeight": bedHeight,
+  };
+  const given = Object.fromEntries(Object.entries(lengths).map(([key, value]) => [key, centimetres(value)]));
+  const settings: Record<string, string> = { ...sides, ...given, "Container/Type": "" };
+  return { type, size, openings: readOpenings(settings, height), settings };
+}
+
 /** The container of the run, and those of layouts that have their own. */
 export function readContainers(
   file: Hdf5File,
@@ -161,22 +180,9 @@ export function readContainers(
   );
   const beds = file.numbers("inputs/layouts/bed_height");
   for (let layout = 0; layout < beds.length; ++layout) {
-    const [length, width, height] = sizes.slice(3 * layout, 3 * layout + 3);
-    if (![length, width, height].every(Number.isFinite)) continue;
-    const sides = {
-      "Container/OpenSides": open[layout],
-      "Container/DropSides": low[layout],
-      "Container/BedHeight": String(100 * beds[layout]),
-    };
-    const openings = readOpenings(sides, height);
-    const lengths = { "Container/Length": length, "Container/Width": width, "Container/Height": height };
-    const given = Object.fromEntries(Object.entries(lengths).map(([key, value]) => [key, centimetres(value)]));
-    const own: Container = {
-      type: types[layout],
-      size: [length, width, height],
-      openings,
-      settings: { ...sides, ...given, "Container/BedHeight": centimetres(beds[layout]), "Container/Type": "" },
-    };
+    const size = [...sizes.slice(3 * layout, 3 * layout + 3)] as Size;
+    if (!size.every(Number.isFinite)) continue;
+    const own = ownContainer(types[layout], size, open[layout], low[layout], beds[layout]);
     ownContainers.set(layout, own);
   }
   return { container, ownContainers };

@@ -5,6 +5,9 @@ import type { Openings } from "./openings";
 /** Number of boxes of a world that was not simulated, or that a file of an earlier version does not have. */
 export const NOT_COUNTED = 0xffffffff;
 
+/** In place of the code of a verdict, while a world is not simulated yet. */
+export const PENDING = 0xff;
+
 export interface Segment {
   start: number;
   duration: number;
@@ -115,7 +118,8 @@ export interface Container {
 /** The summary of a file: everything but boxes and series. */
 export interface Results {
   name: string;
-  size: number;
+  /** bytes of the file; null: it is of this page */
+  size: number | null;
   complete: boolean;
   firstWorld: number;
   engine: string;

@@ -1,5 +1,6 @@
 import type { Place, Reply, Request } from "./messages";
 import type { Results, World } from "./results";
+import type { ResultsSource } from "./results_source";
 import { workerScript } from "./worker_script";
 
 /** Worlds that are kept in memory after they were looked at. */
@@ -18,7 +19,9 @@ interface Waiting {
 }
 
 /** The page's end of the worker that reads the file. */
-export class ResultsClient {
+export class ResultsClient implements ResultsSource {
+  /** of the file that was opened last */
+  results!: Results;
   private readonly waiting = new Map<number, Waiting>();
   private readonly worlds = new Map<number, Promise<World>>();
   private next = 0;
@@ -64,7 +67,8 @@ export class ResultsClient {
 
   async open(place: Place): Promise<Results> {
     this.worlds.clear();
-    return this.ask<Results>({ kind: "open", place });
+    this.results = await this.ask<Results>({ kind: "open", place });
+    return this.results;
   }
 
   world(index: number): Promise<World> {

@@ -31,23 +31,27 @@ const MOST_NAMED = 2000;
 /** The landing page of a file: which loadings fail under what. */
 export class FleetView {
   readonly node: HTMLElement;
-  private readonly all: Row[];
+  private all: Row[];
   private rows: Row[] = [];
+  private described: CellAt | null = null;
   private readonly matrix: Matrix;
   private readonly detail = element("section", { class: "detail", "aria-live": "polite" });
   private readonly shown = element("span", { class: "faint" });
   private readonly order = element("span", { class: "faint" });
   private readonly colours = element("ul", { class: "colours" });
   private readonly filter: HTMLInputElement;
-  private described: CellAt | null = null;
   /** of critical boxes, by world */
   private names: string[] = [];
   private namesAsked = false;
+  /** verdicts and caveats with how many worlds have them */
+  private readonly counts = element("div", { class: "counts" });
 
+  /** @param head what stands above the matrix; null: nothing */
   constructor(
     private readonly results: Results,
     private readonly store: Store,
     private readonly criticalNames: () => Promise<string[]>,
+    head: HTMLElement | null = null,
   ) {
     this.all = rowsOf(results);
     this.matrix = new Matrix(
@@ -76,6 +80,7 @@ export class FleetView {
       element(
         "div",
         { class: "work" },
+        head,
         element(
           "div",
           { class: "tools" },
@@ -89,7 +94,7 @@ export class FleetView {
         element("div", { class: "order" }, this.order, this.colours),
         this.matrix.node,
       ),
-      element("aside", {}, this.legend(), this.caveats(), this.detail, this.facts()),
+      element("aside", {}, this.counts, this.detail, this.facts()),
     );
     store.listen((next, changed) => {
       sorting.set(next.sort);
@@ -99,12 +104,32 @@ export class FleetView {
     });
     onTheme(() => this.showColours());
     this.arrange();
+    this.count();
     this.describe(null);
   }
 
   /** Layouts in the order shown, without those that are filtered out. */
   get shownLayouts(): number[] {
     return this.rows.map(({ layout }) => layout);
+  }
+
+  /**
+   * Shows results that have grown.
+   * @param keepsOrder rows stay where they are, so that they can be pointed at while more comes
+   */
+  grow(keepsOrder: boolean): void {
+    this.all = rowsOf(this.results);
+    if (keepsOrder) {
+      const places = this.rows.map(({ layout }) => layout);
+      this.rows = places.map((layout) => this.all[layout]);
+      this.matrix.show(this.rows, this.store.state.scale);
+    } else this.arrange();
+    this.count();
+    this.describe(this.described);
+  }
+
+  private count(): void {
+    this.counts.replaceChildren(...[this.legend(), this.caveats()].filter((part) => part !== null));
   }
 
   focus(): void {
@@ -189,8 +214,8 @@ export class FleetView {
 
   /** What the world under the pointer is about. */
   private describe(at: CellAt | null): void {
-    const world = at ? this.worldAt(at) : -1;
     this.described = at;
+    const world = at ? this.worldAt(at) : -1;
     if (!at || world < 0) {
       this.detail.replaceChildren(
         element("h2", {}, "World"),

@@ -1,5 +1,5 @@
 import { VERDICT_CODES } from "../data/outcome";
-import type { MarginColumns, Margins, Results } from "../data/results";
+import { type MarginColumns, type Margins, PENDING, type Results } from "../data/results";
 import { VERDICTS } from "../data/verdict";
 
 export type Sort = "worst" | "margin" | "name";
@@ -58,7 +58,7 @@ export function rowsOf(results: Results): Row[] {
   const displacements = judgedDisplacements(results);
   for (let world = 0; world < worlds.layout.length; ++world) {
     const row = rows[worlds.layout[world]];
-    if (!row) continue;
+    if (!row || worlds.verdict[world] === PENDING) continue;
     row.worlds[worlds.acceleration[world]] = world;
     row.badness = Math.max(row.badness, VERDICTS[worlds.verdict[world]]?.badness ?? 0);
     const failure = WORST.indexOf(worlds.verdict[world]);
@@ -104,6 +104,6 @@ export function arranged(rows: readonly Row[], names: readonly string[], filter:
 /** Worlds by verdict. */
 export function verdictCounts(results: Results): number[] {
   const counts = VERDICTS.map(() => 0);
-  for (const verdict of results.worlds.verdict) counts[verdict] += 1;
+  for (const verdict of results.worlds.verdict) if (verdict !== PENDING) counts[verdict] += 1;
   return counts;
 }

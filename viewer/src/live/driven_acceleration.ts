@@ -1,6 +1,6 @@
 import type { Segment } from "../data/results";
+import type { Vector } from "../engine/messages";
 import { accelerationAt } from "../time/acceleration";
-import type { Vector } from "./messages";
 
 /** What the container does: as in the file, until the driver takes over; from then on as was driven. Times do not go back. */
 export class DrivenAcceleration {

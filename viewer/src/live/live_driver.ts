@@ -1,11 +1,11 @@
 import type { Results, Segment, World } from "../data/results";
+import type { EngineClient } from "../engine/engine_client";
+import type { Changes, Frame, LiveInputs, Vector } from "../engine/messages";
 import { accelerationAt } from "../time/acceleration";
 import type { TimeControl } from "../time/time_control";
 import type { Store } from "../ui/state";
 import { DrivenAcceleration } from "./driven_acceleration";
-import type { EngineClient } from "./engine_client";
 import { LiveRecord } from "./live_record";
-import type { Changes, Frame, LiveInputs, Vector } from "./messages";
 import { changedSettings, engineSettings } from "./saved_files";
 import { SpeedMeter } from "./speed_meter";
 

@@ -2,11 +2,11 @@ import { boxText } from "../box/box_text";
 import { onFloor } from "../data/friction";
 import { GRAVITY } from "../data/push";
 import type { Results, World } from "../data/results";
+import type { Vector } from "../engine/messages";
 import { choice, element } from "../ui/dom";
 import { fixed, gravities, newtons } from "../ui/text";
 import type { LiveDriver } from "./live_driver";
 import { bitsSentence } from "./live_words";
-import type { Vector } from "./messages";
 import { placed } from "./placing";
 import { Slider } from "./slider";
 

@@ -1,12 +1,12 @@
 import * as THREE from "three";
 import { GRAVITY } from "../data/push";
+import type { Changes } from "../engine/messages";
 import type { CameraRig } from "../load/camera_rig";
 import type { LoadScene } from "../load/load_scene";
 import { oncePerFrame } from "../ui/dom";
 import type { Store } from "../ui/state";
 import { hitBox } from "./box_hit";
 import type { LiveDriver } from "./live_driver";
-import type { Changes } from "./messages";
 import { dragged, placed } from "./placing";
 import { Pull } from "./pull";
 

@@ -1,8 +1,8 @@
 import { criticalBox, excursionsTo, isBeyond, noExcursions } from "../data/excursions";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
 import type { BoxColumns, Excursions, Results, Series, World, WorldColumns } from "../data/results";
+import type { Frame } from "../engine/messages";
 import { tiltOf } from "../time/poses";
-import type { Frame } from "./messages";
 
 /** s: between two samples when that of the file's settings is not of use here. */
 const SAMPLING = 0.1;

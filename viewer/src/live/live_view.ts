@@ -1,5 +1,6 @@
 import { WorldPanel } from "../box/world_panel";
 import type { Results, World } from "../data/results";
+import type { EngineClient } from "../engine/engine_client";
 import { CameraRig } from "../load/camera_rig";
 import { LoadScene } from "../load/load_scene";
 import { OptionsBar } from "../load/options_bar";
@@ -12,7 +13,6 @@ import { pictureOf } from "../ui/picture";
 import type { Store, ViewState } from "../ui/state";
 import { seconds } from "../ui/text";
 import { onTheme } from "../ui/theme";
-import type { EngineClient } from "./engine_client";
 import { LiveDriver } from "./live_driver";
 import { liveKeys } from "./live_keys";
 import { LivePanel } from "./live_panel";

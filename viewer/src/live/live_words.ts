@@ -1,6 +1,6 @@
 import { VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
-import { engineCarried } from "./engine_client";
+import { engineCarried } from "../engine/engine_client";
 
 /** Why a world cannot run here, as a sentence; null: it can. */
 export function whyNotLive(world: World): string | null {

@@ -1,8 +1,8 @@
 import * as THREE from "three";
+import type { Changes } from "../engine/messages";
 import type { LoadScene } from "../load/load_scene";
 import { colour } from "../ui/theme";
 import { hitBox } from "./box_hit";
-import type { Changes } from "./messages";
 import { pullForce } from "./spring";
 
 /** A box that the pointer pulls at: where it was taken, and where the pointer is. Drawn as a line. */

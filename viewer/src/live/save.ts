@@ -1,8 +1,8 @@
 import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
 import type { Results, World } from "../data/results";
 import { verdictText } from "../data/verdict";
+import type { EngineClient } from "../engine/engine_client";
 import { download } from "../ui/dom";
-import type { EngineClient } from "./engine_client";
 import type { LiveDriver } from "./live_driver";
 import { whyNotSaved } from "./live_words";
 import { accelerationText, layoutText, settingsText } from "./saved_files";

@@ -1,6 +1,6 @@
 import { centimetres } from "../data/lengths";
 import type { Segment } from "../data/results";
-import type { LiveInputs } from "./messages";
+import type { LiveInputs } from "../engine/messages";
 
 /** Files that `holdfast screen` reads, from what was driven. */
 

@@ -89,6 +89,13 @@ export class CameraRig {
     this.update();
   }
 
+  /** Looks as another camera does. */
+  lookAs(other: CameraRig): void {
+    this.target.copy(other.target);
+    this.camera.position.copy(other.camera.position);
+    this.update();
+  }
+
   /** Goes near a place, from the same direction. */
   focus(place: THREE.Vector3, radius: number): void {
     const from = this.camera.position.clone().sub(this.target).normalize();

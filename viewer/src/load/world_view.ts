@@ -32,11 +32,17 @@ export class WorldView {
   private legend = "";
   private recording = false;
 
+  /**
+   * @param extra  stands above the numbers of the world
+   * @param before a view of the same load, whose camera it takes over
+   */
   constructor(
     private readonly shown: Shown[],
     private readonly store: Store,
     chooser: HTMLElement | null,
     actions: HTMLElement[],
+    extra: HTMLElement | null = null,
+    before: WorldView | null = null,
   ) {
     const { results, world } = shown[0];
     const worlds = shown.map((of) => of.world);
@@ -80,13 +86,15 @@ export class WorldView {
       this.panel.node,
     );
     if (shown.length > 1) this.panel.node.prepend(compareTable(shown));
+    if (extra) this.panel.node.prepend(extra);
     for (const scene of this.scenes) this.listen(scene);
     let placed = false;
     this.observer = new ResizeObserver(() => {
       for (const scene of this.scenes) scene.resize();
       if (!placed && pictures.clientWidth > 0) {
         placed = true;
-        this.view(0);
+        if (before) this.rig.lookAs(before.rig);
+        else this.view(0);
       }
     });
     this.observer.observe(pictures);
@@ -166,6 +174,11 @@ export class WorldView {
     if (text === this.legend) return;
     this.legend = text;
     this.options.legend(legend);
+  }
+
+  /** Shows numbers anew that have become known. */
+  refresh(): void {
+    this.panel.refresh(false);
   }
 
   view(index: number): void {

@@ -10,6 +10,7 @@ const KEYS: readonly [string, string][] = [
   ["N, P", "next, previous world that does not hold"],
   ["M", "matrix of all worlds"],
   ["X", "compare with another world"],
+  ["E", "mend the load, where it was screened in this page"],
   ["L", "live: drive the world in the engine of this page"],
   ["G, T, C", "ghost, traces, centre of gravity"],
   ["ctrl P", "a page to print, of the open load or of all that are shown"],

@@ -11,6 +11,8 @@ export interface ViewState {
   otherFile: string;
   /** the world runs in the engine of this page */
   live: boolean;
+  /** the load is changed, where it was screened in this page */
+  mend: boolean;
   /** selected box of the world, from 0 */
   box: number | null;
   /** s */
@@ -26,6 +28,8 @@ export interface ViewState {
   exploded: number;
   /** share of the length that is cut away, from the door */
   clip: number;
+  /** what loads are screened with, as of `RunChoices` */
+  run: string;
 }
 
 export const START: ViewState = {
@@ -33,6 +37,7 @@ export const START: ViewState = {
   other: null,
   otherFile: "",
   live: false,
+  mend: false,
   box: null,
   time: 0,
   sort: "worst",
@@ -44,6 +49,7 @@ export const START: ViewState = {
   centre: false,
   exploded: 0,
   clip: 0,
+  run: "",
 };
 
 /** What counts from 1 in the address, as wherever it is seen, and from 0 in the page. */

@@ -49,7 +49,9 @@ export class TopBar {
           element(
             "span",
             { class: "faint" },
-            `${plural(results.worlds.layout.length, "world")} · ${bytes(results.size)}`,
+            [plural(results.worlds.layout.length, "world"), results.size === null ? null : bytes(results.size)]
+              .filter((part) => part !== null)
+              .join(" · "),
           ),
         );
     }

@@ -1,4 +1,14 @@
-import type { GivenSettings, WorldOutcome } from "holdfast-engine";
+import type {
+  Catalogue,
+  Columns,
+  GivenSettings,
+  Load,
+  ReadChoices,
+  ReadFile,
+  RunFacts,
+  RunSettings,
+  WorldOutcome,
+} from "holdfast-engine";
 
 export type Vector = [number, number, number];
 
@@ -51,6 +61,14 @@ export interface Orders {
     ask: { layout: string; acceleration: string; boxes: Float64Array; settings: LiveInputs["settings"] };
     answer: Saved;
   };
+  catalogue: { ask: object; answer: Catalogue };
+  run: { ask: { settings: RunSettings }; answer: RunFacts };
+  read: { ask: { name: string; bytes: Uint8Array; choices: GivenSettings & ReadChoices }; answer: ReadFile };
+  world: {
+    ask: { load: Load; acceleration: number; settings: RunSettings; recorded: boolean };
+    answer: { outcome: WorldOutcome; columns: Columns; seconds: number };
+  };
+  margins: { ask: { load: Load; settings: RunSettings }; answer: Columns };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];
 export type Answer = { id: number } & ({ value: Orders[keyof Orders]["answer"] } | { error: string });

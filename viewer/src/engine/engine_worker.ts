@@ -1,7 +1,7 @@
 import { type Engine, loadEngine, type World } from "holdfast-engine";
 import type { Answer, Changes, Frame, LiveInputs, Order, Saved } from "./messages";
 
-/** The native engine, so that the page never waits for it. It has one world at a time. */
+/** The native engine, so that the page never waits for it. It has one live world at a time. */
 
 const loading = loadEngine();
 let world: World | null = null;
@@ -65,6 +65,18 @@ async function answer(order: Order) {
       return frame(began, order.hashed);
     case "screen":
       return screen(engine, order);
+    case "catalogue":
+      return engine.catalogue();
+    case "run":
+      return engine.run(order.settings);
+    case "read":
+      return engine.readLoads(order.bytes, order.name, order.choices);
+    case "world": {
+      const found = engine.screenLoad(order.load, order.acceleration, order.settings, order.recorded);
+      return { ...found, seconds: (performance.now() - began) / 1000 };
+    }
+    case "margins":
+      return engine.loadMargins(order.load, order.settings);
   }
 }
 

@@ -1,0 +1,270 @@
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, test } from "node:test";
+import type { Page } from "playwright-core";
+import { closeBrowser, openPage } from "./browser";
+import { ENGINE, PROGRAM } from "./places";
+import { type Cell, csvOf, palletRows, partsOf, xlsxOf, zipped } from "./spreadsheets";
+
+const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
+const folder = mkdtempSync(path.join(tmpdir(), "holdfast-screen-"));
+
+after(async () => {
+  rmSync(folder, { recursive: true });
+  await closeBrowser();
+});
+
+type Content = string | Uint8Array;
+
+/** Writes files, and gives them to the page. */
+async function drop(page: Page, files: Readonly<Record<string, Content>>): Promise<void> {
+  const paths = Object.entries(files).map(([name, content]) => {
+    const file = path.join(folder, name);
+    writeFileSync(file, content);
+    return file;
+  });
+  await page.setInputFiles('input[aria-label="Files"]', paths);
+  await page.waitForSelector("#app:not([aria-busy]) > main:is(.setup:not([aria-busy]), .landing)");
+}
+
+/** A page in which any request for anything but the page itself ends the test. */
+async function openOffline(): Promise<Page> {
+  const page = await openPage();
+  page.on("request", (request) => {
+    assert.match(request.url(), /^(data|blob):/, "nothing is asked for");
+  });
+  return page;
+}
+
+const screened = async (page: Page) => {
+  await page.click(".go button.primary");
+  await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
+};
+
+/** What `holdfast screen` says of a file under the norm of the road. */
+function byProgram(file: string, options: readonly string[] = []) {
+  const output = path.join(folder, "results.h5");
+  const words = ["screen", "--layouts", path.join(folder, file), "--norm", "road", "--margins", ...options];
+  const lines = execFileSync(PROGRAM, [...words, "--json", "--quiet", "--overwrite", "-o", output], {
+    encoding: "utf8",
+  });
+  const all = lines
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+  return { worlds: all.filter((one) => "verdict" in one), layout: all.find((one) => "margins_g" in one) };
+}
+
+test("a spreadsheet of pallets is dropped, screened, and a world is opened: verdicts, margins and bits of the program", {
+  skip,
+}, async () => {
+  const page = await openOffline();
+  await drop(page, { "pallets.xlsx": xlsxOf({ Pallets: palletRows() }) });
+  assert.match(await page.innerText(".file"), /pallets\.xlsx\s+spreadsheet, 1 load, 20 boxes/);
+  // It does not fit what the program takes without a word of a container, and says what would help.
+  assert.match(await page.innerText(".file"), /20 boxes are outside|boxes are outside/);
+  await page.click(".file button.advice");
+  await page.waitForSelector(".go button.primary:not([disabled])");
+  const container = await page.inputValue(".choices select >> nth=1");
+  await screened(page);
+
+  writeFileSync(path.join(folder, "pallets.csv"), csvOf(palletRows()));
+  const { worlds, layout } = byProgram("pallets.csv", ["--container", container]);
+  assert.ok(new Set(worlds.map((world) => world.verdict)).size > 1, "some fall or move, and some stay");
+  for (const [index, world] of worlds.entries()) {
+    await page.evaluate((number) => {
+      location.hash = `world=${number}`;
+    }, index + 1);
+    await page.waitForFunction(
+      (name) => document.querySelector("#app:not([aria-busy]) > main.world") && document.title.includes(name),
+      world.acceleration,
+    );
+    const panel = await page.innerText(".panel .top");
+    assert.match(panel, new RegExp(`^[^\\w]*${world.verdict}`), world.acceleration);
+    assert.match(panel, new RegExp(world.state_hash), world.acceleration);
+    if (world.moved_boxes > 0) assert.match(panel, new RegExp(`${world.moved_boxes} moved`));
+    for (const direction of ["front", "rear", "left", "right"]) {
+      const hundredths = Math.floor(100 * layout.margins_within_limits_g[direction] + 1e-6) / 100;
+      assert.match(panel, new RegExp(`${hundredths.toFixed(2)}\\+? g ${direction}`), direction);
+    }
+  }
+  // The motion is there: the last sample is later than the first.
+  assert.match(await page.innerText(".readout"), /s$/);
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector(".readout")!.textContent!) > 1);
+  // Live takes it over.
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await page.close();
+});
+
+test("several files at once: loads of all of them, a sheet without loads left out, what is wrong said by row", {
+  skip,
+}, async () => {
+  const page = await openOffline();
+  const rows = palletRows().map((row, i): Cell[] => [i === 0 ? "Load" : i <= 10 ? "Tour 1" : "Tour 2", ...row]);
+  const wrong = palletRows();
+  wrong[3][4] = "wide";
+  await drop(page, {
+    "tours.xlsx": xlsxOf({ Notes: [["Loaded by"], ["somebody"]], Tours: rows }),
+    "wrong.xlsx": xlsxOf({ Sheet1: wrong }),
+    "own.json": JSON.stringify({
+      holdfast: 1,
+      loads: [{ name: "One", container: "20", boxes: [{ corner_min: [0, 0, 0], corner_max: [1, 1, 1], mass: 90 }] }],
+    }),
+  });
+  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  await page.waitForSelector("main.setup:not([aria-busy])");
+  const files = await page.locator(".file").allInnerTexts();
+  assert.equal(files.length, 3);
+  assert.match(files[0], /tours\.xlsx Tours[\s\S]*Tour 1[\s\S]*10[\s\S]*Tour 2/);
+  assert.match(files[1], /Row 4: [^\n]*not a number[^\n]*Length cm[^\n]*wide/);
+  assert.match(files[2], /own\.json#One\s+1\s+90/);
+  assert.equal(await page.innerText(".go button.primary"), "Screen 3 loads");
+  await screened(page);
+  assert.match(await page.innerText(".progress"), /^12 worlds, margins of 3 loads in/);
+  assert.match(await page.innerText("aside"), /failed\s*4/, "the load that cannot be read is not forgotten");
+  await page.close();
+});
+
+test("a screening is cancelled, and another begins with other settings", { skip }, async () => {
+  const page = await openOffline();
+  const many = Array.from({ length: 40 }, (_, load) =>
+    palletRows()
+      .slice(1)
+      .map((row): Cell[] => [`Tour ${load + 1}`, ...row]),
+  ).flat();
+  await drop(page, { "many.csv": csvOf([["Load", ...palletRows()[0]], ...many]) });
+  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  await page.waitForSelector("main.setup:not([aria-busy])");
+  await page.click(".go button.primary");
+  await page.waitForSelector(".progress progress");
+  await page.click(".progress button:text-is('Cancel')");
+  await page.waitForFunction(() => /ended after/.test(document.querySelector(".progress")?.textContent ?? ""));
+  assert.match(await page.innerText(".progress"), /of 160 worlds/);
+  await page.click(".progress button:text-is('Settings')");
+  await page.click(".file button[aria-label='Leave out many.csv']");
+  await page.waitForSelector(".go button.primary:text-is('No load can be screened')");
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.fill(".choices label:has-text('Displacement') input", "500");
+  await page.waitForSelector("main.setup:not([aria-busy]) .go button.primary:not([disabled])");
+  await screened(page);
+  assert.match(await page.innerText("aside"), /move 5\.00 m/);
+  await page.close();
+});
+
+test("hostile and damaged spreadsheets get a sentence", { skip }, async () => {
+  const page = await openOffline();
+  const parts = partsOf({ Sheet1: palletRows() });
+  const sheet = "xl/worksheets/sheet1.xml";
+  const refused = async (content: Content, sentence: RegExp) => {
+    await drop(page, { "bad.xlsx": content });
+    assert.match(await page.innerText("#app"), sentence);
+  };
+  await refused(zipped({ ...parts, [sheet]: " ".repeat(60 << 20) }), /too large: unpacked it has more than 48 MB/);
+  await refused(zipped({ "word/document.xml": "<a/>" }), /no spreadsheet of the kind \.xlsx/);
+  await refused(xlsxOf({ Empty: [] }), /no sheet with cells/);
+  await refused(
+    zipped({ ...parts, [sheet]: parts[sheet].slice(0, 900) }),
+    /its part xl\/worksheets\/sheet1\.xml cannot be read/,
+  );
+  await refused(
+    zipped({ ...parts, [sheet]: `<!DOCTYPE a [<!ENTITY b "c">]>${parts[sheet]}` }),
+    /its part xl\/worksheets\/sheet1\.xml cannot be read/,
+  );
+  await refused(
+    zipped({ ...parts, [sheet]: parts[sheet].replace('r="2"', 'r="1048570"') }),
+    /its rows are not in order/,
+  );
+  const formula = palletRows();
+  formula[1][1] = { formula: "1+1" };
+  await refused(xlsxOf({ Sheet1: formula }), /the formula in B2 was saved without its value/);
+  await refused(xlsxOf({ Sheet1: palletRows() }).slice(0, 700), /damaged, or no spreadsheet/);
+  // A value that was saved with its formula is taken; a name is a text, whatever it has in it.
+  formula[1][1] = { formula: "1-1", value: 0 };
+  formula[1][0] = "<img src=x onerror=alert(1)>";
+  await drop(page, { "good.xlsx": xlsxOf({ Sheet1: formula }) });
+  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  await page.waitForSelector("main.setup:not([aria-busy])");
+  assert.equal(await page.innerText(".go button.primary"), "Screen 1 load");
+  await page.close();
+});
+
+test("a load is mended: what would help is tried, taken, undone, and the mended load has the program's verdicts", {
+  skip,
+}, async () => {
+  const page = await openOffline();
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.click(".file button.advice");
+  await page.waitForSelector(".go button.primary:not([disabled])");
+  await screened(page);
+  await page.focus(".matrix");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.click("button:text-is('Mend')");
+  const answered = () =>
+    page.waitForFunction(() => {
+      const mend = document.querySelector<HTMLElement>("#app:not([aria-busy]) .mend");
+      return (
+        mend &&
+        !/…/.test(mend.querySelector("table")!.innerText) &&
+        mend.querySelector(".buttons button:not([disabled])")
+      );
+    });
+  await answered();
+  assert.match(await page.innerText(".mend table"), /road-front-0g8\s+–\s*moved 2\s+0\.50 g/);
+  await page.click(".mend button:text-is('What would help?')");
+  await page.waitForFunction(
+    () =>
+      document.querySelector(".remedies li") && !/Trying/.test(document.querySelector<HTMLElement>(".mend")!.innerText),
+  );
+  const remedies = await page.locator(".remedies li").allInnerTexts();
+  assert.ok(remedies.length >= 4);
+  assert.match(
+    remedies[0],
+    /^All boxes towards the front, until they touch: holds under all accelerations; margin front 0\.50 g → 1\.50\+ g\./,
+  );
+  assert.match(remedies[remedies.length - 1], /still fails under road-front-0g8/);
+  await page.click(".remedies li:first-child button");
+  await page.waitForFunction(() => /stayed/.test(document.querySelector<HTMLElement>(".panel .top")!.innerText));
+  await answered();
+  assert.match(await page.innerText(".mend table"), /road-front-0g8\s+stayed\s+1\.50\+ g/);
+
+  // What is saved is what was screened.
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.click(".mend button:text-is('Save load')"),
+  ]);
+  await download.saveAs(path.join(folder, "mended.json"));
+  const { worlds } = byProgram("mended.json", ["--container", "trailer-box"]);
+  assert.ok(worlds.every((world) => world.verdict === "stayed"));
+  assert.match(await page.innerText(".panel .top"), new RegExp(worlds[0].state_hash));
+
+  // Boxes that cannot be so are refused with a sentence, and nothing changes.
+  await page.evaluate(() => {
+    location.hash = `${location.hash}&box=1`;
+  });
+  await page.click(".mend button:text-is('down')");
+  await page.waitForFunction(() =>
+    /outside the container at the floor/.test(document.querySelector(".mend .problem")!.textContent!),
+  );
+  assert.match(await page.innerText(".mend"), /Undo\n/, "one edit can be undone");
+  await page.click(".mend button:text-is('Undo')");
+  await page.waitForFunction(() => /moved/.test(document.querySelector<HTMLElement>(".panel .top")!.innerText));
+  await answered();
+  assert.match(await page.innerText(".mend table"), /road-front-0g8\s+–\s*moved 2\s+0\.50 g/);
+
+  // So does the matrix, of whatever is done.
+  await page.click(".mend button:text-is('Take away')");
+  await page.waitForFunction(() => /Of 19 boxes/.test(document.querySelector<HTMLElement>(".panel .top")!.innerText));
+  await answered();
+  await page.keyboard.press("m");
+  await page.waitForSelector("main.fleet");
+  await page.keyboard.press("ArrowDown");
+  assert.match(await page.innerText(".detail"), /boxes\s+19/);
+  await page.close();
+});

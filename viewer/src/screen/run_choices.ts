@@ -1,0 +1,123 @@
+import type { GivenSettings, ReadChoices, RunSettings } from "holdfast-engine";
+
+/** What a user sets for a screening. Empty texts: as the program has it without a word of it. */
+export interface RunChoices {
+  norm: string;
+  /** name in the catalogue, for all loads; `OWN_SIZE`; or empty: as each load says */
+  container: string;
+  /** m, of `OWN_SIZE` */
+  length: string;
+  width: string;
+  height: string;
+  /** unit of lengths and axes, where files do not say it */
+  unit: string;
+  format: string;
+  axes: string;
+  /** coefficients of friction, or names of pairs of the table: of boxes on the floor, on boxes, on walls */
+  floor: string;
+  boxes: string;
+  walls: string;
+  /** limits: cm, cm, degree */
+  move: string;
+  drop: string;
+  tilt: string;
+  accuracy: string;
+  margins: boolean;
+}
+
+/** In place of the name of a container: one of another size. */
+export const OWN_SIZE = "size";
+
+export const USUAL: RunChoices = {
+  norm: "road",
+  container: "",
+  length: "",
+  width: "",
+  height: "",
+  unit: "",
+  format: "",
+  axes: "",
+  floor: "",
+  boxes: "",
+  walls: "",
+  move: "",
+  drop: "",
+  tilt: "",
+  accuracy: "",
+  margins: true,
+};
+
+/** A comma may be the decimal mark. */
+const withPoint = (number: string) => number.trim().replace(",", ".");
+
+/** The number in another unit; what is none stays, for the engine to refuse. */
+const times = (factor: number) => (text: string) => {
+  const number = Number(withPoint(text));
+  return text.trim() === "" || !Number.isFinite(number) ? text : String(Number((factor * number).toPrecision(12)));
+};
+const inCentimetres = times(100);
+const inMetres = times(0.01);
+
+/** Settings of the program by what was chosen. */
+function settingsOf(choices: RunChoices): NonNullable<GivenSettings["settings"]> {
+  const isOwn = choices.container === OWN_SIZE;
+  const all: [string, string, string][] = [
+    ["Screening", "Norm", choices.norm],
+    ["Container", "Length", isOwn ? inCentimetres(choices.length) : ""],
+    ["Container", "Width", isOwn ? inCentimetres(choices.width) : ""],
+    ["Container", "Height", isOwn ? inCentimetres(choices.height) : ""],
+    ["Contact", "BoxFloor", withPoint(choices.floor)],
+    ["Contact", "BoxBox", withPoint(choices.boxes)],
+    ["Contact", "BoxWall", withPoint(choices.walls)],
+    ["Screening", "MoveThreshold", inMetres(choices.move)],
+    ["Simulation Settings", "DropThreshold", inMetres(choices.drop)],
+    ["Screening", "TiltThreshold", withPoint(choices.tilt)],
+    ["Native", "Accuracy", choices.accuracy],
+  ];
+  return all.filter(([, , value]) => value.trim() !== "");
+}
+
+/** What worlds are simulated with. */
+export const runSettings = (choices: RunChoices): RunSettings => ({
+  settings: settingsOf(choices),
+  container: choices.container === OWN_SIZE ? "" : choices.container,
+});
+
+/** What files are read with. */
+export const readChoices = (choices: RunChoices): GivenSettings & ReadChoices => ({
+  ...runSettings(choices),
+  unit: choices.unit,
+  axes: choices.axes,
+  format: choices.format,
+});
+
+/** A choice that a message of a reader names as what would help, as options of the program: null: none. */
+export function adviceOf(accepted: string): { text: string; change: Partial<RunChoices> } | null {
+  const container = /--container (\S+) holds/.exec(accepted)?.[1];
+  if (container) return { text: `Take the container ${container}, which holds them`, change: { container } };
+  const unit = /--unit (mm|cm|m|in|ft)\b/.exec(accepted)?.[1];
+  if (unit) return { text: `Take lengths as ${unit}`, change: { unit } };
+  const axes = /--axes "([-xyz ]+)"/.exec(accepted)?.[1];
+  if (axes) return { text: `Take the axes ${axes} as length, width, height`, change: { axes, format: "" } };
+  return null;
+}
+
+/** The same choices in an address: those that are not usual. */
+export const toText = (choices: RunChoices): string =>
+  Object.entries(choices)
+    .filter(([key, value]) => value !== USUAL[key as keyof RunChoices])
+    .map(([key, value]) => `${key}:${value}`)
+    .join(";");
+
+/** The choices of an address; what it does not have is usual. */
+export function fromText(text: string): RunChoices {
+  const choices: Record<string, string | boolean> = { ...USUAL };
+  for (const part of text.split(";")) {
+    const colon = part.indexOf(":");
+    const key = part.slice(0, colon);
+    if (colon < 0 || !(key in USUAL)) continue;
+    const value = part.slice(colon + 1);
+    choices[key] = key === "margins" ? value !== "false" : value;
+  }
+  return choices as unknown as RunChoices;
+}

@@ -1,0 +1,302 @@
+import type { Columns, Load, ReadLoad, RunFacts, Shape, WorldOutcome } from "holdfast-engine";
+import { excursionsTo } from "../data/excursions";
+import { centimetres } from "../data/lengths";
+import { STATUS_BITS, STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
+import { numbered, OWN_CENTRES, ownContainer } from "../data/read_loads";
+import type {
+  BoxColumns,
+  Container,
+  Excursions,
+  LoadedLayout,
+  Margins,
+  Results,
+  Series,
+  World,
+  WorldColumns,
+} from "../data/results";
+import { PENDING } from "../data/results";
+
+/** Results in the form of a results file, of worlds that the engine of this page simulates. */
+
+const containerOf = ({ type, size, open_sides, drop_sides, bed_height }: Shape): Container =>
+  ownContainer(
+    type ?? "",
+    size,
+    (open_sides ?? []).join(" "),
+    Object.entries(drop_sides ?? {})
+      .map(([side, height]) => `${side} ${centimetres(height)}`)
+      .join(" "),
+    bed_height ?? 0,
+  );
+
+/** What is known before any world is simulated: loads that cannot be used have failed. */
+export function newResults(
+  name: string,
+  version: string,
+  facts: RunFacts,
+  loads: readonly ReadLoad[],
+  withMargins: boolean,
+): Results {
+  const { settings } = facts;
+  const accelerations = facts.norm?.accelerations ?? [];
+  const own = loads.flatMap(({ load }, layout) =>
+    load.container ? [[layout, containerOf(load.container)] as const] : [],
+  );
+  const results: Results = {
+    name,
+    size: null,
+    complete: true,
+    firstWorld: 0,
+    engine: settings["Screening/Engine"],
+    software: `holdfast ${version}`,
+    created: new Date().toISOString().replace(/\.\d+Z$/, "Z"),
+    settings,
+    thresholds: facts.limits,
+    judgedAtEnd: false,
+    container: containerOf(facts.container),
+    ownContainers: new Map(own),
+    layouts: loads.map((load) => load.name),
+    layoutBoxes: Uint32Array.from(loads, (load) => load.boxCount),
+    accelerations: accelerations.map((acceleration) => acceleration.name),
+    segments: accelerations.map(({ segments }) => segments),
+    worlds: newColumns(loads.length, accelerations.length),
+    hasSeries: true,
+    hasWalls: false,
+    margins: withMargins ? newMargins(loads.length) : null,
+    replicas: null,
+  };
+  const { worlds } = results;
+  for (const [world, layout] of worlds.layout.entries()) {
+    if (loads[layout].errors.length === 0) continue;
+    worlds.verdict[world] = VERDICT_CODES.failed;
+    worlds.status[world] = STATUS_BITS.bad_layout;
+  }
+  return results;
+}
+
+function newColumns(layouts: number, accelerations: number): WorldColumns {
+  const count = layouts * accelerations;
+  const none = () => new Uint32Array(count);
+  const unknown = () => new Float64Array(count).fill(Number.NaN);
+  return {
+    layout: Uint32Array.from({ length: count }, (_, world) => Math.floor(world / accelerations)),
+    acceleration: Uint32Array.from({ length: count }, (_, world) => world % accelerations),
+    status: none(),
+    statusTime: unknown(),
+    caveats: none(),
+    stopReason: new Uint8Array(count),
+    verdict: new Uint8Array(count).fill(PENDING),
+    boxes: none(),
+    samples: none(),
+    fallen: none(),
+    unstable: none(),
+    moved: none(),
+    tilted: none(),
+    fallenAtEnd: none(),
+    criticalBox: none(),
+    peakDisplacement: new Float32Array(count),
+    peakDrop: new Float32Array(count),
+    peakTilt: new Float32Array(count),
+    endDisplacement: new Float32Array(count),
+    peakEnergy: new Float64Array(count),
+    endTime: new Float64Array(count),
+    cpuSeconds: new Float64Array(count),
+    boxBegin: new Float64Array(count),
+    sampleBegin: new Float64Array(count),
+    rowBegin: new Float64Array(count),
+  };
+}
+
+function newMargins(layouts: number): Margins {
+  const columns = () => ({
+    margin: new Float64Array(4 * layouts).fill(Number.NaN),
+    criticalBox: new Uint32Array(4 * layouts),
+  });
+  return { inPlace: columns(), withinLimits: columns() };
+}
+
+/** Puts what became of a world into the columns. */
+export function putWorld({ worlds }: Results, world: number, outcome: WorldOutcome, seconds: number): void {
+  worlds.verdict[world] = VERDICT_CODES[outcome.verdict];
+  worlds.stopReason[world] = STOP_REASON_CODES[outcome.stopReason];
+  worlds.cpuSeconds[world] = seconds;
+  worlds.peakEnergy[world] = outcome.peakKineticEnergy;
+  const same = [
+    "status",
+    "statusTime",
+    "caveats",
+    "boxes",
+    "fallen",
+    "unstable",
+    "moved",
+    "tilted",
+    "fallenAtEnd",
+    "criticalBox",
+    "peakDisplacement",
+    "peakDrop",
+    "peakTilt",
+    "endDisplacement",
+    "endTime",
+  ] as const;
+  for (const name of same) worlds[name][world] = outcome[name];
+}
+
+/** Puts the margins of a load into the columns. */
+export function putMargins({ margins }: Results, layout: number, found: Columns): void {
+  if (!margins?.withinLimits) return;
+  margins.inPlace.margin.set(found.margin, 4 * layout);
+  margins.inPlace.criticalBox.set(found.critical_box, 4 * layout);
+  margins.withinLimits.margin.set(found.margin_within_limits, 4 * layout);
+  margins.withinLimits.criticalBox.set(found.critical_box_within_limits, 4 * layout);
+}
+
+/** The world of a load that cannot be used, and why. */
+export function badWorld(results: Results, index: number, read: ReadLoad): World {
+  return { ...worldHead(results, index, { ...read.load, boxes: [] }), statusText: read.errors[0].message };
+}
+
+function worldHead(results: Results, index: number, load: Load): World {
+  const { worlds } = results;
+  const layout = worlds.layout[index];
+  const acceleration = worlds.acceleration[index];
+  return {
+    index,
+    layout: results.layouts[layout],
+    container: results.ownContainers.get(layout) ?? results.container,
+    acceleration: results.accelerations[acceleration],
+    segments: results.segments[acceleration],
+    engine: results.engine,
+    status: worlds.status[index],
+    statusText: "",
+    verdict: worlds.verdict[index],
+    stopReason: worlds.stopReason[index],
+    accelerated: true,
+    criticalBox: worlds.criticalBox[index],
+    beginTime: 0,
+    endTime: worlds.endTime[index],
+    boxes: boxColumns(load, {}, true, results.settings),
+    series: null,
+    walls: null,
+    stateHash: "",
+    loaded: null,
+  };
+}
+
+/** A world whose columns of boxes and samples are there; its row in the results is. */
+export function worldOf(
+  results: Results,
+  index: number,
+  read: ReadLoad,
+  outcome: WorldOutcome,
+  columns: Columns,
+): World {
+  const { settings } = results;
+  const head = worldHead(results, index, read.load);
+  const accelerated = outcome.verdict !== "unstable" && !(outcome.endTime < 0);
+  const boxes = boxColumns(read.load, columns, accelerated, settings);
+  return {
+    ...head,
+    accelerated,
+    beginTime: accelerated ? 0 : -Number(settings["Screening/SettleSeconds"]),
+    boxes,
+    series: seriesOf(columns),
+    stateHash: outcome.stateHash,
+    loaded: loadedOf(results, results.worlds.layout[index], read, boxes),
+  };
+}
+
+function seriesOf(columns: Columns): Series {
+  return {
+    time: columns["series/time"],
+    acceleration: Float32Array.from(columns["series/container_acceleration"]),
+    energy: Float32Array.from(columns["series/total_kinetic_energy"]),
+    fallen: Uint32Array.from(columns["series/fallen_count"]),
+    displacement: Float32Array.from(columns["series/displacement"]),
+    orientation: Float32Array.from(columns["series/orientation"]),
+  };
+}
+
+/** Columns of a load's boxes; those that the engine has not given are empty. */
+function boxColumns(
+  load: Load,
+  columns: Columns,
+  accelerated: boolean,
+  settings: Readonly<Record<string, string>>,
+): BoxColumns {
+  const { boxes } = load;
+  const float = (name: string) => Float32Array.from(columns[name] ?? []);
+  const flags = (name: string) => Uint8Array.from(columns[`verdict/${name}`] ?? []);
+  const optional = (value: (box: (typeof boxes)[number]) => number | undefined) =>
+    Float64Array.from(boxes, (box) => value(box) ?? Number.NaN);
+  const excursions = (name: string): Excursions => ({
+    displacement: float(`boxes/${name}_displacement`),
+    drop: float(`boxes/${name}_drop`),
+    tilt: float(`boxes/${name}_tilt`),
+  });
+  const initial = float("boxes/initial_position");
+  const reference = initial.slice();
+  const settling = columns["boxes/settling_displacement"] ?? [];
+  if (accelerated && settings["Screening/ReferencePose"] === "settled")
+    for (let i = 0; i < reference.length; ++i) reference[i] += settling[i];
+  const peak = excursions("peak");
+  const endDisplacement = float("boxes/end_displacement");
+  return {
+    id: Uint32Array.from(boxes, (_, index) => index + 1),
+    name: boxes.map((box) => box.name ?? ""),
+    material: boxes.map((box) => String(box.material)),
+    mat: optional((box) => box.mat),
+    bearingLimit: optional((box) => box.bearing_limit),
+    mass: float("boxes/mass"),
+    fixed: Uint8Array.from(columns["boxes/fixed"] ?? []),
+    size: float("boxes/size"),
+    initial,
+    reference,
+    endDisplacement,
+    end: excursionsTo(endDisplacement, float("boxes/end_tilt")),
+    peak,
+    settling: excursions("settling_peak"),
+    judged: peak,
+    peakEnergy: float("boxes/peak_kinetic_energy"),
+    firstBeyond: float("verdict/first_beyond"),
+    fallen: flags("fallen"),
+    moved: flags("moved"),
+    tilted: flags("tilted"),
+    unstable: flags("unstable"),
+  };
+}
+
+/** The load as live worlds take it: rows of seven numbers, and what they do not have. */
+function loadedOf(results: Results, layout: number, read: ReadLoad, columns: BoxColumns): LoadedLayout {
+  const { boxes } = read.load;
+  const rows = Float64Array.from(
+    boxes.flatMap((box) => [
+      ...box.corner_min,
+      ...box.corner_max,
+      typeof box.material === "number" ? box.material : -1,
+    ]),
+  );
+  const known = (values: Float64Array) => (values.some(Number.isFinite) ? values : null);
+  const some = (is: (box: (typeof boxes)[number]) => boolean) => boxes.some(is);
+  const own = results.ownContainers.get(layout);
+  const found: [boolean, string][] = [
+    [own !== undefined, "a container of its own"],
+    [some((box) => box.mass !== undefined), "masses of its own"],
+    [some((box) => typeof box.material === "string"), "materials with names"],
+    [some((box) => box.mat !== undefined), "anti-slip mats"],
+    [some((box) => box.fixed === true), "fixed boxes of its own"],
+    [some((box) => box.centre_of_mass !== undefined), OWN_CENTRES],
+  ];
+  const more = found.filter(([is]) => is).map(([, words]) => words);
+  return {
+    header: read.header,
+    boxes: rows,
+    masses: known(Float64Array.from(boxes, (box) => box.mass ?? Number.NaN)),
+    mats: known(columns.mat),
+    settings: {
+      ...numbered(rows, columns.material, (box) => boxes[box].fixed === true, results.settings),
+      ...own?.settings,
+    },
+    more,
+    missing: more.filter((words) => words === OWN_CENTRES),
+  };
+}

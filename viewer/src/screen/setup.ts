@@ -1,0 +1,140 @@
+import type { Catalogue, ReadFile, ReadLoad, RunFacts } from "holdfast-engine";
+import type { EnginePool } from "../engine/engine_pool";
+import type { InputFile } from "./input_files";
+import { fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
+
+/** Milliseconds without a change before files are read anew: while somebody types, they are not. */
+const PATIENCE = 150;
+
+/** A file as it was read, or why it could not be. */
+export interface Reading extends Pick<InputFile, "name" | "book"> {
+  found: ReadFile | null;
+  error: string;
+}
+
+/** What is to be screened, and with what: files, choices, and what the engine makes of both. */
+export class Setup {
+  readonly catalogue: Catalogue;
+  readonly version: string;
+  choices: RunChoices;
+  readings: Reading[] = [];
+  /** null: the choices cannot be used, and `problem` says why */
+  facts: RunFacts | null = null;
+  problem = "";
+  /** files are read, or about to be */
+  busy = false;
+  private files: InputFile[] = [];
+  private turn = 0;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly listeners = new Set<() => void>();
+
+  private constructor(
+    readonly pool: EnginePool,
+    catalogue: Catalogue,
+    version: string,
+    choices: string,
+    private readonly keep: (choices: string) => void,
+  ) {
+    this.catalogue = catalogue;
+    this.version = version;
+    this.choices = fromText(choices);
+  }
+
+  /**
+   * @param choices as `keep` has got them
+   * @param keep keeps choices, as a text
+   */
+  static async start(pool: EnginePool, choices: string, keep: (choices: string) => void): Promise<Setup> {
+    const [catalogue, version] = await Promise.all([pool.ask("catalogue", {}), pool.ask("version", {})]);
+    return new Setup(pool, catalogue, version, choices, keep);
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** A file takes the place of one with the same name. */
+  add(files: readonly InputFile[]): Promise<void> {
+    const names = new Set(files.map((file) => file.book ?? file.name));
+    this.files = [...this.files.filter((file) => !names.has(file.book ?? file.name)), ...files];
+    return this.read();
+  }
+
+  remove(name: string): Promise<void> {
+    this.files = this.files.filter((file) => file.name !== name);
+    return this.read();
+  }
+
+  change(change: Partial<RunChoices>): void {
+    this.choices = { ...this.choices, ...change };
+    this.keep(toText(this.choices));
+    this.busy = true;
+    this.tell();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.read(), PATIENCE);
+  }
+
+  /** All loads, those that cannot be used among them. */
+  get loads(): ReadLoad[] {
+    return this.readings.flatMap(({ found }) => found?.loads ?? []);
+  }
+
+  get usable(): number {
+    return this.loads.filter((load) => load.errors.length === 0).length;
+  }
+
+  /** What results are called: by their only file, or by how many there are. */
+  get name(): string {
+    const names = [...new Set(this.files.map((file) => file.book ?? file.name))];
+    return names.length === 1 ? names[0] : `${names.length} files`;
+  }
+
+  /** Reads all files with the choices of now. */
+  private async read(): Promise<void> {
+    const turn = ++this.turn;
+    this.busy = true;
+    this.tell();
+    const { choices, files, pool } = this;
+    let facts: RunFacts | null = null;
+    let problem = "";
+    let readings: Reading[] = this.readings;
+    try {
+      facts = await pool.ask("run", { settings: runSettings(choices) }, true);
+      readings = await Promise.all(files.map((file) => this.readFile(file, choices)));
+    } catch (error) {
+      problem = (error as Error).message;
+    }
+    if (turn !== this.turn) return;
+    this.facts = facts;
+    this.problem = problem;
+    this.readings = ofBooks(readings);
+    this.busy = false;
+    this.tell();
+  }
+
+  private async readFile({ name, bytes, book }: InputFile, choices: RunChoices): Promise<Reading> {
+    try {
+      const found = await this.pool.ask("read", { name, bytes, choices: readChoices(choices) }, true);
+      return { name, book, found, error: "" };
+    } catch (error) {
+      return { name, book, found: null, error: (error as Error).message };
+    }
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}
+
+/** Of a book the sheets that have boxes; where none has, the first one, which says what it lacks. */
+function ofBooks(readings: readonly Reading[]): Reading[] {
+  const hasBoxes = ({ found }: Reading) => found?.loads.some((load) => load.boxCount > 0) ?? false;
+  const full = new Set(readings.filter(hasBoxes).map(({ book }) => book));
+  const first = new Map<string, Reading>();
+  for (const reading of readings)
+    if (reading.book !== null && !first.has(reading.book)) first.set(reading.book, reading);
+  return readings.filter(
+    (reading) =>
+      reading.book === null || (full.has(reading.book) ? hasBoxes(reading) : first.get(reading.book) === reading),
+  );
+}
