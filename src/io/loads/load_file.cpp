@@ -58,16 +58,20 @@ class TextRows final : public LoadRows {
   /// Looks for the header among the first rows: the first one whose words tell boxes; else what the best one lacks.
   Result<ColumnPlan> find_header(std::span<const ColumnChoice> choices) {
     std::optional<Error> best;
+    // A title above the header has none of the columns that the user names.
+    std::vector<ColumnChoice> where_there(choices.begin(), choices.end());
+    for (ColumnChoice& choice : where_there) choice.needed = false;
     for (int i = 0; i < kMostTitleRows && table_.next(); ++i) {
       std::vector<std::string> row = texts_of(table_.row());
       if (!has_words(row)) break;
+      const Result<ColumnPlan> words = plan_columns(row, where_there);
       Result<ColumnPlan> plan = plan_columns(row, choices);
       if (plan && plan->has_boxes()) {
         headers_ = std::move(row);
         header_line_ = table_.line();
         return plan;
       }
-      const bool says_something = !plan || plan->has_place() || plan->has_size() || plan->mass || plan->length;
+      const bool says_something = !words || words->has_place() || words->has_size() || words->mass || words->length;
       if (best && !says_something) continue;
       Error error =
           plan ? Error{.what = "the header does not tell " + missing_columns(*plan),

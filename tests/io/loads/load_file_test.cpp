@@ -196,6 +196,16 @@ TEST_CASE("load_file: titles before the header are passed over, blank columns ha
   CHECK(loads.loads[0].layout.boxes[0].name == "A");
 }
 
+TEST_CASE("load_file: titles do not have the columns that the user names, and the header must", "[io][loads]") {
+  Settings settings;
+  settings.loads.columns = "Tiefe = length";
+  const std::string box = "x;y;z;Tiefe;width;height\n0;0;0;80;60;50\n";
+  CHECK(loads_of("Load plan\n" + box, settings).loads[0].layout.boxes.size() == 1);
+  settings.loads.columns = "Tief = length";
+  CHECK(all_errors("Load plan\n" + box, settings) ==
+        Messages{"a.csv:2: there is no column of that name: Tief; did you mean 'Tiefe'?"});
+}
+
 TEST_CASE("load_file: what cannot be read is named by line, column and header", "[io][loads]") {
   CHECK(all_errors("x;y;z;length;width;height\n0;0;0;80,5;60;50.5\n") ==
         Messages{"a.csv:2:15: the height is not a number (column height): 50.5; a number such as 80 or 12,5; the table "
