@@ -67,8 +67,29 @@ async function worldOf(page, layout, acceleration) {
   return page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("world"));
 }
 
+/** Loads of a spreadsheet that are set, screened and mended in the page. */
+async function screen(scheme) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: scheme });
+  await page.goto(`file://${root}/build/viewer/viewer.html`);
+  await page.setInputFiles('input[aria-label="Files"]', `${root}/configs/loads/trailer.csv`);
+  await page.waitForSelector("main.setup:not([aria-busy])");
+  await page.selectOption(".choices label:has-text('on the floor') select", "timber-steel");
+  await page.waitForSelector("main.setup:not([aria-busy]) .go button.primary:not([disabled])");
+  await save(page, `setup-${scheme}`);
+  await page.click(".go button.primary");
+  await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
+  await show(page, "world=2&time=1.2&box=19&mend=1");
+  await page.click(".mend button:text-is('What would help?')");
+  await page.waitForFunction(
+    () => document.querySelector(".remedies li") && !/Trying/.test(document.querySelector(".mend").innerText),
+  );
+  await save(page, `mend-${scheme}`);
+  await page.close();
+}
+
 for (const scheme of ["light", "dark"]) {
   if (!liveOnly) {
+    await screen(scheme);
     const fleet = await open(scheme, results);
     await fleet.hover(".matrix", { position: { x: 360, y: 100 } });
     await save(fleet, `fleet-${scheme}`);

@@ -42,14 +42,9 @@ function convertedBy(file, options = []) {
 
 /** What the engine says of a file, in the program's words. */
 function readByEngine(file, choices = {}) {
-  try {
-    const found = engine.readLoads(readFileSync(file), path.basename(file), choices);
-    const all = [found.notes, ...found.loads.flatMap(({ errors, warnings }) => [errors, warnings])].flat();
-    return { ...found, messages: all.map(({ message }) => message).sort() };
-  } catch (error) {
-    assert.ok(error instanceof EngineError);
-    return { loads: [], messages: [error.message] };
-  }
+  const found = engine.readLoads(readFileSync(file), path.basename(file), choices);
+  const all = [found.errors, found.notes, ...found.loads.flatMap(({ errors, warnings }) => [errors, warnings])].flat();
+  return { ...found, messages: all.map(({ message }) => message).sort() };
 }
 
 /** Names of loads in a file of ours are without that of the file that they are from. */
@@ -165,6 +160,21 @@ test("every bundled layout under the norm of the road has the program's bits, ve
   t.diagnostic(`${worlds.length} worlds, ${new Set(worlds.map((world) => world.state_hash)).size} different hashes`);
 });
 
+test("what keeps a file from being read is told, and its first rows are there to be looked at", () => {
+  const text = 'Tour of Monday\nArtikel;PosX;PosY;PosZ;Tiefe;Breite;Hoehe\n"A;1";0;0;0;80;120;100\n';
+  const bytes = new TextEncoder().encode(text);
+  const { errors, loads } = engine.readLoads(bytes, "a.csv");
+  assert.equal(loads.length, 0);
+  assert.equal(errors[0].line, 2);
+  assert.match(errors[0].message, /^a\.csv:2: the header does not tell the length/);
+  assert.match(errors[0].accepted, /--columns/);
+  assert.deepEqual(engine.preview(bytes, 10)[2], { line: 3, cells: ["A;1", "0", "0", "0", "80", "120", "100"] });
+  const columns = "PosX = x, Tiefe = length, Breite = width, Hoehe = height";
+  assert.equal(engine.readLoads(bytes, "a.csv", { columns }).loads[0].boxCount, 1);
+  const book = engine.readLoads(Uint8Array.of(0x50, 0x4b, 3, 4, 0, 0), "a.csv");
+  assert.match(book.errors[0].message, /spreadsheet file/);
+});
+
 test("the columns of a world have what its verdict is from", () => {
   const { load } = readByEngine(path.join(root, "configs/layouts/seed_example.txt")).loads[0];
   const { outcome, columns } = engine.screenLoad(load, 0, { settings: [["Screening", "Norm", "road"]] }, true);
@@ -191,5 +201,57 @@ test("what cannot be used is an error with a sentence", () => {
   refused(() => engine.screenLoad({ boxes: [{ ...box, weigth: 1 }] }, 0, road), /weigth.*weight|unknown key/);
   refused(() => engine.run({ settings: [["Screening", "Norm", "roda"]] }), /roda|not a value/);
   refused(() => engine.readLoads("x;y\n", "a.csv", { container: "barge" }), /barge/);
-  refused(() => engine.readLoads(Uint8Array.of(0x50, 0x4b, 3, 4, 0, 0), "a.csv"), /spreadsheet file/);
+});
+
+/** Numbers from 0 to 1, the same in every run. */
+function randomNumbers(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+test("2,000 mutations of files of loads get loads or sentences", (t) => {
+  const random = randomNumbers(7);
+  const pick = (list) => list[Math.floor(random() * list.length)];
+  const texts = files.map((file) => ({ name: path.basename(file), bytes: readFileSync(file) }));
+  const pieces = [
+    '"',
+    ";",
+    ",",
+    "\n",
+    "\t",
+    "-",
+    "1e308",
+    "nan",
+    "{",
+    "[",
+    "\\u0000",
+    "\0",
+    "\xff",
+    "<b>",
+    "=1+1",
+    "999999999999",
+  ];
+  let read = 0;
+  let refused = 0;
+  for (let i = 0; i < 2000; ++i) {
+    const { name, bytes } = pick(texts);
+    let mutant = Buffer.from(bytes);
+    for (let change = 0; change <= i % 4; ++change) {
+      const at = Math.floor(random() * mutant.length);
+      const piece = Buffer.from(pick(pieces), "latin1");
+      const gone = Math.floor(random() * 6);
+      const put = random() < 0.7 ? piece : mutant.subarray(Math.floor(random() * mutant.length)).subarray(0, 40);
+      mutant = Buffer.concat([mutant.subarray(0, at), put, mutant.subarray(at + gone)]);
+    }
+    const { loads, errors } = engine.readLoads(mutant, name);
+    const said = [...errors, ...loads.flatMap((load) => load.errors)];
+    assert.ok(said.every(({ message }) => message.length > 5));
+    assert.ok(loads.every(({ load }) => Array.isArray(load.boxes)));
+    if (errors.length > 0) ++refused;
+    else ++read;
+  }
+  t.diagnostic(`${read} read, ${refused} refused as a whole`);
 });

@@ -114,7 +114,15 @@ export interface ReadFile {
   form: string;
   /** of the file as a whole */
   notes: Problem[];
+  /** why none of its loads can be read; empty: they can */
+  errors: Problem[];
   loads: ReadLoad[];
+}
+
+/** A row of a table: its line in the text, from 1, and its cells. */
+export interface TableRow {
+  line: number;
+  cells: string[];
 }
 
 /** How files are read, as options of the program: `--container` and so on. */
@@ -167,6 +175,8 @@ export interface Engine {
   readonly version: string;
   catalogue(): Catalogue;
   run(inputs?: RunSettings): RunFacts;
+  /** The first rows of a table. */
+  preview(bytes: Uint8Array, rows: number): TableRow[];
   readLoads(content: string | Uint8Array, name: string, inputs?: GivenSettings & ReadChoices): ReadFile;
   /** What `holdfast screen` says of a load under an acceleration of the norm, and what the results file has of its boxes. */
   screenLoad(load: Load, acceleration: number, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };

@@ -119,15 +119,18 @@ class Engine {
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
     const choices = ['container', 'unit', 'axes', 'format', 'columns'].map((choice) => inputs[choice] ?? '');
     const lines = this.withSettings(inputs, (settings) =>
-      this.withBytes(bytes.length, (at) => {
-        new Uint8Array(this.wasm.memory.buffer).set(bytes, at);
-        return this.withTexts([name, ...choices], (places) =>
-          this.readText(this.wasm.page_read_loads(settings, at, bytes.length, ...places)));
-      }));
+      this.withContent(bytes, (at) =>
+        this.withTexts([name, ...choices], (places) =>
+          this.readText(this.wasm.page_read_loads(settings, at, bytes.length, ...places)))));
     const [file, ...rest] = lines.trimEnd().split('\n').map((line) => JSON.parse(line));
     const loads = [];
     for (let i = 0; i < rest.length; i += 2) loads.push({ ...rest[i], load: rest[i + 1] });
     return { ...file, loads };
+  }
+
+  /** The first rows of a table: `line` in the text, from 1, and `cells`. */
+  preview(bytes, rows) {
+    return this.withContent(bytes, (at) => JSON.parse(this.readText(this.wasm.page_preview(at, bytes.length, rows))));
   }
 
   /**
@@ -181,13 +184,17 @@ class Engine {
     });
   }
 
+  withContent(bytes, work) {
+    return this.withBytes(bytes.length, (at) => {
+      new Uint8Array(this.wasm.memory.buffer).set(bytes, at);
+      return work(at);
+    });
+  }
+
   withTexts(texts, work, places = []) {
     if (texts.length === 0) return work(places);
     const bytes = new TextEncoder().encode(`${texts[0]}\0`);
-    return this.withBytes(bytes.length, (at) => {
-      new Uint8Array(this.wasm.memory.buffer).set(bytes, at);
-      return this.withTexts(texts.slice(1), work, [...places, at]);
-    });
+    return this.withContent(bytes, (at) => this.withTexts(texts.slice(1), work, [...places, at]));
   }
 
   withSettings({ config = '', settings = [] }, work) {

@@ -28,6 +28,7 @@
 #include "io/loads/load_file.hpp"
 #include "io/loads/load_json.hpp"
 #include "io/loads/own_json.hpp"
+#include "io/loads/table_text.hpp"
 #include "page_call.hpp"
 
 using namespace holdfast::internal;
@@ -223,8 +224,10 @@ EXPORTED int page_read_loads(const holdfast_settings* handle, const char* bytes,
                                                      .format = optional_text(format),
                                                      .columns = optional_text(columns)});
     const TextFile file{.path = required(name, "name"), .name = name, .text = std::string(bytes, size)};
-    LoadsOfFile found = value_or_throw(read_loads(file, settings));
-    std::string lines = text_of({{"form", found.form}, {"notes", errors_json(found.notes)}}) + '\n';
+    Result<LoadsOfFile> read = read_loads(file, settings);
+    LoadsOfFile found = read ? std::move(*read) : LoadsOfFile();
+    const Json errors = read ? Json::array() : errors_json(read.errors());
+    std::string lines = text_of({{"form", found.form}, {"notes", errors_json(found.notes)}, {"errors", errors}}) + '\n';
     for (ReadLoad& load : found.loads) {
       Layout& layout = load.layout;
       if (settings.container.overrides_loads) layout.container.reset();
@@ -240,6 +243,23 @@ EXPORTED int page_read_loads(const holdfast_settings* handle, const char* bytes,
       lines += '\n' + load_line(layout) + '\n';
     }
     page_answer.text = std::move(lines);
+  });
+}
+
+/// Leaves the first rows of a table as JSON, with their lines in the text: for a user who has to tell what its columns
+/// mean.
+/// @param rows at most
+EXPORTED int page_preview(const char* bytes, std::size_t size, std::size_t rows) {
+  return call([&] {
+    const std::string_view text(bytes, size);
+    TableText table(text, separator_of(text));
+    Json json = Json::array();
+    while (json.size() < rows && table.next()) {
+      Json cells = Json::array();
+      for (const TableCell& cell : table.row()) cells.push_back(std::string(cell.text));
+      json.push_back({{"line", table.row().front().line}, {"cells", cells}});
+    }
+    page_answer.text = text_of(json);
   });
 }
 

@@ -58,7 +58,7 @@ class App {
     "aria-label": "Second results file",
   });
   private readonly bar = new TopBar(
-    () => this.store.update(FLEET),
+    () => this.goFleet(),
     () => this.chooser.click(),
     () => this.help.showModal(),
     () => this.print(),
@@ -161,7 +161,7 @@ class App {
       c: flip("centre"),
       n: () => this.goFailing(1),
       p: () => this.goFailing(-1),
-      m: () => this.store.update(FLEET),
+      m: () => this.goFleet(),
       x: () => this.compare(),
       e: world(() => this.mend()),
       l: world(() => this.drive()),
@@ -171,9 +171,14 @@ class App {
       Escape: () => {
         if (this.store.state.box !== null) this.store.update({ box: null });
         else if (this.store.state.live) this.store.update({ live: false });
-        else if (!this.help.open) this.store.update(FLEET);
+        else if (!this.help.open) this.goFleet();
       },
     };
+  }
+
+  private goFleet(): void {
+    this.store.update(FLEET);
+    if (this.setupShown) this.show();
   }
 
   /** Opens the next world, in the order of the matrix, that does not hold. */
@@ -288,7 +293,7 @@ class App {
       () => this.screen(setup),
     );
     this.closeWorld();
-    this.bar.show(null, ["Loads"]);
+    this.bar.show(this.results, ["Loads"]);
     this.fill(this.setupView.node);
     this.setupView.focus();
   }

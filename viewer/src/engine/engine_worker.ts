@@ -71,6 +71,8 @@ async function answer(order: Order) {
       return engine.run(order.settings);
     case "read":
       return engine.readLoads(order.bytes, order.name, order.choices);
+    case "preview":
+      return engine.preview(order.bytes, order.rows);
     case "world": {
       const found = engine.screenLoad(order.load, order.acceleration, order.settings, order.recorded);
       return { ...found, seconds: (performance.now() - began) / 1000 };

@@ -7,6 +7,7 @@ import type {
   ReadFile,
   RunFacts,
   RunSettings,
+  TableRow,
   WorldOutcome,
 } from "holdfast-engine";
 
@@ -64,6 +65,7 @@ export interface Orders {
   catalogue: { ask: object; answer: Catalogue };
   run: { ask: { settings: RunSettings }; answer: RunFacts };
   read: { ask: { name: string; bytes: Uint8Array; choices: GivenSettings & ReadChoices }; answer: ReadFile };
+  preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
   world: {
     ask: { load: Load; acceleration: number; settings: RunSettings; recorded: boolean };
     answer: { outcome: WorldOutcome; columns: Columns; seconds: number };

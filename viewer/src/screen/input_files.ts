@@ -7,10 +7,9 @@ export interface InputFile {
   bytes: Uint8Array;
   /** of a sheet: the spreadsheet that it is from, of which only sheets with loads count */
   book: string | null;
+  /** why it cannot be opened, as a sentence; absent: it can */
+  problem?: string;
 }
-
-/** What cannot be opened, as one sentence for the user. */
-export class UnreadableInput extends Error {}
 
 /** As the program: a larger file is no input. */
 const MOST_BYTES = 128 << 20;
@@ -20,23 +19,27 @@ export const isResults = (file: File) => /\.(h5|hdf5)$/i.test(file.name);
 
 export const ACCEPTED = ".csv,.tsv,.txt,.json,.jsonl,.xlsx,.h5,.hdf5";
 
-/** The texts of a file. */
+/** The texts of a file; where it cannot be opened, one that says why. */
 export async function inputsOf(file: File): Promise<InputFile[]> {
+  const refused = (problem: string) => [{ name: file.name, bytes: new Uint8Array(), book: null, problem }];
   if (file.size > MOST_BYTES)
-    throw new UnreadableInput(`${file.name} is too large for an input file: at most ${MOST_BYTES >> 20} MB.`);
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  if (!isSpreadsheet(bytes)) return [{ name: file.name, bytes, book: null }];
-  let sheets: Sheet[];
+    return refused(`${file.name} is too large for an input file: at most ${MOST_BYTES >> 20} MB.`);
   try {
-    sheets = sheetsOf(file.name, bytes);
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (!isSpreadsheet(bytes)) return [{ name: file.name, bytes, book: null }];
+    return ofSheets(file.name, sheetsOf(file.name, bytes));
   } catch (error) {
-    if (error instanceof UnreadableSpreadsheet) throw new UnreadableInput(error.message);
-    throw error;
+    if (error instanceof UnreadableSpreadsheet) return refused(error.message);
+    // A folder is no file, and a file may be gone.
+    return refused(`${file.name} cannot be read: ${(error as Error).message}`);
   }
+}
+
+function ofSheets(book: string, sheets: readonly Sheet[]): InputFile[] {
   const encoder = new TextEncoder();
   return sheets.map(({ name, csv }) => ({
-    name: sheets.length === 1 ? file.name : `${file.name} ${name}`,
+    name: sheets.length === 1 ? book : `${book} ${name}`,
     bytes: encoder.encode(csv),
-    book: file.name,
+    book,
   }));
 }

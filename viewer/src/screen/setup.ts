@@ -1,5 +1,6 @@
 import type { Catalogue, ReadFile, ReadLoad, RunFacts } from "holdfast-engine";
 import type { EnginePool } from "../engine/engine_pool";
+import { askedLine, columnsOption, LOOKED_AT, type Puzzle, puzzleOf, RememberedColumns } from "./column_choices";
 import type { InputFile } from "./input_files";
 import { fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
 
@@ -10,6 +11,8 @@ const PATIENCE = 150;
 export interface Reading extends Pick<InputFile, "name" | "book"> {
   found: ReadFile | null;
   error: string;
+  /** of a table whose words do not tell everything: what its columns are said to mean; null: they tell, or it is none */
+  puzzle: Puzzle | null;
 }
 
 /** What is to be screened, and with what: files, choices, and what the engine makes of both. */
@@ -24,6 +27,7 @@ export class Setup {
   /** files are read, or about to be */
   busy = false;
   private files: InputFile[] = [];
+  private readonly columns = new RememberedColumns();
   private turn = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners = new Set<() => void>();
@@ -112,13 +116,31 @@ export class Setup {
     this.tell();
   }
 
-  private async readFile({ name, bytes, book }: InputFile, choices: RunChoices): Promise<Reading> {
+  private async readFile(file: InputFile, choices: RunChoices): Promise<Reading> {
+    const { name, bytes, book } = file;
+    const reading: Reading = { name, book, found: null, error: file.problem ?? "", puzzle: null };
+    if (file.problem) return reading;
+    const read = (columns: string) =>
+      this.pool.ask("read", { name, bytes, choices: { ...readChoices(choices), columns } }, true);
     try {
-      const found = await this.pool.ask("read", { name, bytes, choices: readChoices(choices) }, true);
-      return { name, book, found, error: "" };
+      const found = await read("");
+      const line = askedLine(found);
+      if (line === null) return { ...reading, found };
+      const rows = await this.pool.ask("preview", { bytes, rows: LOOKED_AT }, true);
+      const puzzle = puzzleOf(rows, line, (header) => this.columns.of(header));
+      const option = puzzle ? columnsOption(puzzle.header, puzzle.words) : "";
+      if (!puzzle || option === "") return { ...reading, found, puzzle };
+      const explained = await read(option);
+      return { ...reading, found: explained, puzzle: { ...puzzle, solved: askedLine(explained) === null } };
     } catch (error) {
-      return { name, book, found: null, error: (error as Error).message };
+      return { ...reading, error: (error as Error).message };
     }
+  }
+
+  /** Says what the columns of tables with such a header mean. */
+  explain(header: readonly string[], words: readonly string[]): Promise<void> {
+    this.columns.set(header, words);
+    return this.read();
   }
 
   private tell(): void {

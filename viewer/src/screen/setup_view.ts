@@ -1,6 +1,7 @@
 import type { Problem, ReadLoad, Shape } from "holdfast-engine";
 import { element } from "../ui/dom";
 import { count, plural } from "../ui/text";
+import { columnsOption, MEANINGS, type Puzzle } from "./column_choices";
 import { adviceOf, OWN_SIZE, type RunChoices } from "./run_choices";
 import type { Reading, Setup } from "./setup";
 
@@ -21,6 +22,8 @@ export class SetupView {
   private readonly notes = new Map<string, HTMLElement>();
   private readonly fields = new Map<Key, HTMLInputElement | HTMLSelectElement>();
   private readonly own: HTMLElement;
+  /** headers of tables whose columns are being explained */
+  private readonly explained = new Set<string>();
 
   constructor(
     private readonly setup: Setup,
@@ -219,7 +222,7 @@ export class SetupView {
       (this.fields.get(key as Key) as HTMLInputElement).placeholder = String(Number(limit.toPrecision(6)));
   }
 
-  private file({ name, book, found, error }: Reading): HTMLElement {
+  private file({ name, book, found, error, puzzle }: Reading): HTMLElement {
     const remove = element(
       "button",
       {
@@ -231,9 +234,10 @@ export class SetupView {
       "×",
     );
     const boxes = found?.loads.reduce((sum, load) => sum + load.boxCount, 0) ?? 0;
-    const facts = found
-      ? `${book === null ? found.form : "spreadsheet"}, ${plural(found.loads.length, "load")}, ${plural(boxes, "box")}`
-      : "cannot be read";
+    const facts =
+      found && found.errors.length === 0
+        ? `${book === null ? found.form : "spreadsheet"}, ${plural(found.loads.length, "load")}, ${plural(boxes, "box")}`
+        : "cannot be read";
     return element(
       "article",
       { class: "file" },
@@ -246,15 +250,70 @@ export class SetupView {
         remove,
       ),
       ...(error ? [element("p", { class: "problem" }, error)] : []),
+      ...this.messages(found?.errors ?? [], "problem", book !== null),
+      ...(puzzle ? [this.puzzle(puzzle)] : []),
       ...this.messages(found?.notes ?? [], "notable", book !== null),
       ...(found && found.loads.length > 0 ? [this.table(found.loads, book !== null)] : []),
+    );
+  }
+
+  /** Asks what the columns of a table mean; once that is known, what was said. */
+  private puzzle({ header, rows, words, solved }: Puzzle): HTMLElement {
+    const explain = (next: readonly string[]) => this.setup.explain(header, next);
+    const key = JSON.stringify(header);
+    const open = (isOpen: boolean) => {
+      if (isOpen) this.explained.add(key);
+      else this.explained.delete(key);
+      this.show();
+    };
+    if (solved && !this.explained.has(key))
+      return element(
+        "p",
+        { class: "notable" },
+        `Columns as you said: ${columnsOption(header, words)}. `,
+        element("button", { class: "advice", type: "button", onclick: () => open(true) }, "Change"),
+      );
+    // Columns that are only useful can be said too, once those that are needed are.
+    this.explained.add(key);
+    const choose = (column: number) => {
+      const select = element(
+        "select",
+        {
+          "aria-label": `What ${header[column]} means`,
+          onchange: () => explain(header.map((_, i) => (i === column ? select.value : words[i]))),
+        },
+        ...MEANINGS.map(([word, label]) => element("option", { value: word }, label)),
+      );
+      select.value = words[column];
+      return element("td", {}, select);
+    };
+    return element(
+      "div",
+      { class: "puzzle" },
+      element(
+        "p",
+        {},
+        "Say what the columns mean that are not understood. It is remembered for tables with this header.",
+      ),
+      element(
+        "table",
+        {},
+        element("thead", {}, element("tr", {}, ...header.map((name) => element("th", { scope: "col" }, name)))),
+        element(
+          "tbody",
+          {},
+          element("tr", {}, ...header.map((_, column) => choose(column))),
+          ...rows.map((row) => element("tr", {}, ...row.map((cell) => element("td", {}, cell)))),
+        ),
+      ),
+      solved ? element("button", { class: "advice", type: "button", onclick: () => open(false) }, "Done") : null,
     );
   }
 
   private table(loads: readonly ReadLoad[], isSheet: boolean): HTMLElement {
     return element(
       "table",
-      {},
+      { class: "listed" },
       element(
         "thead",
         {},
