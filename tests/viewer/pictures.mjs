@@ -1,6 +1,6 @@
-// Takes the pictures of docs/guide/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live]
+// Takes the pictures of docs/guide/viewer.md and README: node tests/viewer/pictures.mjs RESULTS FOLDER [live | screen]
 //
-// With `live` only those of a live world are taken; they need the engine in the page, `make viewer-engine viewer`.
+// With `live` only those of a live world are taken, with `screen` those of loads that the page screens; both need the engine in the page, `make viewer-engine viewer`.
 // RESULTS is a file with series, whose fleet is shown: in docs/ the layouts of configs/layouts and bench/layouts under the norm of the
 // road, with margins and wall forces. The film is of one of its worlds, and needs img2webp, of Debian's package webp. Other pictures
 // of worlds are of files in build/viewer/results, with which the tests compare them: tests/viewer/results.mjs makes these.
@@ -14,6 +14,7 @@ const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "../.
 const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
 const [results, folder] = process.argv.slice(2, 4).map((argument) => path.resolve(argument));
 const liveOnly = process.argv[4] === "live";
+const screenOnly = process.argv[4] === "screen";
 if (!folder) throw new Error("usage: node tests/viewer/pictures.mjs RESULTS FOLDER");
 mkdirSync(folder, { recursive: true });
 
@@ -88,8 +89,9 @@ async function screen(scheme) {
 }
 
 for (const scheme of ["light", "dark"]) {
+  if (!liveOnly && scheme === "light") await screen(scheme);
+  if (screenOnly) continue;
   if (!liveOnly) {
-    await screen(scheme);
     const fleet = await open(scheme, results);
     await fleet.hover(".matrix", { position: { x: 360, y: 100 } });
     await save(fleet, `fleet-${scheme}`);
@@ -115,7 +117,7 @@ for (const scheme of ["light", "dark"]) {
   }
   await page.close();
 }
-if (!liveOnly) {
+if (!liveOnly && !screenOnly) {
   const trailer = await open("light", made("open.h5"));
   await show(trailer, `world=${await worldOf(trailer, "BR8_009_layer", "rear")}&time=2.2`);
   await trailer.keyboard.press("1");
