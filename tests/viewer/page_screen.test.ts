@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { ENGINE, PROGRAM } from "./places";
+import { ENGINE, PLANNER, PROGRAM } from "./places";
 import { type Cell, csvOf, palletRows, partsOf, xlsxOf, zipped } from "./spreadsheets";
 
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
@@ -66,9 +66,10 @@ test("a spreadsheet of pallets is dropped, screened, and a world is opened: verd
   assert.match(await page.innerText(".file"), /pallets\.xlsx\s+spreadsheet, 1 load, 20 boxes/);
   // It does not fit what the program takes without a word of a container, and says what would help.
   assert.match(await page.innerText(".file"), /20 boxes are outside|boxes are outside/);
+  const container = /container (\S+),/.exec(await page.innerText(".file button.advice"))![1];
   await page.click(".file button.advice");
   await page.waitForSelector(".go button.primary:not([disabled])");
-  const container = await page.inputValue(".choices select >> nth=1");
+  assert.match(await page.innerText(".file"), new RegExp(`As you said: the container ${container}\\.`));
   await screened(page);
 
   writeFileSync(path.join(folder, "pallets.csv"), csvOf(palletRows()));
@@ -111,21 +112,25 @@ test("several files at once: loads of all of them, a sheet without loads left ou
   await drop(page, {
     "tours.xlsx": xlsxOf({ Notes: [["Loaded by"], ["somebody"]], Tours: rows }),
     "wrong.xlsx": xlsxOf({ Sheet1: wrong }),
+    "planner.csv": readFileSync(PLANNER, "utf8"),
     "own.json": JSON.stringify({
       holdfast: 1,
       loads: [{ name: "One", container: "20", boxes: [{ corner_min: [0, 0, 0], corner_max: [1, 1, 1], mass: 90 }] }],
     }),
   });
-  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  // What helps one file leaves the others as they are.
+  await page.click(".file:has-text('planner.csv') button.advice:has-text('Take the axes -z x y') >> nth=0");
+  await page.click(".file:has-text('tours.xlsx') button.advice:has-text('Take the container') >> nth=0");
   await page.waitForSelector("main.setup:not([aria-busy])");
   const files = await page.locator(".file").allInnerTexts();
-  assert.equal(files.length, 3);
+  assert.equal(files.length, 4);
   assert.match(files[0], /tours\.xlsx Tours[\s\S]*Tour 1[\s\S]*10[\s\S]*Tour 2/);
   assert.match(files[1], /Row 4: [^\n]*not a number[^\n]*Length cm[^\n]*wide/);
-  assert.match(files[2], /own\.json#One\s+1\s+90/);
-  assert.equal(await page.innerText(".go button.primary"), "Screen 3 loads");
+  assert.match(files[2], /As you said: the axes -z x y\.[\s\S]*planner\.csv#Unit 1\s+3[\s\S]*planner\.csv#Unit 2\s+1/);
+  assert.match(files[3], /own\.json#One\s+1\s+90\s+20/);
+  assert.equal(await page.innerText(".go button.primary"), "Screen 5 loads");
   await screened(page);
-  assert.match(await page.innerText(".progress"), /^12 worlds, margins of 3 loads in/);
+  assert.match(await page.innerText(".progress"), /^20 worlds, margins of 5 loads in/);
   assert.match(await page.innerText("aside"), /failed\s*4/, "the load that cannot be read is not forgotten");
   await page.close();
 });

@@ -11,3 +11,5 @@ export const ENGINE = path.join(BUILD, "engine.mjs");
 export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/bin/holdfast");
 /** Pictures of the documentation. */
 export const PICTURES = path.resolve(BUILD, "../../docs/guide/viewer");
+/** The export of a load planner, whose axes are others. */
+export const PLANNER = path.resolve(BUILD, "../../tests/io/loads/formats/planner_export.csv");

@@ -91,8 +91,17 @@ export const readChoices = (choices: RunChoices): GivenSettings & ReadChoices =>
   format: choices.format,
 });
 
+/** What may be said of a single file, where it is not said of all. */
+export type FileChoices = Partial<Pick<RunChoices, "container" | "unit" | "format" | "axes">>;
+
+/** The same in words. */
+export const fileChoicesText = ({ container, unit, axes }: FileChoices): string =>
+  [container && `the container ${container}`, unit && `lengths in ${unit}`, axes && `the axes ${axes}`]
+    .filter(Boolean)
+    .join(", ");
+
 /** A choice that a message of a reader names as what would help, as options of the program: null: none. */
-export function adviceOf(accepted: string): { text: string; change: Partial<RunChoices> } | null {
+export function adviceOf(accepted: string): { text: string; change: FileChoices } | null {
   const container = /--container (\S+) holds/.exec(accepted)?.[1];
   if (container) return { text: `Take the container ${container}, which holds them`, change: { container } };
   const unit = /--unit (mm|cm|m|in|ft)\b/.exec(accepted)?.[1];

@@ -2,7 +2,7 @@ import type { Catalogue, ReadFile, ReadLoad, RunFacts } from "holdfast-engine";
 import type { EnginePool } from "../engine/engine_pool";
 import { askedLine, columnsOption, LOOKED_AT, type Puzzle, puzzleOf, RememberedColumns } from "./column_choices";
 import type { InputFile } from "./input_files";
-import { fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
+import { type FileChoices, fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
 
 /** Milliseconds without a change before files are read anew: while somebody types, they are not. */
 const PATIENCE = 150;
@@ -13,6 +13,8 @@ export interface Reading extends Pick<InputFile, "name" | "book"> {
   error: string;
   /** of a table whose words do not tell everything: what its columns are said to mean; null: they tell, or it is none */
   puzzle: Puzzle | null;
+  /** what is said of this file alone */
+  own: FileChoices;
 }
 
 /** What is to be screened, and with what: files, choices, and what the engine makes of both. */
@@ -28,6 +30,8 @@ export class Setup {
   busy = false;
   private files: InputFile[] = [];
   private readonly columns = new RememberedColumns();
+  /** what is said of single files, by name */
+  private readonly ofFiles = new Map<string, FileChoices>();
   private turn = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners = new Set<() => void>();
@@ -64,7 +68,15 @@ export class Setup {
     return this.read();
   }
 
+  /** Says something of a file alone; nothing takes all of it back. */
+  changeFile(name: string, change: FileChoices | null): Promise<void> {
+    if (change) this.ofFiles.set(name, { ...this.ofFiles.get(name), ...change });
+    else this.ofFiles.delete(name);
+    return this.read();
+  }
+
   remove(name: string): Promise<void> {
+    this.ofFiles.delete(name);
     this.files = this.files.filter((file) => file.name !== name);
     return this.read();
   }
@@ -118,10 +130,20 @@ export class Setup {
 
   private async readFile(file: InputFile, choices: RunChoices): Promise<Reading> {
     const { name, bytes, book } = file;
-    const reading: Reading = { name, book, found: null, error: file.problem ?? "", puzzle: null };
+    const own = this.ofFiles.get(name) ?? {};
+    const reading: Reading = { name, book, found: null, error: file.problem ?? "", puzzle: null, own };
     if (file.problem) return reading;
-    const read = (columns: string) =>
-      this.pool.ask("read", { name, bytes, choices: { ...readChoices(choices), columns } }, true);
+    // What is said of all files comes first.
+    const container = choices.container || own.container || "";
+    const read = async (columns: string) => {
+      const asked = { ...readChoices({ ...choices, ...own, container }), columns };
+      const found = await this.pool.ask("read", { name, bytes, choices: asked }, true);
+      const shape = choices.container
+        ? undefined
+        : this.catalogue.containers.find((of) => of.name === container)?.shape;
+      if (shape) for (const { load } of found.loads) load.container = shape;
+      return found;
+    };
     try {
       const found = await read("");
       const line = askedLine(found);

@@ -2,10 +2,16 @@ import type { Problem, ReadLoad, Shape } from "holdfast-engine";
 import { element } from "../ui/dom";
 import { count, plural } from "../ui/text";
 import { columnsOption, MEANINGS, type Puzzle } from "./column_choices";
-import { adviceOf, OWN_SIZE, type RunChoices } from "./run_choices";
+import { adviceOf, type FileChoices, fileChoicesText, OWN_SIZE, type RunChoices } from "./run_choices";
 import type { Reading, Setup } from "./setup";
 
 type Key = Exclude<keyof RunChoices, "margins">;
+
+/** What messages are about: a file, or a sheet of one. */
+interface Of {
+  name: string;
+  isSheet: boolean;
+}
 
 /** Messages of a load that are shown; the others are counted. */
 const MOST_MESSAGES = 5;
@@ -222,7 +228,8 @@ export class SetupView {
       (this.fields.get(key as Key) as HTMLInputElement).placeholder = String(Number(limit.toPrecision(6)));
   }
 
-  private file({ name, book, found, error, puzzle }: Reading): HTMLElement {
+  private file({ name, book, found, error, puzzle, own }: Reading): HTMLElement {
+    const of: Of = { name, isSheet: book !== null };
     const remove = element(
       "button",
       {
@@ -250,10 +257,25 @@ export class SetupView {
         remove,
       ),
       ...(error ? [element("p", { class: "problem" }, error)] : []),
-      ...this.messages(found?.errors ?? [], "problem", book !== null),
+      ...(Object.keys(own).length > 0 ? [this.said(name, own)] : []),
+      ...this.messages(found?.errors ?? [], "problem", of),
       ...(puzzle ? [this.puzzle(puzzle)] : []),
-      ...this.messages(found?.notes ?? [], "notable", book !== null),
-      ...(found && found.loads.length > 0 ? [this.table(found.loads, book !== null)] : []),
+      ...this.messages(found?.notes ?? [], "notable", of),
+      ...(found && found.loads.length > 0 ? [this.table(found.loads, of)] : []),
+    );
+  }
+
+  /** What was said of a file alone, and how to take it back. */
+  private said(name: string, own: FileChoices): HTMLElement {
+    return element(
+      "p",
+      { class: "notable" },
+      `As you said: ${fileChoicesText(own)}. `,
+      element(
+        "button",
+        { class: "advice", type: "button", onclick: () => this.setup.changeFile(name, null) },
+        "Take back",
+      ),
     );
   }
 
@@ -310,7 +332,7 @@ export class SetupView {
     );
   }
 
-  private table(loads: readonly ReadLoad[], isSheet: boolean): HTMLElement {
+  private table(loads: readonly ReadLoad[], of: Of): HTMLElement {
     return element(
       "table",
       { class: "listed" },
@@ -323,11 +345,11 @@ export class SetupView {
           ...["Load", "Boxes", "kg", "Container"].map((title) => element("th", { scope: "col" }, title)),
         ),
       ),
-      element("tbody", {}, ...loads.flatMap((load) => this.row(load, isSheet))),
+      element("tbody", {}, ...loads.flatMap((load) => this.row(load, of))),
     );
   }
 
-  private row(read: ReadLoad, isSheet: boolean): HTMLElement[] {
+  private row(read: ReadLoad, of: Of): HTMLElement[] {
     const { name, load, boxCount, mass, errors, warnings } = read;
     const container = load.container ? load.container.type || sizeText(load.container) : "";
     const row = element(
@@ -338,16 +360,16 @@ export class SetupView {
       element("td", { class: "value" }, mass > 0 ? count(Math.round(mass)) : ""),
       element("td", {}, container),
     );
-    const messages = [...this.messages(errors, "problem", isSheet), ...this.messages(warnings, "notable", isSheet)];
+    const messages = [...this.messages(errors, "problem", of), ...this.messages(warnings, "notable", of)];
     if (messages.length === 0) return [row];
     return [row, element("tr", { class: "said" }, element("td", { colspan: 4 }, ...messages))];
   }
 
   /** What is said, with a button for what would help. */
-  private messages(problems: readonly Problem[], kind: "problem" | "notable", isSheet: boolean): HTMLElement[] {
+  private messages(problems: readonly Problem[], kind: "problem" | "notable", of: Of): HTMLElement[] {
     const shown = problems.slice(0, MOST_MESSAGES).map((problem) => {
       const advice = adviceOf(problem.accepted);
-      const text = messageText(problem, isSheet);
+      const text = messageText(problem, of.isSheet);
       if (!advice) return element("p", { class: kind }, text);
       // The button stands for the option of the program.
       const rest = `; ${problem.accepted}`;
@@ -357,7 +379,7 @@ export class SetupView {
         text.endsWith(rest) ? `${text.slice(0, -rest.length)}. ` : text,
         element(
           "button",
-          { class: "advice", type: "button", onclick: () => this.setup.change(advice.change) },
+          { class: "advice", type: "button", onclick: () => this.setup.changeFile(of.name, advice.change) },
           advice.text,
         ),
       );
