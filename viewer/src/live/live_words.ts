@@ -26,7 +26,7 @@ const listed = (words: readonly string[]) =>
 
 /** What a world that was replayed to its end says of the file. */
 export function bitsSentence(
-  file: Pick<Results, "software">,
+  file: Pick<Results, "software"> & Partial<Pick<Results, "size">>,
   world: Pick<World, "engine" | "stateHash" | "verdict" | "endTime">,
   version: string,
   hash: string,
@@ -35,7 +35,11 @@ export function bitsSentence(
     return { same: false, text: `The file's world is of the engine ${world.engine}: there are no bits to compare.` };
   if (world.endTime < 0)
     return { same: false, text: "The file's world ended while it settled: there are no bits of that here." };
-  if (hash === world.stateHash) return { same: true, text: "The same bits as the file" };
+  if (hash === world.stateHash)
+    return {
+      same: true,
+      text: file.size === null ? "The same bits as when it was screened" : "The same bits as the file",
+    };
   if (file.software !== `holdfast ${version}`)
     return { same: false, text: `Other bits than the file's: it is of ${file.software}, this page of ${version}.` };
   if (world.verdict === VERDICT_CODES.failed)
