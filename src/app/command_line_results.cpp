@@ -84,20 +84,26 @@ void add_report_command(CLI::App& program, ChosenCommand& chosen) {
 }
 
 void add_view_command(CLI::App& program, ChosenCommand& chosen) {
-  CLI::App* command = program.add_subcommand("view", "Show a results file in a browser");
+  CLI::App* command = program.add_subcommand("view", "Show a results file in a browser, or screen loads there");
   command->footer(
-      "Writes one page that has the results in it and needs nothing else, and opens it.\n\n"
+      "Writes one page that has the results in it and needs nothing else, and opens it. Without results it is the "
+      "page\n"
+      "that files are dropped on: it screens spreadsheets of loads itself, and shows results.\n\n"
       "Example:\n"
       "  holdfast view results.h5\n"
+      "  holdfast view\n"
       "  holdfast view --serve large.h5");
   auto options = std::make_shared<ViewOptions>();
-  command->add_option("results", options->results_path, "Results file")->required()->type_name("FILE");
-  command->add_option("-o,--output", options->page_path, "Write the page there, instead of beside the results (.html)")
+  auto* results = command->add_option("results", options->results_path, "Results file")->type_name("FILE");
+  command
+      ->add_option("-o,--output", options->page_path,
+                   "Write the page there, instead of beside the results (.html); without results it is holdfast.html")
       ->type_name("FILE");
   command->add_flag("!--no-open", options->open, "Open no browser");
-  auto* serve =
-      command->add_flag("--serve", options->serve,
-                        "Write no page: serve it to this machine alone, with results of any size, until Ctrl-C");
+  auto* serve = command
+                    ->add_flag("--serve", options->serve,
+                               "Write no page: serve it to this machine alone, with results of any size, until Ctrl-C")
+                    ->needs(results);
   command->add_option("--port", options->port, "Port of --serve; 0: one that is free")
       ->needs(serve)
       ->check(CLI::Range(0, 65535))

@@ -78,7 +78,7 @@ struct ReportOptions {
 ExitCode run_report_command(const ReportOptions& options);
 
 struct ViewOptions {
-  std::string results_path;
+  std::string results_path;              ///< empty: none
   std::optional<std::string> page_path;  ///< absent: beside the results, with their name
   bool open = true;                      ///< in a browser
   bool serve = false;                    ///< on the loopback address, instead of writing a page

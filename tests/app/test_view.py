@@ -75,6 +75,17 @@ class View(ViewTest):
         self.assert_exit(done, 0)
         self.assertEqual((self.folder / "asked").read_text(), "results.html\n")
 
+    def test_without_results_it_is_the_page_that_files_are_dropped_on(self):
+        done = self.view("view", "--no-open")
+        self.assert_exit(done, 0)
+        self.assertEqual(done.stdout, "holdfast.html\n")
+        self.assertEqual((self.folder / "holdfast.html").read_text(), PAGE)
+        self.assert_exit(self.view("view", "--no-open", "-o", "planners.html"), 0)
+        self.assertEqual((self.folder / "planners.html").read_text(), PAGE)
+        done = self.view("view", "--serve", "--no-open")
+        self.assert_exit(done, 2)
+        self.assertIn("--serve requires results", done.stderr)
+
     def test_what_is_no_results_file_is_refused(self):
         self.write("text.h5", "no HDF5\n")
         self.assert_refused(self.view("view", "text.h5", "--no-open"), "text.h5")

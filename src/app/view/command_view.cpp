@@ -42,18 +42,29 @@ std::optional<Error> too_large(const std::string& path) {
                .accepted = fmt::format("at most {} MB; --serve shows it", kMostEmbeddedBytes >> 20U)};
 }
 
+/// Of a page without results, in the current folder.
+constexpr const char* kEmptyPage = "holdfast.html";
+
+/// The page with the results, or without where there are none.
+Result<std::string> filled_page(const ViewOptions& options, const std::string& page) {
+  if (options.results_path.empty()) return page;
+  if (const auto error = too_large(options.results_path)) return *error;
+  const Result<TextFile> results = read_text_file(options.results_path);
+  if (!results) return results.errors();
+  return page_with_results(page, results->name, results->text);
+}
+
 ExitCode write_page(const ViewOptions& options, const std::string& page) {
-  if (const auto error = too_large(options.results_path)) return fail(ExitCode::bad_usage, *error);
-  const std::string path = options.page_path.value_or(page_beside(options.results_path));
+  const std::string path =
+      options.page_path.value_or(options.results_path.empty() ? kEmptyPage : page_beside(options.results_path));
   const auto is_page = [](const std::string& old) {
     const Result<TextFile> file = read_text_file(old);
     return file && is_viewer_page(file->text);
   };
   if (const auto error = check_output_file(path, is_page)) return fail(ExitCode::bad_usage, *error);
-  const Result<TextFile> results = read_text_file(options.results_path);
-  if (!results) return fail(ExitCode::bad_usage, results.errors());
-  if (const auto error = write_text_file(path, page_with_results(page, results->name, results->text)))
-    return fail(ExitCode::some_failed, *error);
+  const Result<std::string> filled = filled_page(options, page);
+  if (!filled) return fail(ExitCode::bad_usage, filled.errors());
+  if (const auto error = write_text_file(path, *filled)) return fail(ExitCode::some_failed, *error);
   print_to(stdout, "{}\n", path);
   if (options.open) show(path);
   return ExitCode::done;
@@ -73,11 +84,13 @@ ExitCode serve_results(const ViewOptions& options, const std::string& page) {
 }  // namespace
 
 ExitCode run_view_command(const ViewOptions& options) {
-  // In a process of its own, as a damaged file may end it.
-  const ExitCode checked =
-      guard_reading({.path = options.results_path, .cure = "simulate again", .memory = options.memory},
-                    [&] { return check_results(options.results_path); });
-  if (checked != ExitCode::done) return checked;
+  if (!options.results_path.empty()) {
+    // In a process of its own, as a damaged file may end it.
+    const ExitCode checked =
+        guard_reading({.path = options.results_path, .cure = "simulate again", .memory = options.memory},
+                      [&] { return check_results(options.results_path); });
+    if (checked != ExitCode::done) return checked;
+  }
   const Result<std::string> page = viewer_page();
   if (!page) return fail(ExitCode::some_failed, page.errors());
   return options.serve ? serve_results(options, *page) : write_page(options, *page);
