@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/engine/step_plan.hpp"
 #include "core/native/contact_kinematics.hpp"
@@ -37,6 +38,7 @@ std::unique_ptr<WorldMemory> NativeWorld::release_memory() {
   Scene& scene = state_.scene;
   scene.manifolds.clear();
   scene.undo.clear();
+  memory_->marked.clear();
   memory_->manifolds = std::move(scene.manifolds);
   memory_->undone = std::move(scene.undo);
   return std::move(memory_);
@@ -48,13 +50,20 @@ void NativeWorld::begin_anew() {
   reached_ = -std::numeric_limits<double>::infinity();
 }
 
+// Manifolds are most of a world: those of the mark stay in memory that is kept from world to world.
 void NativeWorld::mark() {
+  memory_->marked = state_.scene.manifolds;
+  std::vector<Manifold> own = std::exchange(state_.scene.manifolds, {});
   mark_ = Mark{state_, counters_, status_, rests_};
+  state_.scene.manifolds = std::move(own);
   begin_anew();
 }
 
 void NativeWorld::rewind() {
+  std::vector<Manifold> own = std::exchange(state_.scene.manifolds, {});
+  own = memory_->marked;
   state_ = mark_->state;
+  state_.scene.manifolds = std::move(own);
   counters_ = mark_->counters;
   status_ = mark_->status;
   rests_ = mark_->rests;

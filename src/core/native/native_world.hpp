@@ -66,7 +66,7 @@ class NativeWorld {
   Status status_ = Status::ok;
   StepTransaction step_;
 
-  /// Where the world was when it was marked.
+  /// Where the world was when it was marked; its manifolds are `WorldMemory::marked`.
   struct Mark {
     WorldState state;
     Counters counters;

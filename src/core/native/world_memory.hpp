@@ -20,6 +20,7 @@ struct WorldMemory {
 
   IslandStepper stepper;
   std::vector<Manifold> manifolds;                         ///< none; room for those of a world before
+  std::vector<Manifold> marked;                            ///< likewise, of a mark
   std::vector<std::pair<std::uint32_t, Manifold>> undone;  ///< likewise, for `Scene::undo`
 };
 
