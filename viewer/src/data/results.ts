@@ -60,6 +60,38 @@ export interface WorldColumns {
   rowBegin: Float64Array;
 }
 
+/** Columns of so many worlds of which nothing is known yet. */
+export function emptyWorlds(count: number): WorldColumns {
+  const none = () => new Uint32Array(count);
+  return {
+    layout: none(),
+    acceleration: none(),
+    status: none(),
+    statusTime: new Float64Array(count).fill(Number.NaN),
+    caveats: none(),
+    stopReason: new Uint8Array(count),
+    verdict: new Uint8Array(count),
+    boxes: none(),
+    samples: none(),
+    fallen: none(),
+    unstable: none(),
+    moved: none(),
+    tilted: none(),
+    fallenAtEnd: none(),
+    criticalBox: none(),
+    peakDisplacement: new Float32Array(count),
+    peakDrop: new Float32Array(count),
+    peakTilt: new Float32Array(count),
+    endDisplacement: new Float32Array(count),
+    peakEnergy: new Float64Array(count),
+    endTime: new Float64Array(count),
+    cpuSeconds: new Float64Array(count),
+    boxBegin: new Float64Array(count),
+    sampleBegin: new Float64Array(count),
+    rowBegin: new Float64Array(count),
+  };
+}
+
 /** Four per layout: front, rear, left, right. */
 export interface MarginColumns {
   /** g */

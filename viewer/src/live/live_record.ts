@@ -1,6 +1,14 @@
 import { criticalBox, excursionsTo, isBeyond, noExcursions } from "../data/excursions";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
-import type { BoxColumns, Excursions, Results, Series, World, WorldColumns } from "../data/results";
+import {
+  type BoxColumns,
+  type Excursions,
+  emptyWorlds,
+  type Results,
+  type Series,
+  type World,
+  type WorldColumns,
+} from "../data/results";
 import type { Frame } from "../engine/messages";
 import { tiltOf } from "../time/poses";
 
@@ -293,32 +301,9 @@ function energyOf(boxes: BoxColumns, box: number, q: Float64Array, v: Float64Arr
 }
 
 function oneWorld(boxes: number): WorldColumns {
-  const none = () => new Uint32Array(1);
   return {
-    layout: none(),
-    acceleration: none(),
-    status: none(),
-    statusTime: Float64Array.of(Number.NaN),
-    caveats: none(),
+    ...emptyWorlds(1),
     stopReason: Uint8Array.of(STOP_REASON_CODES.timeout),
-    verdict: new Uint8Array(1),
     boxes: Uint32Array.of(boxes),
-    samples: none(),
-    fallen: none(),
-    unstable: none(),
-    moved: none(),
-    tilted: none(),
-    fallenAtEnd: none(),
-    criticalBox: none(),
-    peakDisplacement: new Float32Array(1),
-    peakDrop: new Float32Array(1),
-    peakTilt: new Float32Array(1),
-    endDisplacement: new Float32Array(1),
-    peakEnergy: new Float64Array(1),
-    endTime: new Float64Array(1),
-    cpuSeconds: new Float64Array(1),
-    boxBegin: new Float64Array(1),
-    sampleBegin: new Float64Array(1),
-    rowBegin: new Float64Array(1),
   };
 }

@@ -14,7 +14,7 @@ import type {
   World,
   WorldColumns,
 } from "../data/results";
-import { PENDING } from "../data/results";
+import { emptyWorlds, PENDING } from "../data/results";
 
 /** Results in the form of a results file, of worlds that the engine of this page simulates. */
 
@@ -76,34 +76,11 @@ export function newResults(
 
 function newColumns(layouts: number, accelerations: number): WorldColumns {
   const count = layouts * accelerations;
-  const none = () => new Uint32Array(count);
-  const unknown = () => new Float64Array(count).fill(Number.NaN);
   return {
+    ...emptyWorlds(count),
     layout: Uint32Array.from({ length: count }, (_, world) => Math.floor(world / accelerations)),
     acceleration: Uint32Array.from({ length: count }, (_, world) => world % accelerations),
-    status: none(),
-    statusTime: unknown(),
-    caveats: none(),
-    stopReason: new Uint8Array(count),
     verdict: new Uint8Array(count).fill(PENDING),
-    boxes: none(),
-    samples: none(),
-    fallen: none(),
-    unstable: none(),
-    moved: none(),
-    tilted: none(),
-    fallenAtEnd: none(),
-    criticalBox: none(),
-    peakDisplacement: new Float32Array(count),
-    peakDrop: new Float32Array(count),
-    peakTilt: new Float32Array(count),
-    endDisplacement: new Float32Array(count),
-    peakEnergy: new Float64Array(count),
-    endTime: new Float64Array(count),
-    cpuSeconds: new Float64Array(count),
-    boxBegin: new Float64Array(count),
-    sampleBegin: new Float64Array(count),
-    rowBegin: new Float64Array(count),
   };
 }
 
