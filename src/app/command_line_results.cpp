@@ -86,9 +86,8 @@ void add_report_command(CLI::App& program, ChosenCommand& chosen) {
 void add_view_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("view", "Show a results file in a browser, or screen loads there");
   command->footer(
-      "Writes one page that has the results in it and needs nothing else, and opens it. Without results it is the "
-      "page\n"
-      "that files are dropped on: it screens spreadsheets of loads itself, and shows results.\n\n"
+      "Writes one page that has the results in it and needs nothing else, and opens it. Without results it is\n"
+      "the page that files are dropped on: it screens spreadsheets of loads itself, and shows results.\n\n"
       "Example:\n"
       "  holdfast view results.h5\n"
       "  holdfast view\n"
