@@ -4,6 +4,7 @@
     tools/outcome_types.py            writes them
     tools/outcome_types.py --check    names those that are not current, and exits with 1 if there are any
 """
+import json
 import pathlib
 import re
 import sys
@@ -195,7 +196,24 @@ def typescript(rows):
         if field.type not in types:
             sys.exit(f"{ROWS}: the page has no type for {field.name} of a world, which is a {field.type}")
         lines += [*documented(field.described(), "  "), f"  {member_of(field.name)}: {types[field.type]};"]
-    return [*lines, "}"]
+    lines += ["}", "", *documented("A field of an outcome: its dataset of the results file, and its heading in tables; empty: it has none.", ""),
+              "export interface OutcomeField {", "  name: string;", "  type: string;", "  dataset: string;", "  label: string;", "}"]
+    for name, sentence in FIELDS_OF_THE_PAGE.items():
+        lines += ["", *documented(sentence, ""), f"export const {name}: readonly OutcomeField[] = ["]
+        for field in rows.fields[name]:
+            texts = {"name": member_of(field.name), "type": field.type, "dataset": field.dataset, "label": field.label}
+            members = [f"{key}: {json.dumps(text)}" for key, text in texts.items()]
+            line = f"  {{ {', '.join(members)} }},"
+            lines += [line] if len(line) <= WIDTH else ["  {", *(f"    {member}," for member in members), "  },"]
+        lines.append("];")
+    return lines
+
+
+FIELDS_OF_THE_PAGE = {
+    "WORLD_FIELDS": "All that the results file has of a world, in the order of tables.",
+    "BOX_FIELDS": "All that it has of what a box did.",
+    "BOX_VERDICT_FIELDS": "How a box is judged by the limits.",
+}
 
 
 WRITERS = {

@@ -43,6 +43,33 @@ async function normSources() {
   return JSON.stringify(Object.fromEntries(rows.map(([, name, source]) => [name, source])));
 }
 
+/** The datasets of the results file, as `holdfast --results-page` has written them: rows of name, type, length, units and description. */
+async function resultsDatasets() {
+  const page = await readFile(path.join(here, "../docs/reference/results_file.md"), "utf8");
+  const datasets = page.split("\n### ").flatMap((group) => {
+    const folder = group.split("\n", 1)[0];
+    const asked = group.includes("\nOnly in files of runs with");
+    const rows = [...group.matchAll(/^\| `(\w+)` \| (\w+) \| ([A-Z])(?: × (\d+))? \| (\S+) \| (.*) \|$/gm)];
+    return rows.map(([, name, type, axis, width, units, description]) => ({
+      path: `${folder}/${name}`,
+      type,
+      axis,
+      width: Number(width ?? 1),
+      units,
+      description,
+      asked,
+    }));
+  });
+  if (datasets.length === 0) throw new Error("docs/reference/results_file.md has no datasets");
+  return JSON.stringify(datasets);
+}
+
+/** What scripts have of the pages of the documentation that the program writes. */
+const definitions = async () => ({
+  HOLDFAST_NORM_SOURCES: await normSources(),
+  HOLDFAST_RESULTS_DATASETS: await resultsDatasets(),
+});
+
 /** One script of everything that an entry file uses. */
 async function bundle(entry) {
   const result = await build({
@@ -55,7 +82,7 @@ async function bundle(entry) {
     charset: "utf8",
     legalComments: "none",
     alias: { "holdfast-engine": engine },
-    define: { HOLDFAST_NORM_SOURCES: await normSources() },
+    define: await definitions(),
     // h5wasm looks for these under Node only.
     external: ["node:*", "fs", "path", "module", "url", "crypto", "worker_threads"],
   });
@@ -127,7 +154,7 @@ async function buildTests() {
     outExtension: { ".js": ".mjs" },
     nodePaths: [path.join(here, "node_modules")],
     external: ["playwright-core"],
-    define: { HOLDFAST_NORM_SOURCES: await normSources() },
+    define: await definitions(),
     logLevel: "warning",
   });
 }

@@ -9,7 +9,9 @@ export const PACKAGES = path.resolve(BUILD, "../../viewer/package.json");
 /** The engine in WebAssembly, where `make viewer-engine` has built it. */
 export const ENGINE = path.join(BUILD, "engine.mjs");
 export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/bin/holdfast");
+/** The sources. */
+export const ROOT = path.resolve(BUILD, "../..");
 /** Pictures of the documentation. */
-export const PICTURES = path.resolve(BUILD, "../../docs/guide/viewer");
+export const PICTURES = path.join(ROOT, "docs/guide/viewer");
 /** The export of a load planner, whose axes are others. */
-export const PLANNER = path.resolve(BUILD, "../../tests/io/loads/formats/planner_export.csv");
+export const PLANNER = path.join(ROOT, "tests/io/loads/formats/planner_export.csv");

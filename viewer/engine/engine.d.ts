@@ -119,6 +119,11 @@ export interface ReadFile {
   loads: ReadLoad[];
 }
 
+/** The same, with each load as the program writes it, without its name: the text that it is known by. */
+export interface WrittenFile extends ReadFile {
+  loads: (ReadLoad & { json: string })[];
+}
+
 /** A row of a table: its line in the text, from 1, and its cells. */
 export interface TableRow {
   line: number;
@@ -177,7 +182,7 @@ export interface Engine {
   run(inputs?: RunSettings): RunFacts;
   /** The first rows of a table. */
   preview(bytes: Uint8Array, rows: number): TableRow[];
-  readLoads(content: string | Uint8Array, name: string, inputs?: GivenSettings & ReadChoices): ReadFile;
+  readLoads(content: string | Uint8Array, name: string, inputs?: GivenSettings & ReadChoices): WrittenFile;
   /** What `holdfast screen` says of a load under an acceleration of the norm, and what the results file has of its boxes. */
   screenLoad(load: Load, acceleration: number, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
   /** What `holdfast margins` finds: four directions in each column. */

@@ -25,6 +25,9 @@ const hexText = (number, digits) => number.toString(16).padStart(digits, '0');
 /** state_hash: stateHash */
 const memberName = (name) => name.replaceAll(/_(.)/g, (_, letter) => letter.toUpperCase());
 
+/** A load as JSON, which begins with its name. */
+const withoutName = (json) => json.replace(/^\{"name":"(?:[^"\\]|\\.)*",/, '{');
+
 /** Compiles the engine. */
 export async function loadEngine() {
   // Nothing of the system is there: what the C library could ask for fails, and only an abort gets here.
@@ -109,7 +112,8 @@ class Engine {
   }
 
   /**
-   * All loads of a file of any form that the program reads, with what is said of the file and of each load.
+   * All loads of a file of any form that the program reads, with what is said of the file and of each load, and each as
+   * the program writes it.
    * @param {string | Uint8Array} content its text, or its bytes
    * @param {string} name of the file, for messages and names of loads
    * @param {object} [inputs] `config` and `settings`, as of `world`; `container`, `unit`, `axes`, `format` and `columns`, as
@@ -122,10 +126,11 @@ class Engine {
       this.withContent(bytes, (at) =>
         this.withTexts([name, ...choices], (places) =>
           this.readText(this.wasm.page_read_loads(settings, at, bytes.length, ...places)))));
-    const [file, ...rest] = lines.trimEnd().split('\n').map((line) => JSON.parse(line));
+    const [file, ...rest] = lines.trimEnd().split('\n');
     const loads = [];
-    for (let i = 0; i < rest.length; i += 2) loads.push({ ...rest[i], load: rest[i + 1] });
-    return { ...file, loads };
+    for (let i = 0; i < rest.length; i += 2)
+      loads.push({ ...JSON.parse(rest[i]), load: JSON.parse(rest[i + 1]), json: withoutName(rest[i + 1]) });
+    return { ...JSON.parse(file), loads };
   }
 
   /** The first rows of a table: `line` in the text, from 1, and `cells`. */

@@ -1,3 +1,4 @@
+import type { FileContents } from "./file_contents";
 import type { Results, World } from "./results";
 
 /** Where a results file is. */
@@ -11,5 +12,6 @@ export type Request = { id: number } & (
   | { kind: "open"; place: Place }
   | { kind: "world"; index: number }
   | { kind: "names" }
+  | { kind: "write"; contents: FileContents }
 );
-export type Reply = { id: number } & ({ value: Results | World | string[] } | { error: string });
+export type Reply = { id: number } & ({ value: Results | World | string[] | Uint8Array } | { error: string });

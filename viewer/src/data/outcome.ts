@@ -158,3 +158,93 @@ export interface WorldOutcome {
   /** hash of the bits of the final state: equal results have equal hashes */
   stateHash: string;
 }
+
+/** A field of an outcome: its dataset of the results file, and its heading in tables; empty: it has none. */
+export interface OutcomeField {
+  name: string;
+  type: string;
+  dataset: string;
+  label: string;
+}
+
+/** All that the results file has of a world, in the order of tables. */
+export const WORLD_FIELDS: readonly OutcomeField[] = [
+  { name: "layout", type: "u64", dataset: "/worlds/layout", label: "" },
+  { name: "acceleration", type: "u64", dataset: "/worlds/acceleration", label: "" },
+  { name: "verdict", type: "verdict", dataset: "/summary/worlds/verdict", label: "verdict" },
+  { name: "status", type: "status", dataset: "/worlds/status", label: "status" },
+  { name: "message", type: "text", dataset: "/worlds/status_text", label: "status_text" },
+  { name: "statusTime", type: "time", dataset: "/worlds/status_time", label: "status_time_s" },
+  { name: "caveats", type: "caveat", dataset: "/worlds/caveats", label: "caveats" },
+  { name: "stopReason", type: "stop_reason", dataset: "/worlds/stop_reason", label: "stop_reason" },
+  { name: "boxBegin", type: "u64", dataset: "/worlds/box_begin", label: "" },
+  { name: "boxes", type: "u32", dataset: "/worlds/box_count", label: "boxes" },
+  { name: "sampleBegin", type: "u64", dataset: "/worlds/sample_begin", label: "" },
+  { name: "sampleCount", type: "u32", dataset: "/worlds/sample_count", label: "" },
+  { name: "rowBegin", type: "u64", dataset: "/worlds/row_begin", label: "" },
+  { name: "fallen", type: "u32", dataset: "/summary/worlds/fallen_boxes", label: "fallen_boxes" },
+  { name: "unstable", type: "u32", dataset: "/summary/worlds/unstable_boxes", label: "unstable_boxes" },
+  { name: "moved", type: "u32", dataset: "/summary/worlds/moved_boxes", label: "moved_boxes" },
+  { name: "tilted", type: "u32", dataset: "/summary/worlds/tilted_boxes", label: "tilted_boxes" },
+  { name: "fallenAtEnd", type: "u32", dataset: "/summary/worlds/fallen_at_end", label: "fallen_at_end" },
+  { name: "criticalBox", type: "u32", dataset: "/summary/worlds/critical_box", label: "critical_box" },
+  { name: "peakDisplacement", type: "f32", dataset: "/summary/worlds/peak_displacement", label: "peak_displacement_m" },
+  { name: "peakDrop", type: "f32", dataset: "/summary/worlds/peak_drop", label: "peak_drop_m" },
+  { name: "peakTilt", type: "f32", dataset: "/summary/worlds/peak_tilt", label: "peak_tilt_deg" },
+  { name: "endDisplacement", type: "f32", dataset: "/summary/worlds/end_displacement", label: "end_displacement_m" },
+  {
+    name: "peakKineticEnergy",
+    type: "f64",
+    dataset: "/summary/worlds/peak_kinetic_energy",
+    label: "peak_kinetic_energy_J",
+  },
+  {
+    name: "endKineticEnergy",
+    type: "f64",
+    dataset: "/summary/worlds/end_kinetic_energy",
+    label: "end_kinetic_energy_J",
+  },
+  { name: "endTime", type: "f64", dataset: "/worlds/end_time", label: "end_time_s" },
+  { name: "steps", type: "u64", dataset: "/worlds/steps", label: "steps" },
+  { name: "stepsSkipped", type: "u64", dataset: "/worlds/steps_skipped", label: "steps_skipped" },
+  { name: "solveIterations", type: "u64", dataset: "/worlds/solve_iterations", label: "" },
+  { name: "maxResidual", type: "f64", dataset: "/worlds/max_residual", label: "max_residual" },
+  { name: "residualScale", type: "f64", dataset: "/worlds/residual_scale", label: "residual_scale" },
+  { name: "maxPenetration", type: "f64", dataset: "/worlds/max_penetration", label: "max_penetration_m" },
+  { name: "peakTotalKineticEnergy", type: "f64", dataset: "/worlds/peak_total_kinetic_energy", label: "" },
+  { name: "cpuSeconds", type: "f64", dataset: "/worlds/cpu_seconds", label: "cpu_seconds" },
+  { name: "stateHash", type: "hash", dataset: "/worlds/state_hash", label: "state_hash" },
+  { name: "engine", type: "text", dataset: "/worlds/engine", label: "" },
+];
+
+/** All that it has of what a box did. */
+export const BOX_FIELDS: readonly OutcomeField[] = [
+  { name: "peakDisplacement", type: "f32", dataset: "/boxes/peak_displacement", label: "peak_displacement_m" },
+  { name: "peakDrop", type: "f32", dataset: "/boxes/peak_drop", label: "peak_drop_m" },
+  { name: "peakTilt", type: "f32", dataset: "/boxes/peak_tilt", label: "peak_tilt_deg" },
+  { name: "peakKineticEnergy", type: "f32", dataset: "/boxes/peak_kinetic_energy", label: "peak_kinetic_energy_J" },
+  { name: "peakSpeed", type: "f32", dataset: "/boxes/peak_speed", label: "peak_speed_m_s" },
+  { name: "endDisplacement", type: "vec3", dataset: "/boxes/end_displacement", label: "end_displacement_m" },
+  { name: "endTilt", type: "f32", dataset: "/boxes/end_tilt", label: "end_tilt_deg" },
+  { name: "endKineticEnergy", type: "f32", dataset: "/boxes/end_kinetic_energy", label: "end_kinetic_energy_J" },
+  { name: "settlingDisplacement", type: "vec3", dataset: "/boxes/settling_displacement", label: "" },
+  {
+    name: "settlingPeakDisplacement",
+    type: "f32",
+    dataset: "/boxes/settling_peak_displacement",
+    label: "settling_peak_displacement_m",
+  },
+  { name: "settlingPeakDrop", type: "f32", dataset: "/boxes/settling_peak_drop", label: "settling_peak_drop_m" },
+  { name: "settlingPeakTilt", type: "f32", dataset: "/boxes/settling_peak_tilt", label: "settling_peak_tilt_deg" },
+  { name: "firstBeyond", type: "f32", dataset: "/boxes/first_beyond", label: "" },
+];
+
+/** How a box is judged by the limits. */
+export const BOX_VERDICT_FIELDS: readonly OutcomeField[] = [
+  { name: "fallen", type: "flag", dataset: "/summary/boxes/fallen", label: "fallen" },
+  { name: "moved", type: "flag", dataset: "/summary/boxes/moved", label: "moved" },
+  { name: "tilted", type: "flag", dataset: "/summary/boxes/tilted", label: "tilted" },
+  { name: "unstable", type: "flag", dataset: "/summary/boxes/unstable", label: "unstable" },
+  { name: "fallenAtEnd", type: "flag", dataset: "/summary/boxes/fallen_at_end", label: "fallen_at_end" },
+  { name: "firstBeyond", type: "f32", dataset: "/summary/boxes/first_beyond", label: "first_beyond_s" },
+];

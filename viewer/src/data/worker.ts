@@ -2,8 +2,9 @@ import { type ByteSource, bytesAtAddress, bytesInMemory, bytesOfFile, cached } f
 import { Hdf5File, UnreadableFile } from "./hdf5_file";
 import type { Place, Reply, Request } from "./messages";
 import { ResultsReader } from "./read_results";
+import { writeResults } from "./write_results";
 
-/** Reads the results file, so that the page never waits for the disk. */
+/** Reads the results file, so that the page never waits for the disk, and writes one. */
 
 let reader: ResultsReader | null = null;
 
@@ -16,6 +17,7 @@ function sourceOf(place: Place): ByteSource {
 async function answer(request: Request) {
   if (request.kind === "world") return reader!.world(request.index);
   if (request.kind === "names") return reader!.criticalNames();
+  if (request.kind === "write") return writeResults(request.contents);
   reader?.close();
   reader = null;
   const source = sourceOf(request.place);

@@ -1,5 +1,6 @@
-import { type Engine, loadEngine, type World } from "holdfast-engine";
-import type { Answer, Changes, Frame, LiveInputs, Order, Saved } from "./messages";
+import { type Engine, loadEngine, type World, type WrittenFile } from "holdfast-engine";
+import { sha256 } from "../data/sha256";
+import type { Answer, Changes, Frame, HashedFile, LiveInputs, Order, Saved } from "./messages";
 
 /** The native engine, so that the page never waits for it. It has one live world at a time. */
 
@@ -50,6 +51,16 @@ function screen(engine: Engine, order: Extract<Order, { kind: "screen" }>): Save
   };
 }
 
+/** With the hashes that the program has of loads: of the bytes of a layout file, of any other load as it writes it. */
+async function hashed(file: WrittenFile, bytes: Uint8Array<ArrayBuffer>): Promise<HashedFile> {
+  const isLayoutFile = file.form.startsWith("text");
+  const loads = file.loads.map(async ({ json, ...load }) => ({
+    ...load,
+    sha256: await sha256(isLayoutFile ? bytes : json),
+  }));
+  return { ...file, loads: await Promise.all(loads) };
+}
+
 async function answer(order: Order) {
   const engine = await loading;
   const began = performance.now();
@@ -70,11 +81,11 @@ async function answer(order: Order) {
     case "run":
       return engine.run(order.settings);
     case "read":
-      return engine.readLoads(order.bytes, order.name, order.choices);
+      return hashed(engine.readLoads(order.bytes, order.name, order.choices), order.bytes);
     case "preview":
       return engine.preview(order.bytes, order.rows);
     case "world": {
-      const found = engine.screenLoad(order.load, order.acceleration, order.settings, order.recorded);
+      const found = engine.screenLoad(order.load, order.acceleration, order.settings, true);
       return { ...found, seconds: (performance.now() - began) / 1000 };
     }
     case "margins":

@@ -5,6 +5,7 @@ import type {
   Load,
   ReadChoices,
   ReadFile,
+  ReadLoad,
   RunFacts,
   RunSettings,
   TableRow,
@@ -53,6 +54,24 @@ export interface Saved {
   same: boolean;
 }
 
+/** A load of a file, with what the results file has of the text that it is from. */
+export interface HashedLoad extends ReadLoad {
+  /** hexadecimal; empty where the browser has none */
+  sha256: string;
+}
+
+export interface HashedFile extends ReadFile {
+  loads: HashedLoad[];
+}
+
+/** A world that was simulated: what became of it, and what the results file has of its boxes and samples. */
+export interface SimulatedWorld {
+  outcome: WorldOutcome;
+  columns: Columns;
+  /** that the engine took */
+  seconds: number;
+}
+
 /** What page and engine say to each other. */
 export interface Orders {
   version: { ask: object; answer: string };
@@ -64,12 +83,12 @@ export interface Orders {
   };
   catalogue: { ask: object; answer: Catalogue };
   run: { ask: { settings: RunSettings }; answer: RunFacts };
-  read: { ask: { name: string; bytes: Uint8Array; choices: GivenSettings & ReadChoices }; answer: ReadFile };
-  preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
-  world: {
-    ask: { load: Load; acceleration: number; settings: RunSettings; recorded: boolean };
-    answer: { outcome: WorldOutcome; columns: Columns; seconds: number };
+  read: {
+    ask: { name: string; bytes: Uint8Array<ArrayBuffer>; choices: GivenSettings & ReadChoices };
+    answer: HashedFile;
   };
+  preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
+  world: { ask: { load: Load; acceleration: number; settings: RunSettings }; answer: SimulatedWorld };
   margins: { ask: { load: Load; settings: RunSettings }; answer: Columns };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];

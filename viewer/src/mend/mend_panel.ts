@@ -10,6 +10,7 @@ import { download, element } from "../ui/dom";
 import type { Store } from "../ui/state";
 import { margin } from "../ui/text";
 import { against, MAT, moved, turned, withMats, without } from "./load_edits";
+import { fileOf } from "./load_file";
 import { pressedSide, type Remedy, remediesOf } from "./remedies";
 
 /** m that a press of a button moves a box. */
@@ -199,9 +200,8 @@ export class MendPanel {
   }
 
   private save(): void {
-    const text = `${JSON.stringify({ holdfast: 1, loads: [this.load] })}\n`;
     const name = this.world.layout.replace(/\.\w+$/, "").replaceAll(/[^\w.-]+/g, "-");
-    download(`${name}-mended.json`, new Blob([text], { type: "application/json" }));
+    download(`${name}-mended.json`, new Blob([fileOf(this.load)], { type: "application/json" }));
   }
 
   /** Tries what may help; the best first. */

@@ -4,7 +4,7 @@ import { isSpreadsheet, type Sheet, sheetsOf, UnreadableSpreadsheet } from "./sp
 export interface InputFile {
   /** as messages and loads name it */
   name: string;
-  bytes: Uint8Array;
+  bytes: Uint8Array<ArrayBuffer>;
   /** of a sheet: the spreadsheet that it is from, of which only sheets with loads count */
   book: string | null;
   /** why it cannot be opened, as a sentence; absent: it can */

@@ -73,6 +73,7 @@ function settingsOf(choices: RunChoices): NonNullable<GivenSettings["settings"]>
     ["Simulation Settings", "DropThreshold", inMetres(choices.drop)],
     ["Screening", "TiltThreshold", withPoint(choices.tilt)],
     ["Native", "Accuracy", choices.accuracy],
+    ["Screening", "Margins", choices.margins ? "true" : ""],
   ];
   return all.filter(([, , value]) => value.trim() !== "");
 }

@@ -1,7 +1,7 @@
 import type { Columns, Load, ReadLoad, RunFacts, Shape, WorldOutcome } from "holdfast-engine";
 import { excursionsTo } from "../data/excursions";
 import { centimetres } from "../data/lengths";
-import { STATUS_BITS, STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
+import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
 import { numbered, OWN_CENTRES, ownContainer } from "../data/read_loads";
 import type {
   BoxColumns,
@@ -15,10 +15,11 @@ import type {
   WorldColumns,
 } from "../data/results";
 import { emptyWorlds, PENDING } from "../data/results";
+import { notSimulated } from "./not_simulated";
 
 /** Results in the form of a results file, of worlds that the engine of this page simulates. */
 
-const containerOf = ({ type, size, open_sides, drop_sides, bed_height }: Shape): Container =>
+export const containerOf = ({ type, size, open_sides, drop_sides, bed_height }: Shape): Container =>
   ownContainer(
     type ?? "",
     size,
@@ -67,9 +68,7 @@ export function newResults(
   };
   const { worlds } = results;
   for (const [world, layout] of worlds.layout.entries()) {
-    if (loads[layout].errors.length === 0) continue;
-    worlds.verdict[world] = VERDICT_CODES.failed;
-    worlds.status[world] = STATUS_BITS.bad_layout;
+    if (loads[layout].errors.length > 0) putWorld(results, world, notSimulated(), 0);
   }
   return results;
 }

@@ -1,7 +1,10 @@
-import type { Columns, Load, ReadLoad, RunFacts, RunSettings, WorldOutcome } from "holdfast-engine";
+import type { Columns, Load, RunFacts, RunSettings, WorldOutcome } from "holdfast-engine";
 import { NOT_COUNTED, PENDING, type Results, type World } from "../data/results";
 import type { ResultsSource } from "../data/results_source";
 import { Cancelled, type EnginePool } from "../engine/engine_pool";
+import type { HashedLoad, SimulatedWorld } from "../engine/messages";
+import { fileOf } from "../mend/load_file";
+import { type KeptWorld, keptOf, type Screened } from "../save/screened";
 import { badWorld, newResults, putMargins, putWorld, worldOf } from "./screened_results";
 
 /** Worlds that are kept in memory after they were looked at. */
@@ -26,7 +29,9 @@ export class Screening implements ResultsSource {
   private readonly listeners = new Set<() => void>();
   private readonly opened = new Map<number, Promise<World>>();
   private readonly usable: readonly number[];
-  private readonly loads: ReadLoad[];
+  private readonly loads: HashedLoad[];
+  /** by world; null: it is not simulated */
+  private readonly kept: (KeptWorld | null)[];
   /** of a load that is mended: what it was before each edit */
   private readonly history = new Map<number, Load[]>();
   private readonly began = performance.now();
@@ -44,12 +49,13 @@ export class Screening implements ResultsSource {
     name: string,
     version: string,
     facts: RunFacts,
-    loads: readonly ReadLoad[],
+    loads: readonly HashedLoad[],
     private readonly settings: RunSettings,
     private readonly withMargins: boolean,
   ) {
     this.loads = loads.slice();
     this.results = newResults(name, version, facts, loads, withMargins);
+    this.kept = Array<null>(this.results.worlds.layout.length).fill(null);
     this.usable = [...loads.keys()].filter((layout) => loads[layout].errors.length === 0);
   }
 
@@ -110,6 +116,22 @@ export class Screening implements ResultsSource {
     return errors.length > 0 ? null : load;
   }
 
+  /** All that is known by now, to be saved. A load that was mended is known by what it is now. */
+  async screened(): Promise<Screened> {
+    const { results, kept: worlds } = this;
+    const loads = await Promise.all(
+      this.loads.map((load, layout) => (this.edits(layout) > 0 ? this.hashed(load) : load)),
+    );
+    return { results, loads, worlds };
+  }
+
+  /** A load as one of a file that it is saved in. */
+  private async hashed(read: HashedLoad): Promise<HashedLoad> {
+    const bytes = new TextEncoder().encode(fileOf(read.load));
+    const found = await this.pool.ask("read", { name: read.name, bytes, choices: this.settings }, true);
+    return { ...read, sha256: found.loads[0].sha256 };
+  }
+
   /** How many edits of a load can be undone. */
   edits(layout: number): number {
     return this.history.get(layout)?.length ?? 0;
@@ -142,7 +164,7 @@ export class Screening implements ResultsSource {
   tryOut(load: Load): { worlds: Promise<WorldOutcome[]>; margins: Promise<Columns> } {
     const { settings } = this;
     const worlds = this.results.accelerations.map((_, acceleration) =>
-      this.pool.ask("world", { load, acceleration, settings, recorded: false }, true).then(({ outcome }) => outcome),
+      this.pool.ask("world", { load, acceleration, settings }, true).then(({ outcome }) => outcome),
     );
     return { worlds: Promise.all(worlds), margins: this.pool.ask("margins", { load, settings }, true) };
   }
@@ -152,32 +174,28 @@ export class Screening implements ResultsSource {
     const { worlds } = results;
     const layout = worlds.layout[world];
     const read = { ...this.loads[layout], load, boxCount: load.boxes.length };
-    const order = (of: number, recorded: boolean) => ({
-      load,
-      acceleration: worlds.acceleration[of],
-      settings,
-      recorded,
-    });
-    const { outcome, columns, seconds } = await pool.ask("world", order(world, true), true);
+    const order = (of: number) => ({ load, acceleration: worlds.acceleration[of], settings });
+    const found = await pool.ask("world", order(world), true);
     this.loads[layout] = read;
     results.layoutBoxes[layout] = load.boxes.length;
     const all = [...worlds.layout.keys()].filter((of) => worlds.layout[of] === layout);
     for (const of of all) {
       this.opened.delete(of);
       worlds.verdict[of] = PENDING;
+      this.kept[of] = null;
     }
     results.margins?.inPlace.margin.fill(Number.NaN, 4 * layout, 4 * layout + 4);
     results.margins?.withinLimits?.margin.fill(Number.NaN, 4 * layout, 4 * layout + 4);
-    putWorld(results, world, outcome, seconds);
-    this.opened.set(world, Promise.resolve(worldOf(results, world, read, outcome, columns)));
+    this.put(world, found);
+    this.opened.set(world, Promise.resolve(worldOf(results, world, read, found.outcome, found.columns)));
     const isLatest = () => this.loads[layout] === read;
     for (const of of all.filter((one) => one !== world))
-      this.take(pool.ask("world", order(of, false), true), (found) => {
-        if (isLatest()) putWorld(results, of, found.outcome, found.seconds);
+      this.take(pool.ask("world", order(of), true), (other) => {
+        if (isLatest()) this.put(of, other);
       });
     if (this.withMargins)
-      this.take(pool.ask("margins", { load, settings }, true), (found) => {
-        if (isLatest()) putMargins(results, layout, found);
+      this.take(pool.ask("margins", { load, settings }, true), (margins) => {
+        if (isLatest()) putMargins(results, layout, margins);
       });
   }
 
@@ -186,24 +204,29 @@ export class Screening implements ResultsSource {
     const { worlds } = this.results;
     const read = this.loads[worlds.layout[index]];
     if (read.errors.length > 0) return badWorld(this.results, index, read);
-    const { outcome, columns, seconds } = await this.pool.ask("world", this.order(index, true), true);
-    if (worlds.verdict[index] === PENDING) putWorld(this.results, index, outcome, seconds);
-    return worldOf(this.results, index, read, outcome, columns);
+    const found = await this.pool.ask("world", this.order(index), true);
+    if (worlds.verdict[index] === PENDING) this.put(index, found);
+    return worldOf(this.results, index, read, found.outcome, found.columns);
   }
 
-  private order(world: number, recorded: boolean) {
+  private put(world: number, found: SimulatedWorld): void {
+    putWorld(this.results, world, found.outcome, found.seconds);
+    this.kept[world] = keptOf(found);
+  }
+
+  private order(world: number) {
     const { layout, acceleration } = this.results.worlds;
     const { load } = this.loads[layout[world]];
-    return { load, acceleration: acceleration[world], settings: this.settings, recorded };
+    return { load, acceleration: acceleration[world], settings: this.settings };
   }
 
   private simulate(world: number): Promise<void> {
     const layout = this.results.worlds.layout[world];
     const read = this.loads[layout];
-    return this.take(this.pool.ask("world", this.order(world, false)), ({ outcome, seconds }) => {
+    return this.take(this.pool.ask("world", this.order(world)), (found) => {
       ++this.worldsDone;
       // It may have been mended meanwhile.
-      if (this.loads[layout] === read) putWorld(this.results, world, outcome, seconds);
+      if (this.loads[layout] === read) this.put(world, found);
     });
   }
 

@@ -1,5 +1,6 @@
-import type { Catalogue, ReadFile, ReadLoad, RunFacts } from "holdfast-engine";
+import type { Catalogue, RunFacts } from "holdfast-engine";
 import type { EnginePool } from "../engine/engine_pool";
+import type { HashedFile, HashedLoad } from "../engine/messages";
 import { askedLine, columnsOption, LOOKED_AT, type Puzzle, puzzleOf, RememberedColumns } from "./column_choices";
 import type { InputFile } from "./input_files";
 import { type FileChoices, fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
@@ -9,7 +10,7 @@ const PATIENCE = 150;
 
 /** A file as it was read, or why it could not be. */
 export interface Reading extends Pick<InputFile, "name" | "book"> {
-  found: ReadFile | null;
+  found: HashedFile | null;
   error: string;
   /** of a table whose words do not tell everything: what its columns are said to mean; null: they tell, or it is none */
   puzzle: Puzzle | null;
@@ -91,7 +92,7 @@ export class Setup {
   }
 
   /** All loads, those that cannot be used among them. */
-  get loads(): ReadLoad[] {
+  get loads(): HashedLoad[] {
     return this.readings.flatMap(({ found }) => found?.loads ?? []);
   }
 

@@ -1,0 +1,41 @@
+import type { WorldOutcome } from "holdfast-engine";
+import { BOX_FIELDS, BOX_VERDICT_FIELDS } from "../data/outcome";
+import type { Results } from "../data/results";
+import type { HashedLoad, SimulatedWorld } from "../engine/messages";
+
+/** What is kept of a world that was simulated. */
+export interface KeptWorld {
+  outcome: WorldOutcome;
+  /** one entry per box, by the dataset of the results file */
+  boxes: ReadonlyMap<string, Float32Array>;
+  /** that the engine took */
+  seconds: number;
+}
+
+/** All that files of a screening are made of. */
+export interface Screened {
+  results: Results;
+  loads: readonly HashedLoad[];
+  /** by world; null: it is not simulated */
+  worlds: readonly (KeptWorld | null)[];
+}
+
+/** The columns that the engine gives of boxes, by their datasets: those of the judgement have a folder of their own there. */
+const BOX_COLUMNS = new Map([
+  ...["/boxes/mass", "/boxes/size", "/boxes/initial_position", ...BOX_FIELDS.map(({ dataset }) => dataset)].map(
+    (dataset) => [dataset, dataset.slice(1)] as const,
+  ),
+  ...BOX_VERDICT_FIELDS.map(({ dataset }) => [dataset, dataset.replace("/summary/boxes/", "verdict/")] as const),
+]);
+
+/** A world without its samples, which are many. */
+export function keptOf({ outcome, columns, seconds }: SimulatedWorld): KeptWorld {
+  const boxes = new Map([...BOX_COLUMNS].map(([dataset, name]) => [dataset, Float32Array.from(columns[name])]));
+  return { outcome, boxes, seconds };
+}
+
+/** The loads that can be told of whole: all of their worlds are simulated, or they cannot be used. */
+export function wholeLoads({ results, loads, worlds }: Screened): number[] {
+  const missing = new Set(results.worlds.layout.filter((_, world) => worlds[world] === null));
+  return [...loads.keys()].filter((layout) => loads[layout].errors.length > 0 || !missing.has(layout));
+}
