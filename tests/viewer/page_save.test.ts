@@ -17,12 +17,15 @@ after(async () => {
   await closeBrowser();
 });
 
-/** Loads with containers, masses, mats, materials and fixed boxes of their own, a layout file, and one that cannot be used. */
-const WRONG = "wrong.csv";
+/** Loads with containers, masses, mats, materials and fixed boxes of their own, a layout file, and two that cannot be used. */
 const FILES = ["tests/viewer/loads.json", "configs/loads/trailer.csv", "configs/layouts/BR8_009_layer.txt"];
-const NAMES = [...FILES.map((file) => path.basename(file)), WRONG];
+const WRONG = {
+  "wrong.csv": "name,x_m,y_m,z_m,length_m,width_m,height_m\r\nA,0,0,0,1,wide,1\r\n",
+  "overlap.txt": "Two boxes\n0 0 0 100 100 100 1\n50 0 0 150 100 100 1\n",
+};
+const NAMES = [...FILES.map((file) => path.basename(file)), ...Object.keys(WRONG)];
 for (const file of FILES) copyFileSync(path.join(ROOT, file), path.join(folder, path.basename(file)));
-writeFileSync(path.join(folder, WRONG), "name,x_m,y_m,z_m,length_m,width_m,height_m\r\nA,0,0,0,1,wide,1\r\n");
+for (const [name, text] of Object.entries(WRONG)) writeFileSync(path.join(folder, name), text);
 
 /** What the program says; it ends with 1 where a load could not be used. */
 function program(...words: string[]): string {
@@ -79,6 +82,14 @@ function contentsOf(name: string): Map<string, unknown> {
   );
 }
 
+/** The rows of the matrix, as they are drawn. */
+async function matrixOf(page: Page): Promise<string> {
+  await page.mouse.move(0, 0);
+  const { x, y } = (await page.locator("canvas").boundingBox())!;
+  const picture = await page.screenshot({ clip: { x, y, width: 830, height: 240 } });
+  return picture.toString("base64");
+}
+
 /** What is of the program that ran, of its machine and of its clock, and what the page does not count. */
 const OTHERS =
   /^ (git_commit|command_line|created_utc|host|fingerprint)$|\/cpu_seconds$|^\/worlds\/solve_iterations$|^\/margins\/trials$/;
@@ -91,11 +102,11 @@ test("a screening is saved: file and tables of the program, and the same matrix 
 }, async () => {
   const page = await openPage();
   await screen(page, NAMES);
-  assert.equal(await savedAs(page, "results file", "page.h5"), "4 files.h5");
+  assert.equal(await savedAs(page, "results file", "page.h5"), "5 files.h5");
   await savedAs(page, "CSV of worlds", "worlds.csv");
   await savedAs(page, "CSV of boxes", "boxes.csv");
   await saved(page, ".tools button:text-is('CSV')", "matrix.csv");
-  const verdicts = await page.innerText(".counts");
+  const shown = [await page.innerText(".counts"), await matrixOf(page)];
 
   program("screen", "--layouts", ...NAMES, "--norm", "road", "--margins", "--no-series", "--quiet", "-o", "program.h5");
   const [ours, theirs] = [contentsOf("page.h5"), contentsOf("program.h5")];
@@ -134,7 +145,7 @@ test("a screening is saved: file and tables of the program, and the same matrix 
 
   // So does the page, when it opens the file.
   await choose(page, path.join(folder, "page.h5"));
-  assert.equal(await page.innerText(".counts"), verdicts);
+  assert.deepEqual([await page.innerText(".counts"), await matrixOf(page)], shown);
   await saved(page, ".tools button:text-is('CSV')", "again.csv");
   assert.equal(read("again.csv"), read("matrix.csv"));
   await page.close();

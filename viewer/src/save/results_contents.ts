@@ -69,9 +69,8 @@ const NO_PLACE = [NONE, NONE, NONE];
 
 function layoutColumns({ loads }: Screened, layouts: readonly number[]): Record<string, Column> {
   const all = layouts.map((layout) => loads[layout]);
-  const boxesOf = layouts.map((layout) => (loads[layout].errors.length > 0 ? [] : loads[layout].load.boxes));
-  const boxes = boxesOf.flat();
-  const counts = boxesOf.map((of) => of.length);
+  const boxes = all.flatMap(({ load }) => load.boxes);
+  const counts = all.map(({ load }) => load.boxes.length);
   const own = all.map(({ load }) => ownContainer(load));
   const ofBoxes: Record<string, (box: LoadBox) => number | string | readonly number[]> = {
     corner_min: (box) => box.corner_min,

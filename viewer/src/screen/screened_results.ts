@@ -57,7 +57,7 @@ export function newResults(
     container: containerOf(facts.container),
     ownContainers: new Map(own),
     layouts: loads.map((load) => load.name),
-    layoutBoxes: Uint32Array.from(loads, (load) => load.boxCount),
+    layoutBoxes: Uint32Array.from(loads, ({ load }) => load.boxes.length),
     accelerations: accelerations.map((acceleration) => acceleration.name),
     segments: accelerations.map(({ segments }) => segments),
     worlds: newColumns(loads.length, accelerations.length),
