@@ -196,9 +196,15 @@ def typescript(rows):
         if field.type not in types:
             sys.exit(f"{ROWS}: the page has no type for {field.name} of a world, which is a {field.type}")
         lines += [*documented(field.described(), "  "), f"  {member_of(field.name)}: {types[field.type]};"]
-    lines += ["}", "", *documented("A field of an outcome: its dataset of the results file, and its heading in tables; empty: it has none.", ""),
-              "export interface OutcomeField {", "  name: string;", "  type: string;", "  dataset: string;", "  label: string;", "}"]
-    for name, sentence in FIELDS_OF_THE_PAGE.items():
+    return [*lines, "}", *field_tables(rows)]
+
+
+def field_tables(rows):
+    """Rows of the fields themselves, for what goes through all of them."""
+    sentence = "A field of an outcome: its dataset of the results file, and its heading in tables; empty: it has none."
+    lines = ["", *documented(sentence, ""), "export interface OutcomeField {"]
+    lines += [*(f"  {member}: string;" for member in ("name", "type", "dataset", "label")), "}"]
+    for name, sentence in FIELD_TABLES.items():
         lines += ["", *documented(sentence, ""), f"export const {name}: readonly OutcomeField[] = ["]
         for field in rows.fields[name]:
             texts = {"name": member_of(field.name), "type": field.type, "dataset": field.dataset, "label": field.label}
@@ -209,7 +215,8 @@ def typescript(rows):
     return lines
 
 
-FIELDS_OF_THE_PAGE = {
+# Lists of fields whose rows the page has, and what they are.
+FIELD_TABLES = {
     "WORLD_FIELDS": "All that the results file has of a world, in the order of tables.",
     "BOX_FIELDS": "All that it has of what a box did.",
     "BOX_VERDICT_FIELDS": "How a box is judged by the limits.",

@@ -43,7 +43,7 @@ async function normSources() {
   return JSON.stringify(Object.fromEntries(rows.map(([, name, source]) => [name, source])));
 }
 
-/** The datasets of the results file, as `holdfast --results-page` has written them: rows of name, type, length, units and description. */
+/** The datasets of the results file, as `holdfast --results-page` has written them in tables of its groups. */
 async function resultsDatasets() {
   const page = await readFile(path.join(here, "../docs/reference/results_file.md"), "utf8");
   const datasets = page.split("\n### ").flatMap((group) => {

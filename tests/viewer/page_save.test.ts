@@ -17,7 +17,7 @@ after(async () => {
   await closeBrowser();
 });
 
-/** Loads with containers, masses, mats, materials and fixed boxes of their own, a layout file, and two that cannot be used. */
+/** Loads with containers, masses, mats and fixed boxes of their own, a layout file, and two that cannot be used. */
 const FILES = ["tests/viewer/loads.json", "configs/loads/trailer.csv", "configs/layouts/BR8_009_layer.txt"];
 const WRONG = {
   "wrong.csv": "name,x_m,y_m,z_m,length_m,width_m,height_m\r\nA,0,0,0,1,wide,1\r\n",
@@ -57,11 +57,12 @@ async function screen(page: Page, names: readonly string[]): Promise<void> {
   await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
 }
 
-/** Prints a line for each dataset and attribute of a file, as h5py reads it: its place, and its type, shape and values. */
+/** Prints a line for each dataset and attribute of a file, as h5py reads it: place, type, shape and values. */
 const LIST = `
 import h5py, json, sys
 def told(place, value, of):
-    print(json.dumps([place, [str(of.dtype), list(of.shape), str(value.tolist() if hasattr(value, "tolist") else value)]]))
+    values = value.tolist() if hasattr(value, "tolist") else value
+    print(json.dumps([place, [str(of.dtype), list(of.shape), str(values)]]))
 def visit(name, node):
     for key, value in node.attrs.items():
         told(f"{name} {key}", value, node.attrs.get_id(key))
@@ -91,8 +92,7 @@ async function matrixOf(page: Page): Promise<string> {
 }
 
 /** What is of the program that ran, of its machine and of its clock, and what the page does not count. */
-const OTHERS =
-  /^ (git_commit|command_line|created_utc|host|fingerprint)$|\/cpu_seconds$|^\/worlds\/solve_iterations$|^\/margins\/trials$/;
+const OTHERS = /^ (git_commit|command_line|created_utc|host|fingerprint)$|\/(cpu_seconds|solve_iterations|trials)$/;
 
 /** Lines of a table of worlds without the last column, the seconds. */
 const withoutSeconds = (table: string) => table.split("\r\n").map((line) => line.slice(0, line.lastIndexOf(",")));

@@ -1,7 +1,10 @@
 /** Put in when the page is built, from docs/reference/results_file.md. */
 declare const HOLDFAST_RESULTS_DATASETS: readonly Dataset[];
 
-/** What an entry of a dataset belongs to: a world, box, sample, sample and box, layout, box of a layout, acceleration, segment. */
+/**
+ * What an entry belongs to: a world, a box, a sample, a sample and a box, a layout, a box of a layout, an acceleration, or a
+ * segment of one.
+ */
 export type Axis = "W" | "N" | "S" | "R" | "L" | "B" | "A" | "G";
 
 /** A dataset of the results file, as its reference describes it. */

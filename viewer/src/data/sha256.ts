@@ -1,6 +1,6 @@
 /**
- * SHA-256, hexadecimal. Browsers have it for pages from a disk, from this machine and of https; elsewhere it is empty, as that of a
- * file that cannot be read.
+ * SHA-256, hexadecimal. Browsers have it for pages from a disk, from this machine and of https; elsewhere it is empty, as
+ * that of a file that cannot be read.
  */
 export async function sha256(content: string | Uint8Array<ArrayBuffer>): Promise<string> {
   if (!crypto.subtle) return "";

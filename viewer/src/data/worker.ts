@@ -26,10 +26,11 @@ async function answer(request: Request) {
 }
 
 /** HDF5 says what it could not do in many lines; the user is told what that means. */
-function sentence(error: unknown): string {
+function sentence(kind: Request["kind"], error: unknown): string {
   if (error instanceof UnreadableFile) return error.message;
   const message = error instanceof Error ? error.message : String(error);
-  return `The file is damaged, or not all of it is there: ${message.split("\n")[0]}`;
+  const meaning = kind === "write" ? "The file cannot be written" : "The file is damaged, or not all of it is there";
+  return `${meaning}: ${message.split("\n")[0]}`;
 }
 
 self.onmessage = async (event: MessageEvent<Request>) => {
@@ -38,7 +39,7 @@ self.onmessage = async (event: MessageEvent<Request>) => {
   try {
     reply = { id: request.id, value: await answer(request) };
   } catch (error) {
-    reply = { id: request.id, error: sentence(error) };
+    reply = { id: request.id, error: sentence(request.kind, error) };
   }
   self.postMessage(reply);
 };

@@ -5,10 +5,10 @@ import type { Margins, Segment } from "../data/results";
 import { FORMAT_VERSION } from "../data/results_datasets";
 import { sha256 } from "../data/sha256";
 import { containerOf } from "../screen/screened_results";
-import type { Screened } from "./screened";
+import { KEPT_OF_BOXES, type Screened } from "./screened";
 import { type SavedWorld, savedWorlds } from "./world_rows";
 
-/** The results file of a screening: what `holdfast screen --no-series` writes, in the form of docs/reference/results_file.md. */
+/** The results file of a screening, as docs/reference/results_file.md describes that of `holdfast screen --no-series`. */
 
 /** The axes, as attributes name their beginnings: the file is whole, so that all of them begin at 0. */
 const AXES = ["worlds", "boxes", "samples", "rows", "layouts", "layout_boxes", "accelerations", "segments"];
@@ -29,7 +29,7 @@ export async function resultsContents(screened: Screened): Promise<FileContents>
         command_line: "screened in the page",
         created_utc: results.created,
         host: "a browser",
-        // Of what a run that was interrupted has to find again.
+        // It says what must be the same where a run goes on that was interrupted; none goes on here.
         fingerprint: "",
         ...Object.fromEntries(AXES.map((axis) => [`${axis}_begin`, 0n])),
         complete: 1n,
@@ -151,13 +151,12 @@ function boxColumns({ loads, worlds: kept }: Screened, worlds: readonly SavedWor
     const of = kept[world];
     return of ? [{ index, of, boxes: loads[layout].load.boxes }] : [];
   });
-  const ofEngine = new Map(simulated.flatMap(({ of }) => [...of.boxes.keys()].map((dataset) => [dataset, null])));
   return {
     "/boxes/world": simulated.flatMap(({ index, boxes }) => boxes.map(() => index)),
     "/boxes/id": simulated.flatMap(({ boxes }) => boxes.map((_, box) => box + 1)),
     "/boxes/material": simulated.flatMap(({ boxes }) => boxes.map(materialNumber)),
     ...Object.fromEntries(
-      [...ofEngine.keys()].map((dataset) => [dataset, joined(simulated.map(({ of }) => of.boxes.get(dataset)!))]),
+      KEPT_OF_BOXES.map((dataset) => [dataset, joined(simulated.map(({ of }) => of.boxes.get(dataset)!))]),
     ),
   };
 }

@@ -20,13 +20,16 @@ export interface Screened {
   worlds: readonly (KeptWorld | null)[];
 }
 
-/** The columns that the engine gives of boxes, by their datasets: those of the judgement have a folder of their own there. */
+/** The columns that the engine gives of boxes, by their datasets: the judgement has a folder of its own there. */
 const BOX_COLUMNS = new Map([
   ...["/boxes/mass", "/boxes/size", "/boxes/initial_position", ...BOX_FIELDS.map(({ dataset }) => dataset)].map(
     (dataset) => [dataset, dataset.slice(1)] as const,
   ),
   ...BOX_VERDICT_FIELDS.map(({ dataset }) => [dataset, dataset.replace("/summary/boxes/", "verdict/")] as const),
 ]);
+
+/** The datasets that are kept of boxes. */
+export const KEPT_OF_BOXES: readonly string[] = [...BOX_COLUMNS.keys()];
 
 /** A world without its samples, which are many. */
 export function keptOf({ outcome, columns, seconds }: SimulatedWorld): KeptWorld {

@@ -24,8 +24,8 @@ const sentencesOf = (status: number) =>
     .join(" ");
 
 /**
- * The worlds of all loads that can be told of whole, in the order of the screening. Boxes of a world come after those of the worlds
- * before it. Samples are not saved, and iterations of the solver are not counted here.
+ * The worlds of all loads that can be told of whole, in the order of the screening. Boxes of a world come after those
+ * of the worlds before it. Samples are not saved, and iterations of the solver are not counted here.
  */
 export function savedWorlds(screened: Screened): SavedWorld[] {
   const { results, loads, worlds } = screened;
