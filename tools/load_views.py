@@ -172,9 +172,9 @@ def fitting_label(name, number, width, height):
 
 
 def label(lines, state, x, y):
-    style = f'fill="{BRIGHT}" font-weight="600"' if state == "first" else f'fill="{FRAME}"'
+    fill = BRIGHT if state == "first" else FRAME
     top = y - (len(lines) - 1) / 2 * LINE_HEIGHT * LETTER + 0.35 * LETTER
-    return "".join(f'<text x="{x:.1f}" y="{top + i * LINE_HEIGHT * LETTER:.1f}" font-size="{LETTER}" text-anchor="middle" {style}>'
+    return "".join(f'<text x="{x:.1f}" y="{top + i * LINE_HEIGHT * LETTER:.1f}" font-size="{LETTER}" text-anchor="middle" fill="{fill}">'
                    f'{html.escape(line)}</text>' for i, line in enumerate(lines))
 
 

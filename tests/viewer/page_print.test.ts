@@ -7,6 +7,7 @@ import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
 import { PROGRAM, RESULTS } from "./places";
+import { papersOf } from "./printed_paper";
 
 after(closeBrowser);
 
@@ -22,8 +23,7 @@ async function printed(
   await page.waitForFunction(() => (window as unknown as { asked: number }).asked > 0);
   const sheets = await page.$$eval(".report section", (all) => all.map((section) => section.textContent ?? ""));
   const labels = await page.$$eval(".report svg text", (all) => all.map((label) => label.textContent ?? ""));
-  const pdf = await page.pdf({ preferCSSPageSize: true });
-  const papers = pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+  const papers = papersOf(await page.pdf({ preferCSSPageSize: true }));
   return { sheets, labels, papers };
 }
 

@@ -20,11 +20,7 @@ export type State = keyof typeof FILLS;
 
 const LINE = "#5a6470";
 const FRAME = "#222831";
-/** Of labels on boxes that go first. */
-const BRIGHT = [
-  ["fill", "#ffffff"],
-  ["font-weight", "600"],
-] as const;
+const BRIGHT = "#ffffff";
 const BED = "#dfe2e6";
 const GROUND = "#f3f4f6";
 /** m around the container that the ground is drawn for */
@@ -153,9 +149,8 @@ function label(lines: readonly string[], state: State, bounds: Rectangle): SVGEl
   const first = y - ((lines.length - 1) / 2) * LINE_HEIGHT * LETTER + 0.35 * LETTER;
   return lines.map((line, i) => {
     const place = { x: x.toFixed(1), y: (first + i * LINE_HEIGHT * LETTER).toFixed(1) };
-    const text = svg("text", { ...place, "font-size": LETTER, "text-anchor": "middle", fill: FRAME }, line);
-    if (state === "first") for (const [name, value] of BRIGHT) text.setAttribute(name, value);
-    return text;
+    const fill = state === "first" ? BRIGHT : FRAME;
+    return svg("text", { ...place, "font-size": LETTER, "text-anchor": "middle", fill }, line);
   });
 }
 
