@@ -442,7 +442,7 @@ def farthest_boxes(results, worlds):
             peak = float(results.box_peak[rows][box, 0])
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
-    return dict(sorted(found.items(), key=lambda item: -item[1][0]))
+    return dict(sorted(found.items(), key=lambda item: (-item[1][0], item[0])))
 
 
 def boxes_table(results, layout, found, most):

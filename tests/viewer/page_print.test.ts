@@ -101,7 +101,7 @@ const sheetsOf = (page: Page) =>
     }),
   );
 
-for (const file of ["rich.h5", "loads.h5", "trailer.h5", "demo.h5"])
+for (const file of ["rich.h5", "loads.h5", "trailer.h5", "demo.h5", "hostile.h5"])
   test(`the page is that of the program's report, cell by cell, of ${file}`, async () => {
     const folder = mkdtempSync(path.join(tmpdir(), "holdfast-report-"));
     const report = path.join(folder, "report.html");

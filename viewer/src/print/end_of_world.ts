@@ -1,11 +1,10 @@
-import { boxText } from "../box/box_text";
 import { sideBeyond } from "../box/departure";
 import { sideName } from "../data/openings";
 import type { World } from "../data/results";
 import { element } from "../ui/dom";
 import { draw, type Room, type State, VIEW_NAMES } from "./drawing";
 import { isNear, type Point, SURROUNDINGS, type TurnedBox, turnedFaces } from "./faces";
-import { boundsOfBox, colourKey, drawnBoxes, figure, firstBox, isBeyond } from "./packed_load";
+import { boundsOfBox, boxName, colourKey, drawnBoxes, figure, firstBox, isBeyond } from "./packed_load";
 import { note, numbersText, part } from "./tables";
 
 /** How boxes have left the container at the end of a world. */
@@ -40,7 +39,7 @@ export function departures(worlds: readonly World[]): HTMLElement[] {
     const firstSide = sides.get(first);
     sides.delete(first);
     const told =
-      firstSide === undefined ? [] : [`${boxText(world.boxes, first)}, which goes first, leaves ${way(firstSide)}`];
+      firstSide === undefined ? [] : [`${boxName(world.boxes, first)}, which goes first, leaves ${way(firstSide)}`];
     const more = told.length > 0 ? " more" : "";
     const ways = new Map<string, number>();
     for (const side of sides.values()) ways.set(way(side), (ways.get(way(side)) ?? 0) + 1);

@@ -1,3 +1,4 @@
+import { boxText } from "../box/box_text";
 import type { BoxColumns, World } from "../data/results";
 import { NOT_COUNTED } from "../data/results";
 import { element } from "../ui/dom";
@@ -14,6 +15,17 @@ export function firstBox({ boxes, criticalBox }: World): number {
   const box = criticalBox === NOT_COUNTED ? -1 : criticalBox - 1;
   return box >= 0 && boxes.id.some((_, i) => isBeyond(boxes, i)) ? box : -1;
 }
+
+/** Letters of a name in a table. */
+const LONGEST_NAME = 40;
+
+/** A name, cut where it is too long for a table. */
+export const shortName = (name: string) =>
+  name.length <= LONGEST_NAME ? name : `${name.slice(0, LONGEST_NAME - 1).trimEnd()}…`;
+
+/** A box as the sheet calls it. */
+export const boxName = ({ id, name }: BoxColumns, box: number) =>
+  boxText({ id: id.subarray(box, box + 1), name: [shortName(name[box])] }, 0);
 
 /** Where a box was as loaded. */
 export function boundsOfBox({ boxes, loaded }: World, box: number): Bounds {

@@ -1,4 +1,3 @@
-import { boxText } from "../box/box_text";
 import { containerFactsOf } from "../box/container_facts";
 import { frictionOfMaterials, usualFriction } from "../data/friction";
 import {
@@ -23,7 +22,7 @@ import { draw, HIGHEST, roomsOfViews, type State, VIEW_NAMES } from "./drawing";
 import { departures, endViews, sidesLeft } from "./end_of_world";
 import { packedFaces, type View } from "./faces";
 import { NORM_SOURCES } from "./norm_sources";
-import { boundsOfBox, colourKey, drawnBoxes, figure, firstBox, isBeyond } from "./packed_load";
+import { boundsOfBox, boxName, colourKey, drawnBoxes, figure, firstBox, isBeyond, shortName } from "./packed_load";
 import {
   bad,
   type Cell,
@@ -206,7 +205,7 @@ function worldsTable(results: Results, worlds: readonly World[]): HTMLElement[] 
       name,
       to,
       failing(verdict) ? bad(text) : text,
-      first < 0 ? "–" : boxText(boxes, first) + (Number.isNaN(at) ? "" : `, ${when(at)}`),
+      first < 0 ? "–" : boxName(boxes, first) + (Number.isNaN(at) ? "" : `, ${when(at)}`),
       `${summary.fallen[index]} (${summary.fallenAtEnd[index]})`,
       String(summary.moved[index]),
       String(summary.tilted[index]),
@@ -258,7 +257,7 @@ function marginsTable(results: Results, layout: number, world: World): HTMLEleme
       text(own(margins.inPlace.margin, i)),
       value + 1e-6 < needed[i] ? bad(text(value)) : text(value),
       needed[i] > 0 ? `${Number(needed[i].toPrecision(3))} g` : "–",
-      box > 0 ? boxText(world.boxes, box - 1) : "–",
+      box > 0 ? boxName(world.boxes, box - 1) : "–",
     ];
   });
   const columns: Column[] = [
@@ -323,7 +322,7 @@ function boxesTable(results: Results, found: readonly [number, World][], most: n
     const side = sidesLeft(world).get(box);
     return [
       String(boxes.id[box]),
-      boxes.name[box],
+      shortName(boxes.name[box]),
       sizeText([...boxes.size.subarray(3 * box, 3 * box + 3)]),
       weight(boxes.mass[box]),
       Number.isFinite(boxes.bearingLimit[box]) ? weight(boxes.bearingLimit[box]) : "–",
