@@ -14,6 +14,7 @@ GAP = 12  # pixels between two pictures
 HIGHEST, HIGHEST_CORNER = 250, 130
 LETTER, LETTER_WIDTH, LINE_HEIGHT = 7, 0.56, 1.15  # pixels of letters of labels, and shares of that: width of one, height of a line
 MOST_LINES = 3  # of a label
+MOST_ORDERED = 1500  # boxes of which it is found which one hides which; more are painted by distance
 GROUND_MARGIN = 0.5  # m around the container that the ground is drawn for
 SURROUNDINGS = 5.0  # m around the container in which boxes are drawn that have left it
 # Where a point of the container goes on the page, per view: rows are the page's right and up.
@@ -63,6 +64,8 @@ def back_to_front(boxes, view):
     if view != "corner":
         [(axis, far)] = FACES[view]
         return sorted(range(len(boxes)), key=lambda i: boxes[i][1][axis] if far else -boxes[i][0][axis])
+    if len(boxes) > MOST_ORDERED:
+        return sorted(range(len(boxes)), key=lambda i: boxes[i][1][0] - boxes[i][0][1] + boxes[i][1][2])
     left, order = set(range(len(boxes))), []
     before = {i: {j for j in left if j != i and is_behind(boxes[j], boxes[i], view)
                   and not is_behind(boxes[i], boxes[j], view)} for i in left}
@@ -178,19 +181,20 @@ def label(lines, state, x, y):
                    f'{html.escape(line)}</text>' for i, line in enumerate(lines))
 
 
-def packed_label(at, faces, states, names):
-    """The label of the box that is painted as the one `at`, unless one that is painted later would cut it in two, or the sign of
-    what is fixed would.
+def packed_labels(faces, states, names):
+    """The labels of boxes, but those that a box which is painted later would cut in two, or the sign of what is fixed.
 
     :param faces: per box in the order in which they are painted, its index and its one face, on the page
     """
-    i, corners = faces[at]
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    lines = fitting_label(names[i], i + 1, *(high - low)) if states[i] != "fixed" else []
-    middle = (low + high) / 2
-    half = np.array([LETTER_WIDTH * LETTER * max(map(len, lines), default=0), LINE_HEIGHT * LETTER * len(lines)]) / 2
-    covered = any(((later.min(axis=0) < middle + half) & (later.max(axis=0) > middle - half)).all() for _, later in faces[at + 1:])
-    return "" if covered or not lines else label(lines, states[i], *middle)
+    lows, highs = (np.array([edge(corners, axis=0) for _, corners in faces]).reshape(-1, 2) for edge in (np.min, np.max))
+    labels = []
+    for at, (i, _) in enumerate(faces):
+        lines = fitting_label(names[i], i + 1, *(highs[at] - lows[at])) if states[i] != "fixed" else []
+        middle = (lows[at] + highs[at]) / 2
+        half = np.array([LETTER_WIDTH * LETTER * max(map(len, lines), default=0), LINE_HEIGHT * LETTER * len(lines)]) / 2
+        covered = ((lows[at + 1:] < middle + half) & (highs[at + 1:] > middle - half)).all(axis=1).any()
+        labels.append("" if covered else label(lines, states[i], *middle))
+    return labels
 
 
 def painted(corners, state, shade):
@@ -244,13 +248,13 @@ def draw(boxes, states, openings, view, most, names=None):
     ground, frame, over = ([], outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
     parts = [[], []]  # of boxes: behind the floor, and before it
     labelled = names is not None and view != "corner"
-    flat = [(i, place(faces[0][0])) for i, faces in boxes] if labelled else []
+    labels = packed_labels([(i, place(faces[0][0])) for i, faces in boxes], states, names) if labelled else []
     for at, (i, faces) in enumerate(boxes):
         drawn = parts[0 if is_beyond_hidden_side(faces, openings.container, view) else 1]
         for corners, shade in faces:
             drawn.append(painted(place(corners), states[i], shade))
         if labelled:
-            drawn.append(packed_label(at, flat, states, names))
+            drawn.append(labels[at])
         elif states[i] == "first":
             drawn.append(label([str(i + 1)], "first", *place(faces[min(1, len(faces) - 1) if view == "corner" else 0][0]).mean(axis=0)))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}" '
