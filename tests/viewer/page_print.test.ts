@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { PROGRAM, RESULTS } from "./places";
+import { ENGINE, PROGRAM, RESULTS } from "./places";
 import { papersOf } from "./printed_paper";
 
 after(closeBrowser);
@@ -87,10 +87,7 @@ const sheetsOf = (page: Page) =>
       const load = section.querySelector("h2")?.textContent;
       if (!load) return [];
       const text = (node: Element) => node.textContent ?? "";
-      // The program alone finds what rests on boxes.
-      const parts = [...section.querySelectorAll("h3, p, tr, figcaption")].filter(
-        (row) => !row.closest(".part")?.querySelector("h3")?.textContent?.startsWith("What rests on"),
-      );
+      const parts = [...section.querySelectorAll("h3, p, tr, figcaption")];
       const rows = parts.map((row) => (row.matches("tr") ? [...row.children].map(text) : [text(row)]));
       const drawings = [...section.querySelectorAll("svg")].map((svg) => [
         svg.getAttribute("viewBox"),
@@ -101,8 +98,12 @@ const sheetsOf = (page: Page) =>
     }),
   );
 
-for (const file of ["rich.h5", "loads.h5", "trailer.h5", "demo.h5", "hostile.h5"])
-  test(`the page is that of the program's report, cell by cell, of ${file}`, async () => {
+/** What rests on boxes is found by the engine. */
+const skipped = (file: string) =>
+  ["loads.h5", "bearing.h5"].includes(file) && !existsSync(ENGINE) && "make viewer-engine has not built the engine";
+
+for (const file of ["rich.h5", "loads.h5", "trailer.h5", "demo.h5", "hostile.h5", "bearing.h5"])
+  test(`the page is that of the program's report, cell by cell, of ${file}`, { skip: skipped(file) }, async () => {
     const folder = mkdtempSync(path.join(tmpdir(), "holdfast-report-"));
     const report = path.join(folder, "report.html");
     try {

@@ -1,6 +1,7 @@
 import type {
   Catalogue,
   Columns,
+  Engine,
   GivenSettings,
   Load,
   ReadChoices,
@@ -71,6 +72,7 @@ export interface Orders {
     answer: { outcome: WorldOutcome; columns: Columns; seconds: number };
   };
   margins: { ask: { load: Load; settings: RunSettings }; answer: Columns };
+  bearing: { ask: { load: Load; settings: RunSettings }; answer: ReturnType<Engine["loadBearing"]> };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];
 export type Answer = { id: number } & ({ value: Orders[keyof Orders]["answer"] } | { error: string });

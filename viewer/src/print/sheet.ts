@@ -18,6 +18,7 @@ import { failing, JUDGED_AT_END, NOT_MODELLED, verdictText } from "../data/verdi
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { element } from "../ui/dom";
 import { fixed, marginNumber, percent, plural } from "../ui/text";
+import { bearingTable, type LimitedBox } from "./bearing";
 import { draw, HIGHEST, roomsOfViews, type State, VIEW_NAMES } from "./drawing";
 import { departures, endViews, sidesLeft } from "./end_of_world";
 import { packedFaces, type View } from "./faces";
@@ -40,7 +41,7 @@ import {
   when,
 } from "./tables";
 
-/** Lines for which a page has room in its tables of boxes and of what is loaded, beside four accelerations. */
+/** Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations. */
 const LINES = 20;
 /** Those that margins or walls take of them, those of the views of the end, and those of the heads of a table. */
 const LINES_OF_MARGINS = 6;
@@ -325,7 +326,7 @@ function boxesTable(results: Results, found: readonly [number, World][], most: n
       shortName(boxes.name[box]),
       sizeText([...boxes.size.subarray(3 * box, 3 * box + 3)]),
       weight(boxes.mass[box]),
-      Number.isFinite(boxes.bearingLimit[box]) ? weight(boxes.bearingLimit[box]) : "–",
+      weight(boxes.bearingLimit[box]),
       mostAndLast(100 * peak.displacement[box], 100 * end.displacement[box], 100 * thresholds.move),
       mostAndLast(100 * peak.drop[box], 100 * end.drop[box], 100 * thresholds.drop),
       mostAndLast(peak.tilt[box], end.tilt[box], thresholds.tilt),
@@ -399,8 +400,14 @@ function headline(world: World, worlds: readonly World[]): HTMLElement {
 /**
  * A page to print of a load: what it is, what it stands, and what goes first. The order is that of `holdfast report`.
  * @param worlds of the layout, one per acceleration
+ * @param limited its boxes with a bearing limit
  */
-export function loadSheet(results: Results, layout: number, worlds: readonly World[]): HTMLElement {
+export function loadSheet(
+  results: Results,
+  layout: number,
+  worlds: readonly World[],
+  limited: readonly LimitedBox[],
+): HTMLElement {
   const simulated = worlds.filter(({ boxes }) => boxes.id.length > 0);
   const [world] = simulated;
   const title = element("h2", {}, results.layouts[layout]);
@@ -419,7 +426,7 @@ export function loadSheet(results: Results, layout: number, worlds: readonly Wor
     Math.max(0, worlds.length - 4) +
     Math.floor((HIGHEST - rooms.top[1] - rooms.side[1]) / LINE_HEIGHT);
   const [beyond, items] = [farthestBoxes(simulated), toldItems(world.boxes)];
-  const rows = rowsFor(room, [beyond.length, items.length]);
+  const rows = rowsFor(room, [beyond.length, limited.length, items.length]);
   const sides = isClosed(openings, size[2]) ? null : openingsText(openings, size[2]);
   return element(
     "section",
@@ -436,7 +443,8 @@ export function loadSheet(results: Results, layout: number, worlds: readonly Wor
     end,
     element("div", { class: "beside" }, margins, walls),
     boxesTable(results, beyond, rows[0]),
-    itemsTable(items, world.boxes.id, rows[1]),
+    bearingTable(world.boxes, limited, rows[1]),
+    itemsTable(items, world.boxes.id, rows[2]),
     hashes(simulated),
   );
 }

@@ -6,7 +6,7 @@ import { fixed, plural, seconds } from "../ui/text";
 export type Cell = string | HTMLElement;
 
 /** kg, with a digit behind the point where it says something. */
-export const weight = (mass: number) => fixed(mass, mass >= 100 ? 0 : 1);
+export const weight = (mass: number) => (Number.isFinite(mass) ? fixed(mass, mass >= 100 ? 0 : 1) : "–");
 /** The shortest number, of a limit that somebody has set. */
 export const short = (value: number) => String(Number(value.toPrecision(6)));
 
