@@ -77,6 +77,8 @@ viewer_engine_packages=(
 )
 viewer_test_packages=(
   chromium           # the browser that the tests of the page drive
+  firefox-esr        # a second one, which one journey is tested in
+  xvfb               # a display for it, without which it has no WebGL
   webp               # makes the film of README out of pictures
 )
 docs_packages=(

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Writes a page to print for each layout of a results file, the worst first, as HTML or, with WeasyPrint, as PDF.
 
-Each page shows the load from above, from the side and from a corner, how the run was made, what fails under what, which
-box goes first, and margins and wall forces where the run has them. The page of the viewer prints the same one. Verdicts are by all that ever happened; of a file of an earlier version,
-by where boxes are at the end. Example: load_report.py results.h5 report.html
+Each page shows the load from above, from the side, from both ends and from a corner, how the run was made, what fails
+under what, which box goes first, what rests on boxes with a limit, and margins and wall forces where the run has them.
+The page of the viewer prints the same one. Verdicts are by all that ever happened; of a file of an earlier version, by
+where boxes are at the end. Example: load_report.py results.h5 report.html
 """
 import argparse
 import html
@@ -23,7 +24,7 @@ try:
 except ImportError as missing:
     sys.exit(f"a report needs python3-h5py: {missing}")
 from load_openings import Loads, side_name, size_text
-from load_views import FILLS, draw, packed_faces, turned_faces
+from load_views import FILLS, HIGHEST, SURROUNDINGS, draw, is_near, packed_faces, rooms_of_views, turned_faces
 
 VERDICTS = {0: "stayed", 1: "moved", 2: "fell", 3: "unstable", 4: "failed", 6: "not needed"}
 STAYED, MOVED, FELL, UNSTABLE, FAILED, NOT_NEEDED = VERDICTS
@@ -46,17 +47,23 @@ READING_SECONDS = 30  # of processor time, after which the HDF5 library is taken
 TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_hashes", "material_name", "box_name", "container_type",
          "open_sides", "drop_sides")  # datasets that are no numbers
 WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
-MOST_BOXES = 8  # rows of a page's table
 FEW_COLUMNS = 9  # of a table whose heads are in a line
-# Rows for which a page has room in its tables of boxes and of what is loaded, beside four accelerations; those that margins or walls
-# take of them, those of the views of the end, and those that each of the two tables has anyway.
-ROWS, ROWS_OF_MARGINS, ROWS_OF_END, LEAST_ROWS = 14, 6, 10, 3
+# Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations; those that
+# margins or walls take of them, those of the views of the end, those of the heads of a table, and the rows that each has anyway.
+LINES, LINES_OF_MARGINS, LINES_OF_END, LINES_OF_HEADS, LEAST_ROWS = 20, 6, 12, 4, 3
+LINES_OF_SECOND_PAGE = 20  # that a load has where these do not fit; names may take two of them
+LINE_HEIGHT = 18  # pixels
+MOST_UNNAMED = 14  # kinds of boxes without names that are listed
+MOST_RANGES = 8  # of numbers of boxes, in a list of what is loaded
 MOST_LISTED = 6  # of what a line of the front page lists
 MOST_ON_MATS = 20  # boxes that a note names
 ECCENTRICITY = 0.05  # of the length, from the middle: where the centre of gravity of a container may lie in general
 ECCENTRICITY_SOURCE = "CTU Code 2014, Annex 7, 3.1.4"
 NO_CONTAINER = ("trailer", "van", "pallet")  # types whose axles, or who stacks them, say where a load may lie
 ASIDE = 0.1  # a component of a push that is smaller than this share of the largest one is left out of its direction
+CAPTIONS = {"top": "from above; the front wall is on the left", "side": "from the left side", "rear": "from the rear", "front": "from the front",
+            "corner": "from above the door"}
+ROOM_OF_END = (330, 150)  # pixels of a picture of the end: width and height
 STYLE = pathlib.Path(__file__).with_name("load_report.css")
 
 
@@ -321,10 +328,13 @@ def worlds_table(results, layout, worlds):
                      most_and_last(100 * summary["peak_displacement"], 100 * summary["end_displacement"], 100 * results.limits["move_threshold"]), told,
                      ", ".join(filter(None, [*caveats, html.escape(results.status_text[world])]))])
     heads = ["acceleration", "pushed to", "verdict", "goes first", "fallen", "moved", "tilted", "farthest, cm", "replicas", "to know"]
-    if results.replicas is None:
-        for row in [heads, *rows]:
-            row.pop(-2)
-    return table(heads, rows, text=(1, 2, 3, 8, 9), kind="wrap") + note(results, explained)
+    text = {1: "", 2: "", 3: "name", 8: "", 9: ""}
+    for last in (9, 8):
+        if not any(row[last] for row in rows):
+            for row in [heads, *rows]:
+                row.pop(last)
+            text = {(i if i < last else i - 1): kind for i, kind in text.items() if i != last}
+    return table(heads, rows, text=text, kind="wrap") + note(results, explained)
 
 
 def note(results, explained):
@@ -374,7 +384,7 @@ def margins_table(results, layout):
         stands = f"<span class=bad>{size(margin)}</span>" if margin + ROUNDING < needed else size(margin)
         rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", results.box_text(layout, int(box) - 1) if box else "-"])
     heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "goes first above"]
-    return "<div><h3>How many g it stands</h3>" + table(heads, rows, text=(len(heads) - 1,)) + "</div>"
+    return part("How many g it stands", table(heads, rows, text={len(heads) - 1: "name"}))
 
 
 def walls_table(results, layout, worlds):
@@ -394,13 +404,33 @@ def walls_table(results, layout, worlds):
                      f"<span class=bad>{share}</span>" if most > limit > 0 else share,
                      html.escape(results.acceleration_names[results.worlds["acceleration"][world]])])
     norm = str(results.settings.get("Screening/Walls", ""))
-    return (f"<div><h3>Force on the walls{', limits of ' + html.escape(norm) if norm else ''}</h3>"
-            + table(["wall", "largest", "limit", "share", "under"], rows, text=(4,)) + "</div>")
+    return part(f"Force on the walls{', limits of ' + html.escape(norm) if norm else ''}",
+                table(["wall", "largest", "limit", "share", "under"], rows, text=(4,)))
 
 
-def rows_for(room, other):
-    """Rows of a table that shares the room of a page with another one, which has so many at most."""
-    return max(LEAST_ROWS, room - min(other, room // 2))
+def rows_for(room, wanted):
+    """Rows of the tables that share the room of a page, evenly but for those that want fewer.
+
+    :param room: lines, with those of the heads of tables
+    :param wanted: rows of each table at most; 0: it is not there
+    """
+    rows = [min(LEAST_ROWS, most) for most in wanted]
+    room -= LINES_OF_HEADS * np.count_nonzero(wanted) + sum(rows)
+    for _ in range(room if room >= 0 else room + LINES_OF_SECOND_PAGE):
+        growing = [i for i, most in enumerate(wanted) if rows[i] < most]
+        if growing:
+            rows[min(growing, key=rows.__getitem__)] += 1
+    return rows
+
+
+def part(title, *texts):
+    """A part of a page with a heading, which a break of the page does not cut in two."""
+    return f"<div class=part><h3>{title}</h3>{''.join(texts)}</div>"
+
+
+def more_boxes(number):
+    """How many boxes a table leaves out."""
+    return f"<p>and {counted(number, 'more box')}</p>" if number > 0 else ""
 
 
 def farthest_boxes(results, worlds):
@@ -412,7 +442,7 @@ def farthest_boxes(results, worlds):
             peak = float(results.box_peak[rows][box, 0])
             if box not in found or peak > found[box][0]:
                 found[box] = (peak, world)
-    return dict(sorted(found.items(), key=lambda item: -item[1][0]))
+    return dict(sorted(found.items(), key=lambda item: (-item[1][0], item[0])))
 
 
 def boxes_table(results, layout, found, most):
@@ -433,40 +463,50 @@ def boxes_table(results, layout, found, most):
         lines.append([box + 1, html.escape(loads.short_name(own)), " × ".join(f"{round(100 * part, 1):g}" for part in size),
                       weight(results.box_mass[row]), weight(loads.bearing_limit[own]), *excursion,
                       when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
-    more = f"<p>and {counted(len(order) - most, 'more box')}</p>" if len(order) > most else ""
     columns = {"box": True, "name": any(map(loads.name, range(span.start, span.stop))), "size, cm": True, "mass, kg": True,
                "may bear, kg": np.isfinite(loads.bearing_limit[span]).any(), "farthest, cm": True, "drop, cm": True, "tilt, °": True,
                "beyond from": True, "under": True, "leaves at": any(line[-1] for line in lines)}
     heads = [head for head, shown in columns.items() if shown]
     lines = [[cell for cell, shown in zip(line, columns.values()) if shown] for line in lines]
     text = {i: "name" if head == "name" else "" for i, head in enumerate(heads) if head in ("name", "under", "leaves at")}
-    return "<h3>What went beyond a limit</h3>" + table(heads, lines, text=text, kind="many" if len(heads) > FEW_COLUMNS else "") + more
+    kind = "many" if len(heads) > FEW_COLUMNS else ""
+    return part("What went beyond a limit", table(heads, lines, text=text, kind=kind), more_boxes(len(order) - most))
 
 
-def bearing_table(results, layout):
-    """What rests on the boxes with a bearing limit, from the least to the largest that statics admits; the nearest to its limit first."""
+def limited_boxes(results, layout):
+    """The boxes with a bearing limit whose loads are known, with the least and the largest load that statics admits; the nearest to
+    its limit first."""
     if layout not in results.bearing:
-        return ""
-    span = results.span_of(layout)
-    limits = results.loads.bearing_limit[span]
+        return []
+    limits = results.loads.bearing_limit[results.span_of(layout)]
     ranges = np.array(results.bearing[layout], dtype=float)  # what is not known is null there
     limited = np.flatnonzero(np.isfinite(limits))
     shares = np.nan_to_num(ranges[limited, 1], nan=np.inf) / np.maximum(limits[limited], WITHIN_LIMIT)
+    return [(int(box), ranges[box]) for box in limited[np.argsort(-shares, kind="stable")]]
+
+
+def bearing_table(results, layout, limited, most):
+    """What rests on boxes with a bearing limit.
+
+    :param limited: of limited_boxes
+    """
+    if not limited:
+        return ""
+    span = results.span_of(layout)
     rows = []
-    for box in limited[np.argsort(-shares, kind="stable")]:
-        limit = float(limits[box])
-        texts = [weight(load) if weight(load) != weight(limit) else compared(load, limit) for load in ranges[box]]
-        cells = [f"<span class=bad>{text}</span>" if load > limit + WITHIN_LIMIT else text for text, load in zip(texts, ranges[box])]
+    for box, loads in limited[:most]:
+        limit = float(results.loads.bearing_limit[span.start + box])
+        texts = [weight(load) if weight(load) != weight(limit) else compared(load, limit) for load in loads]
+        cells = [f"<span class=bad>{text}</span>" if load > limit + WITHIN_LIMIT else text for text, load in zip(texts, loads)]
         rows.append([box + 1, html.escape(results.loads.short_name(span.start + box)), *cells, weight(limit)])
-    more = f"<p>and {counted(len(rows) - MOST_BOXES, 'more box')}</p>" if len(rows) > MOST_BOXES else ""
-    return ("<h3>What rests on boxes with a limit, by gravity alone</h3>"
-            + table(["box", "name", "least, kg", "largest, kg", "may bear, kg"], rows[:MOST_BOXES], text={1: "name"}) + more)
+    return part("What rests on boxes with a limit, by gravity alone",
+                table(["box", "name", "least, kg", "largest, kg", "may bear, kg"], rows, text={1: "name"}), more_boxes(len(limited) - most))
 
 
-def colour_key(meanings, any_fixed):
-    """What the colours of views mean, by their names in FILLS."""
-    meanings = {**meanings, **({"fixed": "fixed, part of the container"} if any_fixed else {})}
-    spans = [f'<span style="background:{FILLS[name]}"></span>{meaning}' for name, meaning in meanings.items()]
+def colour_key(meanings, states):
+    """What the colours of a view mean that it has, by their names in FILLS."""
+    meanings = {name: meaning for name, meaning in {**meanings, "fixed": "fixed, part of the container"}.items() if name in states}
+    spans = [f'<span class={name} style="background-color:{FILLS[name]}"></span>{meaning}' for name, meaning in meanings.items()]
     return f"<p class=key>{''.join(spans)}</p>"
 
 
@@ -485,11 +525,16 @@ def end_views(results, layout, worlds):
         states[first] = "first"
     loaded = results.initial[rows]
     boxes = list(zip(results.low[span] - loaded, results.high[span] - loaded, results.end_turn[rows], results.end[rows]))
-    top, corner = (f"<figure>{draw(turned_faces(boxes, view), states, openings, view, width)}<figcaption>{caption}</figcaption></figure>"
-                   for view, width, caption in (("top", 270, "from above; the front wall is on the left"), ("corner", 270, "from the corner")))
+    far = [box for box, centre in enumerate(results.end[rows]) if not is_near(centre, openings)]
+    figures = ""
+    for view, caption in (("top", CAPTIONS["top"]), ("corner", "from the corner")):
+        faces = [(box, faces) for box, faces in turned_faces(boxes, view) if box not in far]
+        figures += figure(draw(faces, states, openings, view, ROOM_OF_END), caption)
     name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
-    key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, fixed.any())
-    return f"<h3>At the end under {name}</h3><div class=views><div>{top}</div>{corner}</div>{key}"
+    key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, states)
+    if far:
+        key += (f"<p class=note>More than {SURROUNDINGS:g} m from the container, and not drawn: {numbers_text(far, MOST_ON_MATS)}.</p>")
+    return part(f"At the end under {name}", f"<div class=views>{figures}</div>", key)
 
 
 def centre_text(results, layout, world):
@@ -528,8 +573,20 @@ def facts_table(results, layout, world):
     return table(["", ""], [[name, text] for name, text in facts.items() if text], text=(1,), kind="wrap")
 
 
+def ranges_text(boxes):
+    """Numbers of boxes, those that follow each other together."""
+    ranges = []
+    for box in boxes:
+        if ranges and ranges[-1][1] == box - 1:
+            ranges[-1][1] = box
+        else:
+            ranges.append([box, box])
+    texts = [f"{first + 1}" if first == last else f"{first + 1}{', ' if last == first + 1 else ' to '}{last + 1}" for first, last in ranges]
+    return ", ".join(texts[:MOST_RANGES]) + (", …" if len(texts) > MOST_RANGES else "")
+
+
 def items_of(results, layout, world):
-    """Masses of boxes by name and size; nothing where boxes have no names and hardly two are alike: such a list says nothing that the
+    """Boxes by name and size, each with its mass; nothing where boxes have no names and hardly two are alike: such a list says nothing that the
     drawings do not."""
     loads, span, rows = results.loads, results.span_of(layout), results.rows_of(world)
     items = {}
@@ -537,25 +594,27 @@ def items_of(results, layout, world):
         own = span.start + box
         name = re.sub(r"[\s_#.-]*\d+$", "", loads.name(own)) or loads.name(own) or loads.materials.get(own, "")
         size = " × ".join(f"{round(100 * part, 1):g}" for part in results.high[own] - results.low[own])
-        items.setdefault((name, size), []).append(float(results.box_mass[rows][box]))
-    return items if len(items) <= ROWS or any(name for name, _ in items) else {}
+        items.setdefault((name, size), {})[int(box)] = float(results.box_mass[rows][box])
+    return items if len(items) <= MOST_UNNAMED or any(name for name, _ in items) else {}
 
 
 def items_table(items, most):
     """What is loaded."""
     if not items:
         return ""
-    lines = [[html.escape(name) or "box", len(masses), size, " to ".join(dict.fromkeys([weight(min(masses)), weight(max(masses))])) + " kg",
-              f"{weight(sum(masses))} kg"] for (name, size), masses in list(items.items())[:most]]
-    rest = sum(map(len, list(items.values())[most:]))
-    return ("<h3>What is loaded</h3>" + table(["item", "number", "length × width × height, cm", "each", "together"], lines)
-            + (f"<p>and {counted(rest, 'more box')}</p>" if rest else ""))
+    lines = []
+    for (name, size), boxes in list(items.items())[:most]:
+        masses = list(boxes.values())
+        each = " to ".join(dict.fromkeys([weight(min(masses)), weight(max(masses))]))
+        lines.append([html.escape(name) or "box", len(masses), size, f"{each} kg", f"{weight(sum(masses))} kg", ranges_text(boxes)])
+    heads = ["item", "number", "length × width × height, cm", "each", "together", "boxes"]
+    return part("What is loaded", table(heads, lines, text=(5,), kind="wrap items"), more_boxes(sum(map(len, list(items.values())[most:]))))
 
 
-def hashes(results, worlds):
-    """How worlds ended, to the bit."""
+def hashes(results, layout, worlds):
+    """How worlds of a layout ended, to the bit."""
     told = [f"{html.escape(results.acceleration_names[results.worlds['acceleration'][world]])} {results.state_hash[world]:016x}" for world in worlds]
-    return f"<p class=note>Hashes of the ends: {', '.join(told)}.</p>"
+    return f"<p class=note>{html.escape(results.layout_names[layout])}, hashes of the ends: {', '.join(told)}.</p>"
 
 
 def page(results, layout):
@@ -573,15 +632,15 @@ def page(results, layout):
         if (first := first_box(results, world)) is not None:
             states[first] = "first"
     size = sum(np.prod(high - low) for (low, high), of_container in zip(boxes, fixed) if not of_container) / np.prod(openings.container)
-    views = ""
+    rooms = rooms_of_views(openings)
     names = [results.loads.name(span.start + box) for box in range(len(boxes))]
-    if boxes:
-        top, side, corner = (
-            f"<figure>{draw(packed_faces(boxes, view), states, openings, view, width, names)}<figcaption>{caption}</figcaption></figure>"
-            for view, width, caption in (("top", 330, "from above; the front wall is on the left"), ("side", 330, "from the left side"),
-                                         ("corner", 350, f"from above the {'door' if openings.is_full('rear') else 'rear'}")))
-        views = f"<div class=views><div>{top}{side}</div>{corner}</div>"
-    key = colour_key({"first": "first to go under some acceleration", "later": "beyond a limit", "still": "stayed under all"}, fixed.any())
+    captions = CAPTIONS if openings.is_full("rear") else {**CAPTIONS, "corner": "from above the rear"}
+
+    def view_of(view):
+        return figure(draw(packed_faces(boxes, view), states, openings, view, rooms[view], names), captions[view])
+
+    views = "".join(f"<div class=views>{''.join(map(view_of, row))}</div>" for row in (("top", "corner"), ("side", "rear", "front"))) if boxes else ""
+    key = colour_key({"first": "first to go under some acceleration", "later": "beyond a limit", "still": "stayed under all"}, states)
     if text := mats_text(results, layout):
         key += f"<p class=note>{text}</p>"
     if not openings.is_closed:
@@ -592,8 +651,12 @@ def page(results, layout):
     items = items_of(results, layout, simulated[0]) if simulated else {}
     left, end = departures(results, layout, simulated), end_views(results, layout, simulated)
     beside = margins_table(results, layout) + (walls_table(results, layout, worlds) if simulated else "")
-    room = (ROWS - (ROWS_OF_MARGINS if beside else 0) - (ROWS_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4))
-    moved = boxes_table(results, layout, found, rows_for(room, len(items))) if found else ""
+    limited = limited_boxes(results, layout)
+    room = (LINES - (LINES_OF_MARGINS if beside else 0) - (LINES_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4)
+            + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
+    rows = rows_for(room, [len(found), len(limited), len(items)])
+    tables = ((boxes_table(results, layout, found, rows[0]) if found else "") + bearing_table(results, layout, limited, rows[1])
+              + items_table(items, rows[2]))
     mass = "" if np.isnan(results.mass_of(layout)) else f" of {weight(results.mass_of(layout))} kg"
     holds = all(results.world_summary["verdict"][world] == STAYED for world in worlds)
     every = counted(len(worlds), "acceleration")
@@ -602,7 +665,16 @@ def page(results, layout):
     return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}{mass}, {percent(size)} of the "
             f"container's volume{also}; {verdict}.</p>{views}"
             f"{key if boxes else ''}{facts_table(results, layout, simulated[0]) if simulated else ''}{worlds_table(results, layout, worlds)}{left}{end}<div class=beside>{beside}</div>"
-            f"{moved}{bearing_table(results, layout)}{items_table(items, rows_for(room, len(found))) + hashes(results, simulated) if simulated else ''}</section>")
+            f"{tables}{hashes(results, layout, simulated) if simulated else ''}</section>")
+
+
+def figure(picture, caption):
+    return f"<figure>{picture}<figcaption>{caption}</figcaption></figure>"
+
+
+def numbers_text(boxes, most):
+    """Boxes by their numbers: "boxes 1, 2 and 3 more"."""
+    return f"{'box' if len(boxes) == 1 else 'boxes'} {listed([str(box + 1) for box in boxes], most)}"
 
 
 def mats_text(results, layout):
@@ -610,8 +682,7 @@ def mats_text(results, layout):
     mats = results.loads.mat[results.span_of(layout)]
     told = []
     for mat in np.unique(mats[np.isfinite(mats)]):
-        boxes = np.flatnonzero(mats == mat)
-        told.append(f"on a mat of {number(mat)}: {'box' if len(boxes) == 1 else 'boxes'} {listed([str(box + 1) for box in boxes], MOST_ON_MATS)}")
+        told.append(f"on a mat of {number(mat)}: {numbers_text(np.flatnonzero(mats == mat), MOST_ON_MATS)}")
     return f"{'; '.join(told).capitalize()}." if told else ""
 
 

@@ -1,4 +1,4 @@
-"""Draws a load as it was packed, as SVG: from above, from the side, and from a corner."""
+"""Draws a load as SVG: from above, from the left side, from the rear, from the front, and from a corner."""
 import html
 
 import numpy as np
@@ -6,20 +6,39 @@ import numpy as np
 from load_openings import SIDES
 
 FILLS = {"still": "#e9edf2", "later": "#f3c58b", "first": "#d9534f", "fixed": "#949da8"}
-LINE, FRAME = "#5a6470", "#222831"
+LINE, FRAME, BRIGHT = "#5a6470", "#222831", "#ffffff"
 BED, GROUND = "#dfe2e6", "#f3f4f6"
-HIGHEST = {"top": 140, "side": 140, "corner": 260}  # pixels: a page has room for pictures that are so high
-LETTER, LETTER_WIDTH = 7, 0.56  # pixels of letters of labels, and the share of that which one is wide
+PAGE_WIDTH = 684  # pixels
+GAP = 12  # pixels between two pictures
+# Pixels: a page has room for pictures that are so high, of the load from above and from the side together, and of its corner.
+HIGHEST, HIGHEST_CORNER = 250, 130
+LETTER, LETTER_WIDTH, LINE_HEIGHT = 7, 0.56, 1.15  # pixels of letters of labels, and shares of that: width of one, height of a line
+MOST_LINES = 3  # of a label
+MOST_ORDERED = 1500  # boxes of which it is found which one hides which; more are painted by distance
 GROUND_MARGIN = 0.5  # m around the container that the ground is drawn for
+SURROUNDINGS = 5.0  # m around the container in which boxes are drawn that have left it
 # Where a point of the container goes on the page, per view: rows are the page's right and up.
-TOP = np.array([[1.0, 0, 0], [0, 1, 0]])
-SIDE = np.array([[1.0, 0, 0], [0, 0, 1]])
-CORNER = np.array([[0.87, 0.5, 0], [-0.3, 0.4, 0.85]])  # seen from above the door, on the left
+PROJECTIONS = {"top": np.array([[1.0, 0, 0], [0, 1, 0]]), "side": np.array([[1.0, 0, 0], [0, 0, 1]]),
+               "rear": np.array([[0.0, 1, 0], [0, 0, 1]]), "front": np.array([[0.0, -1, 0], [0, 0, 1]]),
+               "corner": np.array([[0.87, 0.5, 0], [-0.3, 0.4, 0.85]])}  # seen from above the door, on the left
 # Faces that a view sees: axis, and whether the one with the larger coordinate.
-FACES = {"top": [(2, True)], "side": [(1, False)], "corner": [(0, True), (1, False), (2, True)]}
+FACES = {"top": [(2, True)], "side": [(1, False)], "rear": [(0, True)], "front": [(0, False)],
+         "corner": [(0, True), (1, False), (2, True)]}
 # Corners of a face, in units of the box, in the two other axes.
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
 SHADES = {0: 0.86, 1: 0.93, 2: 1.0}
+
+
+def rooms_of_views(openings):
+    """Width and height of the picture of a load in each view, in pixels. Those that look along an axis have one scale, and three of
+    them fit beside each other."""
+    length, width, height = openings.container
+    height += 0 if openings.is_closed else openings.bed_height
+    scale = min((PAGE_WIDTH - 2 * GAP - 6) / (length + 2 * width), HIGHEST / (width + height))
+    sizes = {"top": (length, width), "side": (length, height), "rear": (width, height), "front": (width, height)}
+    rooms = {view: (scale * across + 2, scale * up + 2) for view, (across, up) in sizes.items()}
+    rooms["corner"] = (PAGE_WIDTH - GAP - rooms["top"][0], max(HIGHEST_CORNER, rooms["top"][1]))
+    return rooms
 
 
 def face_corners(low, high, axis, far):
@@ -42,10 +61,11 @@ def is_behind(a, b, view):
 
 def back_to_front(boxes, view):
     """Indices of boxes in the order in which they are painted. Boxes that do not overlap have one, but for rare rings."""
-    if view == "top":
-        return sorted(range(len(boxes)), key=lambda i: boxes[i][1][2])
-    if view == "side":
-        return sorted(range(len(boxes)), key=lambda i: -boxes[i][0][1])
+    if view != "corner":
+        [(axis, far)] = FACES[view]
+        return sorted(range(len(boxes)), key=lambda i: boxes[i][1][axis] if far else -boxes[i][0][axis])
+    if len(boxes) > MOST_ORDERED:
+        return sorted(range(len(boxes)), key=lambda i: boxes[i][1][0] - boxes[i][0][1] + boxes[i][1][2])
     left, order = set(range(len(boxes))), []
     before = {i: {j for j in left if j != i and is_behind(boxes[j], boxes[i], view)
                   and not is_behind(boxes[i], boxes[j], view)} for i in left}
@@ -79,7 +99,7 @@ def openings_drawn(openings, view, place):
                    for axis, far in FACES[view] if axis != 2]
     room = np.array([np.zeros(3), [length, width, height]])
     behind.append(polygon(place(face_corners(*room, 2, False)), fill="#ffffff", stroke=LINE, stroke_width=0.6, stroke_dasharray="4 3"))
-    if openings.has_roof and view == "side":
+    if openings.has_roof and view not in ("top", "corner"):
         behind.append(polygon(place(face_corners(*room, 2, True)), fill="none", stroke=FRAME, stroke_width=1))
     for name, (axis, far) in SIDES.items():
         top = openings.walls[name]
@@ -102,7 +122,8 @@ def packed_faces(boxes, view):
 
     :param boxes: pairs of the corners with the smallest and the largest coordinates, m
     """
-    return [(i, [(face_corners(*boxes[i], axis, far), SHADES[axis]) for axis, far in FACES[view]]) for i in back_to_front(boxes, view)]
+    return [(i, [(face_corners(*boxes[i], axis, far), SHADES[axis] if view == "corner" else 1) for axis, far in FACES[view]])
+            for i in back_to_front(boxes, view)]
 
 
 def turned_faces(boxes, view):
@@ -133,40 +154,75 @@ def rotation_of(quaternion):
                      [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
+def wrapped(text, letters):
+    """The text in lines of so many letters at most, unless one of its words has more."""
+    lines = []
+    for word in text.split():
+        if lines and len(lines[-1]) + 1 + len(word) <= letters:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
+
+
 def fitting_label(name, number, width, height):
-    """The label that fits into a face of so many pixels: the name, else the number, else nothing."""
-    fitting = (text for text in (name, str(number)) if text and height - 2 >= LETTER and width - 3 >= LETTER_WIDTH * LETTER * len(text))
-    return next(fitting, "")
+    """The lines of the label that fits into a face of so many pixels: the name, else the number, else none."""
+    letters = int((width - 3) / (LETTER_WIDTH * LETTER))
+    most = min(MOST_LINES, 1 + (height - 2 - LETTER) / (LINE_HEIGHT * LETTER))
+    fitting = (lines for lines in (wrapped(name, letters), [str(number)])
+               if lines and len(lines) <= most and max(map(len, lines)) <= letters)
+    return next(fitting, [])
 
 
-def label(text, x, y):
-    return f'<text x="{x:.1f}" y="{y + 0.35 * LETTER:.1f}" font-size="{LETTER}" text-anchor="middle" fill="{FRAME}">{html.escape(text)}</text>'
+def label(lines, state, x, y):
+    fill = BRIGHT if state == "first" else FRAME
+    top = y - (len(lines) - 1) / 2 * LINE_HEIGHT * LETTER + 0.35 * LETTER
+    return "".join(f'<text x="{x:.1f}" y="{top + i * LINE_HEIGHT * LETTER:.1f}" font-size="{LETTER}" text-anchor="middle" fill="{fill}">'
+                   f'{html.escape(line)}</text>' for i, line in enumerate(lines))
 
 
-def packed_label(at, faces, names):
-    """The label of the box that is painted as the one `at`, unless one that is painted later would cut it in two.
+def packed_labels(faces, states, names):
+    """The labels of boxes, but those that a box which is painted later would cut in two, or the sign of what is fixed.
 
     :param faces: per box in the order in which they are painted, its index and its one face, on the page
     """
-    i, corners = faces[at]
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    text = fitting_label(names[i], i + 1, *(high - low))
-    middle = (low + high) / 2
-    half = np.array([LETTER_WIDTH * LETTER * len(text), LETTER]) / 2
-    covered = any(((later.min(axis=0) < middle + half) & (later.max(axis=0) > middle - half)).all() for _, later in faces[at + 1:])
-    return "" if covered or not text else label(text, *middle)
+    lows, highs = (np.array([edge(corners, axis=0) for _, corners in faces]).reshape(-1, 2) for edge in (np.min, np.max))
+    labels = []
+    for at, (i, _) in enumerate(faces):
+        lines = fitting_label(names[i], i + 1, *(highs[at] - lows[at])) if states[i] != "fixed" else []
+        middle = (lows[at] + highs[at]) / 2
+        half = np.array([LETTER_WIDTH * LETTER * max(map(len, lines), default=0), LINE_HEIGHT * LETTER * len(lines)]) / 2
+        covered = ((lows[at + 1:] < middle + half) & (highs[at + 1:] > middle - half)).all(axis=1).any()
+        labels.append("" if covered else label(lines, states[i], *middle))
+    return labels
 
 
-def draw(boxes, states, openings, view, width, names=None):
+def painted(corners, state, shade):
+    """A face of a box. Signs beside the colours tell those that go first, and what is fixed, on paper without colours."""
+    line = {"stroke": FRAME, "stroke_width": 1.8} if state == "first" else {"stroke": LINE, "stroke_width": 0.6}
+    face = polygon(corners, fill=shaded(FILLS[state], shade), stroke_linejoin="round", **line)
+    if state != "fixed":
+        return face
+    (a, b), (c, d), (e, f), (g, h) = corners
+    return face + f'<path d="M{a:.1f},{b:.1f} L{e:.1f},{f:.1f} M{c:.1f},{d:.1f} L{g:.1f},{h:.1f}" stroke="{LINE}" stroke-width="0.6"/>'
+
+
+def is_near(centre, openings):
+    """Whether a box with its centre there is so near to the container that it is drawn with it."""
+    (x, y, _), (length, width, _) = centre, openings.container
+    return max(-x, x - length, -y, y - width) < SURROUNDINGS
+
+
+def draw(boxes, states, openings, view, most, names=None):
     """SVG of boxes in a container, with those that lie beside it.
 
     :param boxes: of packed_faces or turned_faces
     :param states: per box a key of FILLS
     :param openings: of the container
-    :param width: of the picture at most, in pixels
-    :param names: per box, for labels of boxes from above and from the side; None: only those that go first have their numbers
+    :param most: width and height of the picture at most, in pixels
+    :param names: per box, for labels of boxes in views along an axis; None: only those that go first have their numbers
     """
-    projection = {"top": TOP, "side": SIDE, "corner": CORNER}[view]
+    projection = PROJECTIONS[view]
     room = np.array([np.zeros(3), np.asarray(openings.container, dtype=float)])
     shown = room.copy()
     if not openings.is_closed and openings.bed_height > 0:
@@ -178,7 +234,7 @@ def draw(boxes, states, openings, view, width, names=None):
     edges = np.array(points) @ projection.T
     low, high = edges.min(axis=0), edges.max(axis=0)
     across, up = high - low
-    scale = min((width - 2) / across, (HIGHEST[view] - 2) / up)
+    scale = min((most[0] - 2) / across, (most[1] - 2) / up)
     width, height = round(scale * across) + 2, scale * up + 2
 
     def place(points):
@@ -192,14 +248,15 @@ def draw(boxes, states, openings, view, width, names=None):
     ground, frame, over = ([], outline(hidden), []) if openings.is_closed else openings_drawn(openings, view, place)
     parts = [[], []]  # of boxes: behind the floor, and before it
     labelled = names is not None and view != "corner"
-    flat = [(i, place(faces[0][0])) for i, faces in boxes] if labelled else []
+    labels = packed_labels([(i, place(faces[0][0])) for i, faces in boxes], states, names) if labelled else []
     for at, (i, faces) in enumerate(boxes):
         drawn = parts[0 if is_beyond_hidden_side(faces, openings.container, view) else 1]
         for corners, shade in faces:
-            drawn.append(polygon(place(corners), fill=shaded(FILLS[states[i]], shade), stroke=LINE, stroke_width=0.6, stroke_linejoin="round"))
+            drawn.append(painted(place(corners), states[i], shade))
         if labelled:
-            drawn.append(packed_label(at, flat, names))
+            drawn.append(labels[at])
         elif states[i] == "first":
-            drawn.append(label(str(i + 1), *place(faces[0 if view != "corner" else 1][0]).mean(axis=0)))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}">'
+            drawn.append(label([str(i + 1)], "first", *place(faces[min(1, len(faces) - 1) if view == "corner" else 0][0]).mean(axis=0)))
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}" '
+            f'role="img" aria-label="{view}">'
             + "".join([*ground, *parts[0], *frame, *parts[1], *over]) + "</svg>")

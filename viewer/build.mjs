@@ -153,7 +153,7 @@ async function buildTests() {
     outdir: path.join(output, "tests"),
     outExtension: { ".js": ".mjs" },
     nodePaths: [path.join(here, "node_modules")],
-    external: ["playwright-core"],
+    external: ["playwright-core", "ws"],
     define: await definitions(),
     logLevel: "warning",
   });

@@ -56,13 +56,19 @@ def made_trailer(path, **settings):
         file["summary/worlds/critical_box"][:] = 1
 
 
-def views(text, wanted=slice(3)):
-    """The polygons of the first three pictures, of the load as it was packed, or of others, as pairs of attributes and corners."""
+def views(text, wanted=("top", "side", "corner"), at_end=False):
+    """The polygons of pictures of the load as it was packed, or at the end, as pairs of attributes and corners."""
     def corners(shape):
         return [tuple(map(float, point.split(","))) for point in shape.get("points").split()]
 
-    pictures = [ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", text)[wanted]]
-    return [[(shape.attrib, corners(shape)) for shape in picture.iter(f"{SVG}polygon")] for picture in pictures]
+    pictures = pictures_of(text, at_end)
+    return [[(shape.attrib, corners(shape)) for shape in pictures[view].iter(f"{SVG}polygon")] for view in wanted]
+
+
+def pictures_of(text, at_end=False):
+    """The pictures of the first load, by view: as it was packed, or at the end."""
+    pictures = [ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", text)]
+    return {picture.get("aria-label"): picture for picture in (pictures[5:7] if at_end else pictures[:5])}
 
 
 class Report(CliTest):
@@ -90,8 +96,8 @@ class Report(CliTest):
 
         seed = next(part for part in text.split("<section>") if "<h2>seed_example.txt" in part)
         # The margins of its documentation, in place and within limits, what the road needs, and a side that is too weak.
-        self.assertIn("<td>right</td><td>0.27 g</td><td><span class=bad>0.27 g</span></td><td>0.5 g</td><td class=text>box 3</td>", seed)
-        self.assertIn("<td>left</td><td>1.50+ g</td><td>1.50+ g</td><td>0.5 g</td><td class=text>-</td>", seed)
+        self.assertIn("<td>right</td><td>0.27 g</td><td><span class=bad>0.27 g</span></td><td>0.5 g</td><td class=\"text name\">box 3</td>", seed)
+        self.assertIn("<td>left</td><td>1.50+ g</td><td>1.50+ g</td><td>0.5 g</td><td class=\"text name\">-</td>", seed)
         self.assertRegex(seed, r"<td>front</td><td>[\d.]+ kN</td><td>[\d.]+ kN</td><td><span class=bad>\d+ %</span>")
         # One row per acceleration, each with its verdict.
         self.assertEqual(len(re.findall(r"<tr><td>road-", seed)), 4)
@@ -121,10 +127,10 @@ class Report(CliTest):
                           ("road-right-0g5", "right 0.5 g")])
         for name, hashed in zip(("front-0g8", "rear-0g5", "left-0g5", "right-0g5"), data["/worlds/state_hash"]):
             self.assertIn(f"road-{name} {int(hashed):016x}", page)
-        # Boxes have their numbers in the drawings from above and from the side.
-        top, side, _ = (ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", page)[:3])
-        for view in (top, side):
-            self.assertGreater(len(list(view.iter(f"{SVG}text"))), 3)
+        # Boxes have their numbers in the drawings along an axis.
+        pictures = pictures_of(page)
+        for view in ("top", "side", "rear", "front"):
+            self.assertGreater(len(list(pictures[view].iter(f"{SVG}text"))), 3, view)
 
     def test_a_norm_asks_for_margins_by_what_leaves_the_load_its_weight(self):
         self.assert_exit(self.run_here("screen", "--quiet", "--norm", "sea-a", "--accuracy", "screening", "--layouts",
@@ -142,7 +148,7 @@ class Report(CliTest):
                      ("critical_box", "fallen_boxes", "fallen_at_end", "moved_boxes", "tilted_boxes", "peak_displacement",
                       "end_displacement")}
             first = data["/boxes/first_beyond"][int(data["/worlds/box_begin"][world]) + int(found["critical_box"]) - 1]
-            self.assertIn(f"<td class=text>box {found['critical_box']}, {first:.2f} s</td><td>{found['fallen_boxes']} "
+            self.assertIn(f"<td class=\"text name\">box {found['critical_box']}, {first:.2f} s</td><td>{found['fallen_boxes']} "
                           f"({found['fallen_at_end']})</td><td>{found['moved_boxes']}</td><td>{found['tilted_boxes']}</td><td>"
                           f"{100 * found['peak_displacement']:.0f} ({100 * found['end_displacement']:.0f})</td>", text, name)
         caveats = data["/worlds/caveats"].tolist()
@@ -161,7 +167,7 @@ class Report(CliTest):
         self.write("hovers.txt", "1 1\n200 100 30 250 150 80 1\n")
         self.screen("--layouts", "hovers.txt")
         _, text = self.report()
-        self.assertIn("<span class=bad>unstable</span></td><td class=text>box 1, settling</td>", text)
+        self.assertIn("<span class=bad>unstable</span></td><td class=\"text name\">box 1, settling</td>", text)
         self.assertIn("<td>30 (30)</td><td>30 (30)</td><td>0 (0)</td><td>settling</td><td class=text>gravity alone</td>", text)
 
     def test_a_file_of_an_earlier_version_is_judged_at_the_end(self):
@@ -171,7 +177,7 @@ class Report(CliTest):
         at_end = f"{NOT_MODELLED} The file is of an earlier version: its worlds are judged by where boxes are at the end"
         self.assertEqual(text.count(at_end), 2)
         self.assertIn("road-front-0g8: at least moved, road-rear-0g5: at least moved, road-right-0g5: at least moved", text)
-        self.assertIn("<td>right</td><td><span class=bad>0.27 g</span></td><td>0.5 g</td><td class=text>box 3</td>", text)
+        self.assertIn("<td>right</td><td><span class=bad>0.27 g</span></td><td>0.5 g</td><td class=\"text name\">box 3</td>", text)
         self.assertIn("tilted by 10°, at the end", text)
         with h5py.File(self.folder / "results.h5", "r+") as file:
             file["summary/worlds/fallen_boxes"][0] = 1
@@ -182,24 +188,29 @@ class Report(CliTest):
         self.write("boxes.txt", "1 3\n0 0 0 100 100 100 1\n0 0 100 40 100 200 1\n300 100 0 400 200 20 1\n")
         self.screen("--layouts", "boxes.txt")
         _, text = self.report()
-        top, side, corner = (ET.fromstring(svg) for svg in re.findall(r"<svg.*?</svg>", text))
-        faces = {name: [p for p in view.iter(f"{SVG}polygon") if p.get("fill") != "none"]
-                 for name, view in (("top", top), ("side", side), ("corner", corner))}
-        self.assertEqual({name: len(found) for name, found in faces.items()}, {"top": 3, "side": 3, "corner": 9})
+        pictures = pictures_of(text)
+        faces = {name: [p for p in view.iter(f"{SVG}polygon") if p.get("fill") != "none"] for name, view in pictures.items()}
+        self.assertEqual({name: len(found) for name, found in faces.items()}, {"top": 3, "side": 3, "rear": 3, "front": 3, "corner": 9})
 
         def extent(face):
             points = [tuple(map(float, point.split(","))) for point in face.get("points").split()]
             return tuple(max(axis) - min(axis) for axis in zip(*points))
 
-        scale = 328 / 5.87  # pixels per metre, in a container of 5.87 m
-        expected = {"top": [(0.4, 1), (1, 1), (1, 1)], "side": [(0.4, 1), (1, 0.2), (1, 1)]}
+        scale = 250 / (2.33 + 2.2)  # pixels per metre of all of them, which a page has room for
+        expected = {"top": [(0.4, 1), (1, 1), (1, 1)], "side": [(0.4, 1), (1, 0.2), (1, 1)], "rear": [(1, 0.2), (1, 1), (1, 1)]}
+        expected["front"] = expected["rear"]
         for name, sizes in expected.items():
             # Pixels are told to a tenth, which is no order.
             for found, size in zip(sorted(map(extent, faces[name]), key=lambda pixels: [round(part / 5) for part in pixels]), sorted(sizes)):
                 for a, b in zip(found, size):
                     self.assertAlmostEqual(a, b * scale, delta=0.11)
         # The tall box tips to the rear, and the flat one slides to the front; the one below stays.
-        self.assertEqual({element.text for element in corner.iter(f"{SVG}text")}, {"2", "3"})
+        self.assertEqual({element.text for element in pictures["corner"].iter(f"{SVG}text")}, {"2", "3"})
+        # The left side is on the left of whoever looks from the rear, and the rear is what he sees before the rest.
+        middles = {view: {element.text: float(element.get("x")) for element in pictures[view].iter(f"{SVG}text")} for view in ("rear", "front")}
+        self.assertLess(middles["rear"]["1"], middles["rear"]["3"])
+        self.assertGreater(middles["front"]["1"], middles["front"]["3"])
+        self.assertEqual(set(middles["rear"]), {"1", "2", "3"})
 
     def trailer(self, **settings):
         self.write("trailer.txt", "1 3\n460 20 0 560 120 100 1\n200 0 0 300 80 100 1\n0 0 0 10 233 150 2\n")
@@ -229,7 +240,7 @@ class Report(CliTest):
 
     def test_views_show_walls_as_high_as_they_are_and_the_floor_on_the_ground(self):
         top, side, corner = views(self.trailer())
-        scale = 138 / 3.4  # pixels per metre of the second, which is as high as a page has room for
+        scale = 250 / (2.33 + 3.4)  # pixels per metre, which is as high as a page has room for
 
         def height(corners):
             return max(y for _, y in corners) - min(y for _, y in corners)
@@ -244,7 +255,7 @@ class Report(CliTest):
         self.assertEqual(sum("stroke-dasharray" in attributes for attributes, _ in top), 1)
         lines = [corners for attributes, corners in top if attributes["fill"] == "none"]
         self.assertEqual(len(lines), 3)
-        self.assertFalse(any(min(x for x, _ in corners) > 320 for corners in lines))
+        self.assertFalse(any(min(x for x, _ in corners) > 5.8 * scale for corners in lines))
         # From the corner: ground, and the fixed box in its own colour, three faces of it.
         self.assertEqual(sum(attributes["fill"] == "#f3f4f6" for attributes, _ in corner), 1)
         self.assertEqual(sum(attributes["fill"] in ("#949da8", "#8a929c", "#7f8790") for attributes, _ in corner), 3)
@@ -258,7 +269,7 @@ class Report(CliTest):
     def test_boxes_on_the_ground_are_drawn_where_they_end(self):
         text = self.trailer()
         self.assertIn("<h3>At the end under front.txt</h3>", text)
-        top, corner = views(text, slice(3, 5))
+        top, corner = views(text, ("top", "corner"), at_end=True)
         floor = next(corners for attributes, corners in top if "stroke-dasharray" in attributes)
         right, bottom = (max(corner[axis] for corner in floor) for axis in (0, 1))
         # From above: the first box lies behind the rear, the second beside the left side, and the bulkhead where it was.
@@ -268,14 +279,24 @@ class Report(CliTest):
         self.assertEqual(sum(attributes["fill"] == "#949da8" for attributes, _ in top), 1)
         self.assertEqual(sum(attributes["fill"] in ("#d9534f", "#ca4d49", "#bb4744") for attributes, _ in corner), 3)
         width = max(x for _, corners in top for x, _ in corners)
-        self.assertLess(width, 300, "all of it is in the picture")
+        self.assertLess(width, 332, "all of it is in the picture")
         # Turned by 45 degrees about the vertical axis, a box of 1 m is 1.41 m wide.
         with h5py.File(self.folder / "results.h5", "r+") as file:
             file["series/orientation"][-3] = [np.cos(np.pi / 8), 0, 0, np.sin(np.pi / 8)]
-        top, _ = views(self.report()[1], slice(3, 5))
+        top, _ = views(self.report()[1], ("top", "corner"), at_end=True)
         turned = next(corners for attributes, corners in top if attributes["fill"] == "#d9534f")
         side = np.hypot(*np.subtract(turned[0], turned[1]))
         self.assertAlmostEqual(max(x for x, _ in turned) - min(x for x, _ in turned), side * np.sqrt(2), delta=0.3)
+        # What lies farther away is told, and the rest is drawn as large as ever.
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            end = file["boxes/end_displacement"][:]
+            end[0, 0] = 40.0
+            file["boxes/end_displacement"][:] = end
+        text = self.report()[1]
+        self.assertIn("<p class=note>More than 5 m from the container, and not drawn: box 1.</p>", text)
+        top, _ = views(text, ("top", "corner"), at_end=True)
+        self.assertFalse(any(attributes["fill"] == "#d9534f" for attributes, _ in top))
+        self.assertGreater(max(x for _, corners in top for x, _ in corners), 200)
         # A closed container lets nothing out, and without series nobody knows how boxes have turned.
         self.assertNotIn("At the end", self.trailer(**{"Container/OpenSides": "", "Container/DropSides": ""}))
         self.trailer()
@@ -303,7 +324,7 @@ class Report(CliTest):
         self.assertNotRegex(text, r"\b1 (layouts|boxes|accelerations|more boxes)\b")
         self.assertNotIn(">-0", text)
         self.assertIn("<td>0 (0)</td><td>10.04 (0)</td>", text)
-        self.assertIn("<td class=text>box 1</td>", text)
+        self.assertIn("<td class=\"text name\">box 1</td>", text)
         self.assertIn("<td>100.5 × 100 × 100</td>", text)
         self.assertIn("<td class=text>box on box 0.5, on floor and walls 0.5</td>", text)
         with h5py.File(self.folder / "results.h5", "r+") as file:
@@ -377,16 +398,21 @@ class Report(CliTest):
         self.assertRegex(text, r"<p>20 boxes of 12690 kg, \d+ % of the container's volume; <span class=bad>fails under 1 of 1 acceleration</span>.</p>")
         self.assertRegex(text, r"<td>container</td><td class=text>trailer-curtain, 13.6\d* × 2.4\d* × 2.\d+ m; left, right open;")
         self.assertIn("Axle loads are not calculated.", text)
-        self.assertRegex(text, r"<tr><td>Paper</td><td>2</td><td>80 × 120 × 160</td><td>840 to 855 kg</td><td>1695 kg</td></tr>")
+        self.assertRegex(text, r"<tr><td>Paper</td><td>2</td><td>80 × 120 × 160</td><td>840 to 855 kg</td><td>1695 kg</td>"
+                               r"<td class=text>3, 4</td></tr>")
         self.assertIn("<p class=note>On a mat of 0.6: boxes 7, 8, 11, 12, 15, 16.</p>", text)
         self.assertRegex(text, "<p class=note>Left, right.* open; floor 120 cm above the ground.")
         first = int(datasets(self.folder / "results.h5")["/summary/worlds/critical_box"][0])
         name = TRAILER.read_text().splitlines()[first].split(",")[0]
-        self.assertRegex(text, rf"<td class=text>box {first}, {name}, \d\.\d\d s</td>")
+        self.assertRegex(text, rf"<td class=\"text name\">box {first}, {name}, \d\.\d\d s</td>")
         self.assertIn(f"<p>Under left.txt, box {first}, {name}, which goes first, leaves through the open right side", text)
-        self.assertRegex(text, r"<td>right</td>.*?<td class=text>box \d+, \w+ \d</td>")
+        self.assertRegex(text, r"<td>right</td>.*?<td class=\"text name\">box \d+, \w+ \d</td>")
         self.assertRegex(text, r"<td>1?\d</td><td class=\"text name\">\w+ \d</td><td>80 × 120 × \d+</td><td>\d\d\d</td><td>\d+ \(")
         self.assertNotIn("may bear", text)
+        # A name that is too long for a line takes two.
+        labels = [element.text for element in pictures_of(text)["top"].iter(f"{SVG}text")]
+        self.assertIn("Drinks", labels)
+        self.assertIn("1", labels)
         # Drawn to the size of its own container: boxes are 0.8 m of 13.6 m wide.
         top = views(text)[0]
         width = [max(x for x, _ in corners) - min(x for x, _ in corners) for _, corners in top]
@@ -431,7 +457,7 @@ class Report(CliTest):
         self.assertEqual(set(re.findall(r"<h2>(.*?)</h2>", text)), {"planner_export.csv#Unit 1", "planner_export.csv#Unit 2"})
         self.assertEqual(len(re.findall(r"<td>container</td><td class=text>40hc, 12.0\d* × 2.3\d* × 2.\d+ m</td>", text)), 2)
         self.assertIn("<p>1 box of 905 kg, ", text)
-        self.assertRegex(text, r"<td class=text>box 1, Reel, large(, \d\.\d\d s)?</td>")
+        self.assertRegex(text, r"<td class=\"text name\">box 1, Reel, large(, \d\.\d\d s)?</td>")
 
     def test_a_file_that_has_nothing_of_loads_is_told_as_ever(self):
         text = self.of_load(TRAILER)

@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { centreOfGravity, centreRange, itemsOf, massOf, neededMargins } from "../../viewer/src/data/load_facts";
 import type { BoxColumns, Results } from "../../viewer/src/data/results";
 import { damageIndices } from "../../viewer/src/load/quantities";
-import { fittingLabel } from "../../viewer/src/print/drawing";
+import { fittingLabel } from "../../viewer/src/print/box_label";
+import { rangesText, rowsFor } from "../../viewer/src/print/sheet";
 
 const boxes = {
   fixed: Uint8Array.of(1, 0, 0, 0),
@@ -48,12 +49,27 @@ test("a norm asks for a margin by the accelerations that leave the load its weig
   assert.deepEqual(needed({}), [0, 0, 0, 0]);
 });
 
-test("a label is the name where it fits, else the number, else nothing", () => {
+test("a label is the name where it fits, in lines where it must, else the number, else nothing", () => {
   const box = { name: "Paper 1", number: 12 };
-  assert.equal(fittingLabel(box, 40, 20), "Paper 1");
-  assert.equal(fittingLabel(box, 20, 20), "12");
-  assert.equal(fittingLabel(box, 40, 6), "");
-  assert.equal(fittingLabel({ name: "", number: 3 }, 40, 20), "3");
+  assert.deepEqual(fittingLabel(box, 40, 20), ["Paper 1"]);
+  assert.deepEqual(fittingLabel(box, 25, 20), ["Paper", "1"]);
+  assert.deepEqual(fittingLabel(box, 25, 12), ["12"]);
+  assert.deepEqual(fittingLabel(box, 20, 20), ["12"]);
+  assert.deepEqual(fittingLabel(box, 40, 6), []);
+  assert.deepEqual(fittingLabel({ name: "", number: 3 }, 40, 20), ["3"]);
+});
+
+test("tables share the room of a page evenly, and have more rows where a second page is needed anyway", () => {
+  assert.deepEqual(rowsFor(20, [30, 2]), [10, 2]);
+  assert.deepEqual(rowsFor(20, [30, 30]), [6, 6]);
+  assert.deepEqual(rowsFor(20, [0, 5]), [0, 5]);
+  assert.deepEqual(rowsFor(12, [1, 30]), [1, 3]);
+  assert.ok(rowsFor(4, [30, 30])[0] > 3);
+});
+
+test("numbers of boxes that follow each other are told together", () => {
+  assert.equal(rangesText([1, 2, 3, 7, 8, 10]), "1 to 3, 7, 8, 10");
+  assert.equal(rangesText([1, 3, 5, 7, 9, 11, 13, 15, 17]), "1, 3, 5, 7, 9, 11, 13, 15, …");
 });
 
 test("a box is at the damage boundary where the lesser of its two numbers is", () => {

@@ -277,6 +277,20 @@ function loads(name) {
   screen(name, at("pairs.ini"), "--layouts", ...files, "--norm", "road");
 }
 
+/** A plank across two posts with a box on top, near the first post: statics leaves the shares of the posts open. */
+const BRIDGE = `name,x,y,z,length,width,height,mass,bearing limit
+Post 1,100,100,0,50,40,100,50,12
+Post 2,250,100,0,50,40,100,50,13
+Plank,100,100,100,200,40,10,20,1.5
+Box,120,110,110,20,20,20,2,
+`;
+
+/** A load whose boxes say what they may bear. */
+function bearing(name) {
+  writeFileSync(at("bridge.csv"), BRIDGE);
+  screen(name, DEMO, "--layouts", at("bridge.csv"), "--norm", "road");
+}
+
 /** Names that would be scripts where they were not text. */
 function hostile(name) {
   const box = (from, called) => ({ corner_min: [from, 0, 0], corner_max: [from + 1, 1, 1], name: called });
@@ -300,6 +314,7 @@ async function withoutLoads(name, from) {
 
 mkdirSync(folder, { recursive: true });
 loads("loads.h5");
+bearing("bearing.h5");
 hostile("hostile.h5");
 screen("demo.h5", DEMO, "--layouts", ...layouts, "--norm", "road");
 const analyses = ["--margins", "--walls", "en12642-xl", "--replicas", "27", "--damage"];

@@ -2,7 +2,7 @@
 //   node --test tests/viewer/test_engine_loads.mjs        after `make viewer-engine` and `make program`
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
@@ -254,4 +254,22 @@ test("2,000 mutations of files of loads get loads or sentences", (t) => {
     else ++read;
   }
   t.diagnostic(`${read} read, ${refused} refused as a whole`);
+});
+
+test("what rests on boxes is what the program's check finds", () => {
+  const file = path.join(folder, "bridge.csv");
+  const rows = ["0,0,0,50,40,100,50", "150,0,0,50,40,100,50", "0,0,100,200,40,10,20", "20,10,110,20,20,20,2"];
+  writeFileSync(
+    file,
+    `x,y,z,length,width,height,mass
+${rows.join("\n")}\n`,
+  );
+  const printed = execFileSync(PROGRAM, ["check", file, "--bearing"], { encoding: "utf8" });
+  const told = [...printed.matchAll(/^ +\d+ .*?([\d.]+) +([\d.]+) +-$/gm)].map(([, ...range]) => range);
+  assert.equal(told.length, 4);
+  const { least, largest } = engine.loadBearing(readByEngine(file).loads[0].load, {});
+  assert.deepEqual(
+    told.map((_, box) => [least[box].toFixed(2), largest[box].toFixed(2)]),
+    told,
+  );
 });

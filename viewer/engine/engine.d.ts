@@ -187,6 +187,8 @@ export interface Engine {
   screenLoad(load: Load, acceleration: number, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
   /** What `holdfast margins` finds: four directions in each column. */
   loadMargins(load: Load, inputs: RunSettings): Columns;
+  /** What `holdfast check --bearing` finds: columns of boxes, kg. */
+  loadBearing(load: Load, inputs: RunSettings): { least: Float64Array; largest: Float64Array };
   readLayout(text: string, inputs?: GivenSettings & { name?: string }): Float64Array;
   readAcceleration(text: string, name?: string): Float64Array;
   /** What `holdfast screen` says of the world; `cpuSeconds` is 0, since the engine here has no clock. */

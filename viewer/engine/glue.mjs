@@ -157,6 +157,11 @@ class Engine {
     return this.withLoad(load, inputs, (...places) => this.readColumns(this.wasm.page_load_margins(...places)));
   }
 
+  /** What rests on each box of a load, kg, at least and at most, as `holdfast check --bearing` finds it. */
+  loadBearing(load, inputs) {
+    return this.withLoad(load, inputs, (...places) => this.readColumns(this.wasm.page_load_bearing(...places)));
+  }
+
   // ---- Between JavaScript and the memory of the engine, which moves when it grows: views are made anew. ----
 
   view() {

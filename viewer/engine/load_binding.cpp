@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/bearing/bearing.hpp"
 #include "analyses/margins/margin_search.hpp"
 #include "api/convert.hpp"
 #include "core/engine/series_recorder.hpp"
@@ -296,5 +297,20 @@ EXPORTED int page_load_margins(const holdfast_settings* handle, const char* cont
     add_values("critical_box", margins.critical_box);
     add_values("margin_within_limits", margins.margin_within_limits);
     add_values("critical_box_within_limits", margins.critical_box_within_limits);
+  });
+}
+
+/// Finds the least and the largest load on each box at rest, kg, as `holdfast check --bearing` does, into columns.
+EXPORTED int page_load_bearing(const holdfast_settings* handle, const char* container, const char* text) {
+  return call([&] {
+    const Settings settings = settings_with(handle, {.container = optional_text(container)});
+    std::vector<double> least;
+    std::vector<double> largest;
+    for (const BearingRange& range : find_bearing(load_of(text, settings), settings)) {
+      least.push_back(range.least);
+      largest.push_back(range.largest);
+    }
+    add_column("least", least);
+    add_column("largest", largest);
   });
 }

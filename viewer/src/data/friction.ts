@@ -41,22 +41,36 @@ export function onFloor(settings: Settings, material?: string): number {
   return firstRow(settings, rows) ?? number(settings, "Contact/BoxFloor");
 }
 
-/** The coefficients that act, in the words of the program. */
-export function frictionText(settings: Settings): string {
-  const text = (value: number) => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "–");
-  const of = (key: string) => text(number(settings, `Contact/${key}`));
+const text = (value: number) => (Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "–");
+
+/** The coefficients of boxes without materials of their own, in the words of the program. */
+export function usualFriction(settings: Settings): string {
   if (ofPairs(settings)) {
-    const rows = Object.keys(settings).filter((key) => key.startsWith("Friction/")).length;
-    const ownRows = rows === 1 ? "; one pair of materials has its own" : `; ${rows} pairs of materials have their own`;
-    return (
-      `box on box ${of("BoxBox")}, on the floor ${of("BoxFloor")}, on walls ${of("BoxWall")}` +
-      (rows > 0 ? ownRows : "")
-    );
+    const of = (key: string) => text(number(settings, `Contact/${key}`));
+    return `box on box ${of("BoxBox")}, on the floor ${of("BoxFloor")}, on walls ${of("BoxWall")}`;
   }
-  const box = number(settings, "Simulation Settings/BoxFriction");
-  const own = Object.keys(settings).some((key) => /^Material .+\/Friction$/.test(key) && settings[key] !== "");
-  return (
-    `box on box ${text(box * box)}, on floor and walls ${text(box * container(settings))}` +
-    (own ? ", others where a material has its own" : "")
+  const box = factor(settings);
+  return `box on box ${text(box * box)}, on floor and walls ${text(box * container(settings))}`;
+}
+
+/** The coefficients of materials that have their own, a text for each. */
+export function frictionOfMaterials(settings: Settings): string[] {
+  const own = (pattern: RegExp) =>
+    Object.entries(settings).flatMap(([key, value]): [string, number][] => {
+      const name = pattern.exec(key)?.[1];
+      return name && value !== "" ? [[name, Number(value)]] : [];
+    });
+  if (ofPairs(settings)) return own(/^Friction\/(.+)$/).map(([pair, value]) => `${pair} ${text(value)}`);
+  return own(/^Material (.+)\/Friction$/).map(
+    ([name, value]) =>
+      `${name} on ${name} ${text(value * value)}, on floor and walls ${text(value * container(settings))}`,
   );
+}
+
+/** The coefficients that act, and how many materials have others. */
+export function frictionText(settings: Settings): string {
+  const own = frictionOfMaterials(settings).length;
+  if (own === 0) return usualFriction(settings);
+  const pairs = own === 1 ? "; one pair of materials has its own" : `; ${own} pairs of materials have their own`;
+  return usualFriction(settings) + (ofPairs(settings) ? pairs : ", others where a material has its own");
 }

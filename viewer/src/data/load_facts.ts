@@ -51,6 +51,8 @@ export interface Item {
   name: string;
   /** m, as they lie */
   size: [number, number, number];
+  /** indices */
+  boxes: number[];
   /** kg, of each */
   masses: number[];
 }
@@ -62,7 +64,8 @@ export function itemsOf(boxes: Pick<BoxColumns, "fixed" | "name" | "material" | 
     const name = boxes.name[box].replace(/[\s_#.-]*\d+$/, "") || boxes.name[box] || materialName(boxes.material[box]);
     const size = [0, 1, 2].map((axis) => boxes.size[3 * box + axis]) as Item["size"];
     const key = JSON.stringify([name, ...size.map((side) => side.toFixed(3))]);
-    const item = items.get(key) ?? { name, size, masses: [] };
+    const item = items.get(key) ?? { name, size, boxes: [], masses: [] };
+    item.boxes.push(box);
     item.masses.push(boxes.mass[box]);
     items.set(key, item);
   }

@@ -90,6 +90,8 @@ async function answer(order: Order) {
     }
     case "margins":
       return engine.loadMargins(order.load, order.settings);
+    case "bearing":
+      return engine.loadBearing(order.load, order.settings);
   }
 }
 

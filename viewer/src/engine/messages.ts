@@ -1,6 +1,7 @@
 import type {
   Catalogue,
   Columns,
+  Engine,
   GivenSettings,
   Load,
   ReadChoices,
@@ -90,6 +91,7 @@ export interface Orders {
   preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
   world: { ask: { load: Load; acceleration: number; settings: RunSettings }; answer: SimulatedWorld };
   margins: { ask: { load: Load; settings: RunSettings }; answer: Columns };
+  bearing: { ask: { load: Load; settings: RunSettings }; answer: ReturnType<Engine["loadBearing"]> };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];
 export type Answer = { id: number } & ({ value: Orders[keyof Orders]["answer"] } | { error: string });

@@ -21,6 +21,19 @@ import { traces } from "./traces";
 /** A ghost shows where a box was that is now farther away than this, m. */
 const GHOST_FROM = 0.01;
 
+/** Said where a world is to be shown. */
+const NO_WEBGL =
+  "Worlds cannot be shown here: WebGL is switched off in this browser, or it has no graphics for it. The matrix and Print do without.";
+
+/** Throws a sentence for the user where the browser draws nothing in three dimensions. */
+function createRenderer(): THREE.WebGLRenderer {
+  try {
+    return new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+  } catch {
+    throw new Error(NO_WEBGL);
+  }
+}
+
 /** The picture of one world: container, boxes, and what is drawn over them. It is drawn when something changed. */
 export class LoadScene {
   readonly node: HTMLElement;
@@ -67,7 +80,7 @@ export class LoadScene {
     this.poses = poses ?? new Poses(world);
     const boxes = world.boxes.id.length;
     this.distance = new Float32Array(boxes);
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    this.renderer = createRenderer();
     this.renderer.setPixelRatio(devicePixelRatio);
     this.canvas = this.renderer.domElement;
     const { size, openings } = world.container;

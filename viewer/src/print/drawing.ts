@@ -1,30 +1,37 @@
 import { isClosed, isFull, type Openings, UPRIGHT } from "../data/openings";
-import type { Size } from "../data/results";
+import type { Container } from "../data/results";
+import { fittingLabel, LETTER, LINE_HEIGHT, sizeOfLabel } from "./box_label";
+import {
+  type Bounds,
+  corners,
+  FACES,
+  type Face,
+  middleOf,
+  type PaintedBox,
+  type Point,
+  SHADES,
+  type View,
+} from "./faces";
 
-/** Draws a load as it was packed, for print, as `holdfast report` does (tools/load_views.py): with its colours, views and labels. */
-
-export type View = "top" | "side" | "corner";
+/** Draws a load for print, as `holdfast report` does (tools/load_views.py): with its colours, views and labels. */
 
 export const FILLS = { still: "#e9edf2", later: "#f3c58b", first: "#d9534f", fixed: "#949da8" } as const;
 export type State = keyof typeof FILLS;
 
 const LINE = "#5a6470";
 const FRAME = "#222831";
+const BRIGHT = "#ffffff";
 const BED = "#dfe2e6";
 const GROUND = "#f3f4f6";
 /** m around the container that the ground is drawn for */
 const GROUND_MARGIN = 0.5;
-/** Pixels: a page has room for pictures that are so high. */
-const HIGHEST: Record<View, number> = { top: 140, side: 140, corner: 260 };
-/** Pixels: letters of labels, and the share of that which a letter is wide. */
-const LETTER = 7;
-const LETTER_WIDTH = 0.56;
-/** Boxes of which it is found which one hides which; more are painted by distance. */
-const MOST_ORDERED = 1500;
-
-type Point = readonly number[];
-/** A face of a box: the axis that it is across, and whether it is the one with the larger coordinate. */
-type Face = readonly [axis: number, far: boolean];
+/** Pixels. */
+const PAGE_WIDTH = 684;
+/** Pixels between two pictures. */
+const GAP = 12;
+/** Pixels: a page has room for pictures that are so high, of the load from above and from the side together, and of its corner. */
+export const HIGHEST = 250;
+const HIGHEST_CORNER = 130;
 
 /** Where a point of the container goes on the page: to the right, and up. */
 const PROJECTIONS: Record<View, readonly [Point, Point]> = {
@@ -36,31 +43,57 @@ const PROJECTIONS: Record<View, readonly [Point, Point]> = {
     [1, 0, 0],
     [0, 0, 1],
   ],
+  rear: [
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  front: [
+    [0, -1, 0],
+    [0, 0, 1],
+  ],
   // From above the door, on the left.
   corner: [
     [0.87, 0.5, 0],
     [-0.3, 0.4, 0.85],
   ],
 };
-const FACES: Record<View, readonly Face[]> = {
-  top: [[2, true]],
-  side: [[1, false]],
-  corner: [
-    [0, true],
-    [1, false],
-    [2, true],
-  ],
-};
-const SHADES = [0.86, 0.93, 1];
 
-export interface PackedBox {
-  /** m */
-  low: Point;
-  high: Point;
+/** From where each view looks. */
+export const VIEW_NAMES: Record<View, string> = {
+  top: "from above; the front wall is on the left",
+  side: "from the left side",
+  rear: "from the rear",
+  front: "from the front",
+  corner: "from above the door",
+};
+
+/** What is drawn of a box beside its faces. */
+export interface DrawnBox {
   state: State;
   number: number;
   /** empty: it has none */
   name: string;
+}
+
+/** Pixels: width and height. */
+export type Room = readonly [width: number, height: number];
+
+const bedOf = (openings: Openings, height: number) => (isClosed(openings, height) ? 0 : openings.bedHeight);
+
+/** The room of each view. Those that look along an axis have one scale, and three of them fit beside each other. */
+export function roomsOfViews({ size, openings }: Container): Record<View, Room> {
+  const [length, width] = size;
+  const height = size[2] + bedOf(openings, size[2]);
+  const scale = Math.min((PAGE_WIDTH - 2 * GAP - 6) / (length + 2 * width), HIGHEST / (width + height));
+  const room = (across: number, up: number): Room => [scale * across + 2, scale * up + 2];
+  const top = room(length, width);
+  return {
+    top,
+    side: room(length, height),
+    rear: room(width, height),
+    front: room(width, height),
+    corner: [PAGE_WIDTH - GAP - top[0], Math.max(HIGHEST_CORNER, top[1])],
+  };
 }
 
 function svg<K extends keyof SVGElementTagNameMap>(
@@ -74,63 +107,23 @@ function svg<K extends keyof SVGElementTagNameMap>(
   return node;
 }
 
-function corners(low: Point, high: Point, [axis, far]: Face): Point[] {
-  const others = [0, 1, 2].filter((other) => other !== axis);
-  return [
-    [0, 0],
-    [1, 0],
-    [1, 1],
-    [0, 1],
-  ].map((square) => {
-    const corner = [...low];
-    corner[axis] = (far ? high : low)[axis];
-    for (const [i, other] of others.entries()) corner[other] = (square[i] ? high : low)[other];
-    return corner;
-  });
-}
-
-/** Whether box a can be hidden by box b, and never the other way round: on some axis it lies on the far side of it. */
-const isBehind = (a: PackedBox, b: PackedBox, view: View) =>
-  FACES[view].some(([axis, far]) => (far ? a.high[axis] <= b.low[axis] + 1e-4 : b.high[axis] <= a.low[axis] + 1e-4));
-
-/** Boxes in the order in which they are painted. Boxes that do not overlap have one, but for rare rings. */
-function backToFront(boxes: readonly PackedBox[], view: View): number[] {
-  const all = [...boxes.keys()];
-  if (view === "top") return all.sort((a, b) => boxes[a].high[2] - boxes[b].high[2]);
-  if (view === "side") return all.sort((a, b) => boxes[b].low[1] - boxes[a].low[1]);
-  const nearness = ({ low, high }: PackedBox) => high[0] - low[1] + high[2];
-  if (boxes.length > MOST_ORDERED) return all.sort((a, b) => nearness(boxes[a]) - nearness(boxes[b]));
-  const before = all.map((i) =>
-    all.filter((j) => j !== i && isBehind(boxes[j], boxes[i], view) && !isBehind(boxes[i], boxes[j], view)),
-  );
-  const order: number[] = [];
-  const left = new Set(all);
-  const waits = (i: number) => before[i].filter((j) => left.has(j)).length;
-  while (left.size > 0) {
-    const ready = [...left].filter((i) => waits(i) === 0);
-    const next = ready.length > 0 ? ready : [[...left].reduce((best, i) => (waits(i) < waits(best) ? i : best))];
-    order.push(...next);
-    for (const i of next) left.delete(i);
-  }
-  return order;
-}
-
 function shaded(colour: string, shade: number): string {
   const parts = [1, 3, 5].map((i) => Math.round(shade * Number.parseInt(colour.slice(i, i + 2), 16)));
   return `#${parts.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 }
 
-const polygon = (points: readonly Point[], attributes: Record<string, string | number>) =>
-  svg("polygon", { points: points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" "), ...attributes });
+const pointsText = (points: readonly Point[]) => points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`);
 
-/** The label that fits into a face of so many pixels: the name, else the number, else nothing. */
-export function fittingLabel(
-  { name, number }: Pick<PackedBox, "name" | "number">,
-  width: number,
-  height: number,
-): string {
-  const fits = (text: string) => LETTER <= height - 2 && LETTER_WIDTH * LETTER * text.length <= width - 3;
-  return [name, String(number)].find((text) => text !== "" && fits(text)) ?? "";
+const polygon = (points: readonly Point[], attributes: Record<string, string | number>) =>
+  svg("polygon", { points: pointsText(points).join(" "), ...attributes });
+
+/** A face of a box. Signs beside the colours tell those that go first, and what is fixed, on paper without colours. */
+function painted(points: readonly Point[], state: State, shade: number): SVGElement[] {
+  const line = state === "first" ? { stroke: FRAME, "stroke-width": 1.8 } : { stroke: LINE, "stroke-width": 0.6 };
+  const face = polygon(points, { fill: shaded(FILLS[state], shade), "stroke-linejoin": "round", ...line });
+  if (state !== "fixed") return [face];
+  const [a, b, c, d] = pointsText(points);
+  return [face, svg("path", { d: `M${a} L${c} M${b} L${d}`, stroke: LINE, "stroke-width": 0.6 })];
 }
 
 interface Rectangle {
@@ -148,102 +141,108 @@ function boundsOf(points: readonly Point[]): Rectangle {
 const meet = (a: Rectangle, b: Rectangle) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
+const middle = ({ left, right, top, bottom }: Rectangle): [number, number] => [(left + right) / 2, (top + bottom) / 2];
+
 /** A label in the middle of a face. */
-function label(text: string, bounds: Rectangle): SVGElement {
-  const [x, y] = [(bounds.left + bounds.right) / 2, (bounds.top + bounds.bottom) / 2 + 0.35 * LETTER];
-  const place = { x: x.toFixed(1), y: y.toFixed(1), "font-size": LETTER, "text-anchor": "middle" };
-  return svg("text", { ...place, fill: FRAME }, text);
+function label(lines: readonly string[], state: State, bounds: Rectangle): SVGElement[] {
+  const [x, y] = middle(bounds);
+  const first = y - ((lines.length - 1) / 2) * LINE_HEIGHT * LETTER + 0.35 * LETTER;
+  return lines.map((line, i) => {
+    const place = { x: x.toFixed(1), y: (first + i * LINE_HEIGHT * LETTER).toFixed(1) };
+    const fill = state === "first" ? BRIGHT : FRAME;
+    return svg("text", { ...place, "font-size": LETTER, "text-anchor": "middle", fill }, line);
+  });
+}
+
+/** Whether a box lies beside the container where a view does not look: the floor can hide it. */
+function isBeyondHiddenSide(box: PaintedBox, size: readonly number[], view: View): boolean {
+  const centre = middleOf(box);
+  return FACES[view].some(([axis, far]) => axis !== 2 && (far ? centre[axis] < 0 : centre[axis] > size[axis]));
 }
 
 /**
- * A container with its boxes.
- * @param size m, of the container
- * @param room pixels that it may be wide
+ * Boxes in a container, with those that lie beside it.
+ * @param faces of the boxes, in the order in which they are painted
+ * @param room that the picture may take
+ * @param labelled boxes have their names or numbers in views along an axis; else those that go first have their numbers
  */
-export function drawLoad(
-  boxes: readonly PackedBox[],
-  size: Size,
-  openings: Openings,
+export function draw(
+  faces: readonly PaintedBox[],
+  boxes: readonly DrawnBox[],
+  { size, openings }: Container,
   view: View,
-  room: number,
+  room: Room,
+  labelled: boolean,
 ): SVGElement {
   const [right, up] = PROJECTIONS[view];
   const closed = isClosed(openings, size[2]);
-  const inside: readonly [Point, Point] = [[0, 0, 0], size];
-  const bed = !closed && openings.bedHeight > 0 ? openings.bedHeight : 0;
+  const bed = bedOf(openings, size[2]);
   const margin = bed > 0 && view === "corner" ? GROUND_MARGIN : 0;
-  const low = [-margin, -margin, -bed];
-  const high = [size[0] + margin, size[1] + margin, size[2]];
+  const inside: Bounds = { low: [0, 0, 0], high: size };
+  const shown = { low: [-margin, -margin, -bed], high: [size[0] + margin, size[1] + margin, size[2]] };
   const flat = (point: Point) => [right, up].map((row) => row.reduce((sum, part, axis) => sum + part * point[axis], 0));
-  const all = [low, high].flatMap(([x]) =>
-    [low, high].flatMap(([, y]) => [low, high].map(([, , z]) => flat([x, y, z]))),
-  );
-  const boxCorners = boxes.flatMap((box) => FACES[view].flatMap((face) => corners(box.low, box.high, face).map(flat)));
-  const { left, right: far, top: least, bottom: most } = boundsOf([...all, ...boxCorners]);
-  const scale = Math.min((room - 2) / (far - left), (HIGHEST[view] - 2) / (most - least));
+  const ends = [corners(shown, [2, false]), corners(shown, [2, true])].flat();
+  const all = [...ends, ...faces.flatMap((of) => of.faces.flatMap((face) => face.corners))].map(flat);
+  const { left, right: far, top: least, bottom: most } = boundsOf(all);
+  const scale = Math.min((room[0] - 2) / (far - left), (room[1] - 2) / (most - least));
   const width = Math.round(scale * (far - left)) + 2;
   const height = scale * (most - least) + 2;
   const place = (points: readonly Point[]) =>
     points.map(flat).map(([x, y]) => [(x - left) * scale + 1, height - ((y - least) * scale + 1)]);
-  const side = (face: Face, attributes: Record<string, string | number>, [from, to] = inside) =>
-    polygon(place(corners(from, to, face)), attributes);
+  const side = (face: Face, attributes: Record<string, string | number>, of = inside) =>
+    polygon(place(corners(of, face)), attributes);
 
-  const parts: SVGElement[] = [];
+  const ground: SVGElement[] = [];
+  const frame: SVGElement[] = [];
   const over: SVGElement[] = [];
   if (closed) {
     for (const [axis, isFar] of FACES[view])
-      parts.push(side([axis, !isFar], { fill: "none", stroke: FRAME, "stroke-width": 1 }));
+      frame.push(side([axis, !isFar], { fill: "none", stroke: FRAME, "stroke-width": 1 }));
   } else {
-    if (margin > 0) parts.push(side([2, false], { fill: GROUND, stroke: "none" }, [low, [high[0], high[1], 0]]));
+    const block = { low: [0, 0, -bed], high: [size[0], size[1], 0] };
+    if (margin > 0)
+      ground.push(
+        side([2, false], { fill: GROUND, stroke: "none" }, { low: shown.low, high: [shown.high[0], shown.high[1], 0] }),
+      );
     if (bed > 0 && view !== "top")
       for (const face of FACES[view].filter(([axis]) => axis !== 2))
-        parts.push(
-          side(face, { fill: shaded(BED, SHADES[face[0]]), stroke: LINE, "stroke-width": 0.6 }, [
-            [0, 0, -bed],
-            [size[0], size[1], 0],
-          ]),
-        );
+        frame.push(side(face, { fill: shaded(BED, SHADES[face[0]]), stroke: LINE, "stroke-width": 0.6 }, block));
     const dashed = { fill: "#ffffff", stroke: LINE, "stroke-width": 0.6, "stroke-dasharray": "4 3" };
-    parts.push(side([2, false], dashed));
-    if (openings.roof && view === "side")
-      parts.push(side([2, true], { fill: "none", stroke: FRAME, "stroke-width": 1 }));
+    frame.push(side([2, false], dashed));
+    if (openings.roof && view !== "top" && view !== "corner")
+      frame.push(side([2, true], { fill: "none", stroke: FRAME, "stroke-width": 1 }));
     for (const [index, { axis, far: isFar }] of UPRIGHT.entries()) {
       const wall = openings.walls[index];
       const full = isFull(openings, index, size[2]);
       const near = FACES[view].some(([of, to]) => of === axis && to === isFar);
       if (wall === 0 || (near && full)) continue;
       const line = { fill: "none", stroke: full ? FRAME : LINE, "stroke-width": 1 };
-      (near ? over : parts).push(side([axis, isFar], line, [inside[0], [size[0], size[1], wall]]));
+      (near ? over : frame).push(side([axis, isFar], line, { low: inside.low, high: [size[0], size[1], wall] }));
     }
   }
-  const order = backToFront(boxes, view);
-  const drawn = order.map((i) => FACES[view].map((face) => place(corners(boxes[i].low, boxes[i].high, face))));
-  const bounds = drawn.map((faces) => boundsOf(faces.flat()));
-  for (const [at, i] of order.entries()) {
-    const box = boxes[i];
-    for (const [j, [axis]] of FACES[view].entries()) {
-      const fill = shaded(FILLS[box.state], SHADES[axis]);
-      parts.push(polygon(drawn[at][j], { fill, stroke: LINE, "stroke-width": 0.6, "stroke-linejoin": "round" }));
+
+  const behind: SVGElement[] = [];
+  const before: SVGElement[] = [];
+  const isLabelled = labelled && view !== "corner";
+  const bounds = isLabelled ? faces.map((of) => boundsOf(place(of.faces[0].corners))) : [];
+  for (const [at, of] of faces.entries()) {
+    const box = boxes[of.box];
+    const parts = isBeyondHiddenSide(of, size, view) ? behind : before;
+    for (const face of of.faces) parts.push(...painted(place(face.corners), box.state, face.shade));
+    if (isLabelled) {
+      // A label that another box would cut in two is left out, and so is one that the sign of what is fixed would.
+      const own = bounds[at];
+      const lines = box.state === "fixed" ? [] : fittingLabel(box, own.right - own.left, own.bottom - own.top);
+      const [x, y] = middle(own);
+      const [across, high] = sizeOfLabel(lines);
+      const taken = { left: x - across / 2, right: x + across / 2, top: y - high / 2, bottom: y + high / 2 };
+      if (!bounds.slice(at + 1).some((later) => meet(later, taken))) parts.push(...label(lines, box.state, own));
+    } else if (box.state === "first") {
+      const face = of.faces[view === "corner" ? 1 : 0] ?? of.faces[0];
+      parts.push(...label([String(box.number)], box.state, boundsOf(place(face.corners))));
     }
-    if (view === "corner") {
-      if (box.state === "first") parts.push(label(String(box.number), boundsOf(drawn[at][1])));
-      continue;
-    }
-    // A label that another box would cut in two is left out.
-    const own = bounds[at];
-    const text = fittingLabel(box, own.right - own.left, own.bottom - own.top);
-    const half = (LETTER_WIDTH * LETTER * text.length) / 2;
-    const [x, y] = [(own.left + own.right) / 2, (own.top + own.bottom) / 2];
-    const place = { left: x - half, right: x + half, top: y - LETTER / 2, bottom: y + LETTER / 2 };
-    if (text !== "" && !bounds.slice(at + 1).some((later) => meet(later, place))) parts.push(label(text, own));
   }
   const box = { viewBox: `0 0 ${width} ${Math.round(height)}`, width, height: Math.round(height) };
-  return svg("svg", { ...box, role: "img", "aria-label": VIEW_NAMES[view] }, ...parts, ...over);
+  const parts = [...ground, ...behind, ...frame, ...before, ...over];
+  return svg("svg", { ...box, role: "img", "aria-label": VIEW_NAMES[view] }, ...parts);
 }
-
-/** From where each view looks. */
-export const VIEW_NAMES: Record<View, string> = {
-  top: "from above; the front wall is on the left",
-  side: "from the left side",
-  corner: "from above the door",
-};

@@ -2,6 +2,7 @@ import type { Results, World } from "../data/results";
 import { failing, verdictText } from "../data/verdict";
 import { element } from "../ui/dom";
 import { plural } from "../ui/text";
+import { findBearing } from "./bearing";
 import { loadSheet, runFacts } from "./sheet";
 
 /** Loads that get a page, at most. */
@@ -62,7 +63,10 @@ export class Printed {
     for (const layout of layouts.slice(0, MOST_PAGES)) {
       const worlds: World[] = [];
       for (const [index, of] of results.worlds.layout.entries()) if (of === layout) worlds.push(await world(index));
-      if (worlds.length > 0) sheets.push(loadSheet(results, layout, worlds));
+      if (worlds.length === 0) continue;
+      const simulated = worlds.find(({ boxes }) => boxes.id.length > 0);
+      const limited = simulated ? await findBearing(results, simulated) : [];
+      sheets.push(loadSheet(results, layout, worlds, limited));
     }
     const front = layouts.length > 1 ? [frontPage(results, layouts)] : [];
     this.node.replaceChildren(...front, ...sheets);

@@ -1,7 +1,5 @@
-import { boxText } from "../box/box_text";
 import { containerFactsOf } from "../box/container_facts";
-import { departuresSentence } from "../box/departure";
-import { frictionText } from "../data/friction";
+import { frictionOfMaterials, usualFriction } from "../data/friction";
 import {
   centreOfGravity,
   centreRange,
@@ -11,89 +9,60 @@ import {
   massOf,
   neededMargins,
 } from "../data/load_facts";
-import { isClosed, isFull, openingsText, REAR, UPRIGHT } from "../data/openings";
+import { isClosed, isFull, openingsText, REAR, sideName, UPRIGHT } from "../data/openings";
 import { VERDICT_CODES } from "../data/outcome";
 import { pushText } from "../data/push";
-import { type BoxColumns, NOT_COUNTED, PRESSED, type Results, type World } from "../data/results";
+import { type BoxColumns, PRESSED, type Results, type World } from "../data/results";
 import { caveatsOf } from "../data/status";
 import { failing, JUDGED_AT_END, NOT_MODELLED, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { element } from "../ui/dom";
-import { fixed, marginNumber, percent, plural, seconds } from "../ui/text";
-import { drawLoad, FILLS, type PackedBox, type State, VIEW_NAMES, type View } from "./drawing";
+import { fixed, marginNumber, percent, plural } from "../ui/text";
+import { bearingTable, type LimitedBox } from "./bearing";
+import { draw, HIGHEST, roomsOfViews, type State, VIEW_NAMES } from "./drawing";
+import { departures, endViews, sidesLeft } from "./end_of_world";
+import { packedFaces, type View } from "./faces";
 import { NORM_SOURCES } from "./norm_sources";
+import { boundsOfBox, boxName, colourKey, drawnBoxes, figure, firstBox, isBeyond, shortName } from "./packed_load";
+import {
+  bad,
+  type Cell,
+  type Column,
+  capital,
+  listed,
+  moreBoxes,
+  mostAndLast,
+  note,
+  numbersText,
+  part,
+  short,
+  table,
+  weight,
+  when,
+} from "./tables";
 
-/** Rows for which a page has room in its tables of boxes and of what is loaded, beside four accelerations; and those of margins or walls. */
-const ROWS = 14;
-const ROWS_OF_MARGINS = 6;
-/** Rows that each of the two has anyway. */
+/** Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations. */
+const LINES = 20;
+/** Those that margins or walls take of them, those of the views of the end, and those of the heads of a table. */
+const LINES_OF_MARGINS = 6;
+const LINES_OF_END = 12;
+const LINES_OF_HEADS = 4;
+/** Rows that each table has anyway. */
 const LEAST_ROWS = 3;
-/** Pixels that the views are wide: two beside each other fill the page. */
-const WIDTHS: Record<View, number> = { top: 330, side: 330, corner: 350 };
-
-type Cell = string | HTMLElement;
-
-/** kg, with a digit behind the point where it says something. */
-const weight = (mass: number) => fixed(mass, mass >= 100 ? 0 : 1);
-/** The shortest number, of a limit that somebody has set. */
-const short = (value: number) => String(Number(value.toPrecision(6)));
-
-const bad = (text: string) => element("span", { class: "bad" }, text);
-const note = (...parts: Cell[]) => element("p", { class: "note" }, ...parts);
-
-/** @param left columns beside the first that are aligned to the left */
-function table(
-  heads: readonly string[],
-  rows: readonly (readonly Cell[])[],
-  left: readonly number[] = [],
-  kind = "",
-): HTMLElement {
-  const cells = (tag: "th" | "td", row: readonly Cell[]) =>
-    row.map((cell, i) => element(tag, { class: left.includes(i) ? "text" : undefined }, cell));
-  return element(
-    "table",
-    { class: kind || undefined },
-    heads.some((head) => head !== "") ? element("tr", {}, ...cells("th", heads)) : null,
-    ...rows.map((row) => element("tr", {}, ...cells("td", row))),
-  );
-}
-
-/** A table without the columns that have nothing to say. */
-function fittedTable(
-  columns: readonly { head: string; left?: boolean; shown?: boolean }[],
-  rows: readonly (readonly Cell[])[],
-  kind = "",
-) {
-  const kept = columns.flatMap(({ shown }, i) => (shown === false ? [] : [i]));
-  const left = kept.flatMap((i, at) => (columns[i].left ? [at] : []));
-  return table(
-    kept.map((i) => columns[i].head),
-    rows.map((row) => kept.map((i) => row[i])),
-    left,
-    kind,
-  );
-}
-
-const isBeyond = ({ fallen, moved, tilted, unstable }: BoxColumns, box: number) =>
-  fallen[box] + moved[box] + tilted[box] + unstable[box] > 0;
-
-/** The box that was beyond a limit first, from 0; -1 where none was. */
-function firstBox({ boxes, criticalBox }: World): number {
-  const box = criticalBox === NOT_COUNTED ? -1 : criticalBox - 1;
-  return box >= 0 && boxes.id.some((_, i) => isBeyond(boxes, i)) ? box : -1;
-}
-
-function packed(boxes: BoxColumns, { loaded }: World, states: readonly State[]): PackedBox[] {
-  return states.map((state, box) => {
-    const at = (offset: number, sign: number) =>
-      [0, 1, 2].map((axis) =>
-        loaded
-          ? loaded.boxes[7 * box + offset + axis]
-          : boxes.initial[3 * box + axis] + (sign * boxes.size[3 * box + axis]) / 2,
-      );
-    return { low: at(0, -1), high: at(3, 1), state, number: boxes.id[box], name: boxes.name[box] };
-  });
-}
+/** That a load has where these do not fit; names may take two of them. */
+const LINES_OF_SECOND_PAGE = 20;
+/** Pixels. */
+const LINE_HEIGHT = 18;
+/** Kinds of boxes without names that are listed. */
+const MOST_UNNAMED = 14;
+/** Of numbers of boxes, in a list of what is loaded. */
+const MOST_RANGES = 8;
+/** Boxes that a note names. */
+const MOST_ON_MATS = 20;
+/** Materials that a line names. */
+const MOST_MATERIALS = 6;
+/** Columns of a table whose heads are in a line. */
+const FEW_COLUMNS = 9;
 
 /** What became of each box under all of the accelerations. */
 function statesOf(worlds: readonly World[]): State[] {
@@ -104,46 +73,31 @@ function statesOf(worlds: readonly World[]): State[] {
   return states;
 }
 
-function views(world: World, states: readonly State[]): HTMLElement {
-  const { size, openings } = world.container;
-  const boxes = packed(world.boxes, world, states);
-  const door = isFull(openings, REAR, size[2]) ? "door" : "rear";
-  const figure = (view: View) =>
-    element(
-      "figure",
-      {},
-      drawLoad(boxes, size, openings, view, WIDTHS[view]),
-      element("figcaption", {}, view === "corner" ? `from above the ${door}` : VIEW_NAMES[view]),
+function views(world: World, states: readonly State[]): HTMLElement[] {
+  const { container } = world;
+  const [boxes, rooms] = [drawnBoxes(world.boxes, states), roomsOfViews(container)];
+  const bounds = states.map((_, box) => boundsOfBox(world, box));
+  const door = isFull(container.openings, REAR, container.size[2]) ? "door" : "rear";
+  const viewOf = (view: View) =>
+    figure(
+      draw(packedFaces(bounds, view), boxes, container, view, rooms[view], true),
+      view === "corner" ? `from above the ${door}` : VIEW_NAMES[view],
     );
-  return element("div", { class: "views" }, element("div", {}, figure("top"), figure("side")), figure("corner"));
-}
-
-function key(states: readonly State[]): HTMLElement {
-  const meanings: [State, string][] = [
-    ["first", "first to go under some acceleration"],
-    ["later", "beyond a limit"],
-    ["still", "stayed under all"],
-    ["fixed", "fixed, part of the container"],
+  const rows: View[][] = [
+    ["top", "corner"],
+    ["side", "rear", "front"],
   ];
-  return element(
-    "p",
-    { class: "key" },
-    ...meanings
-      .filter(([state]) => states.includes(state))
-      .flatMap(([state, meaning]) => [element("span", { style: `background: ${FILLS[state]}` }), meaning]),
-  );
+  return rows.map((row) => element("div", { class: "views" }, ...row.map(viewOf)));
 }
 
 function matsSentence({ mat, id }: BoxColumns): string {
   const kinds = [...new Set(mat.filter(Number.isFinite))].sort((a, b) => a - b);
   const told = kinds.map((kind) => {
     const boxes = [...id.keys()].filter((box) => mat[box] === kind).map((box) => id[box]);
-    return `on a mat of ${Number(kind.toPrecision(3))}: ${boxes.length === 1 ? "box" : "boxes"} ${boxes.join(", ")}`;
+    return `on a mat of ${Number(kind.toPrecision(3))}: ${numbersText(boxes, MOST_ON_MATS)}`;
   });
   return told.length > 0 ? `${capital(told.join("; "))}.` : "";
 }
-
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function centreText(world: World): Cell[] {
   const centre = centreOfGravity(world.boxes);
@@ -168,14 +122,15 @@ export function runFacts(results: Results): [string, string][] {
   const limits = `displaced by ${short(100 * thresholds.move)} cm, lowered by ${short(100 * thresholds.drop)} cm, tilted by ${short(thresholds.tilt)}°`;
   const facts: [string, string][] = [
     ["norm", norm === "" ? "none: accelerations of files" : source ? `${norm}: ${source}` : norm],
-    ["friction", frictionText(settings)],
+    ["friction", usualFriction(settings)],
+    ["of materials", listed(frictionOfMaterials(settings), MOST_MATERIALS, "; ")],
     ["limits", `${limits}, ${results.judgedAtEnd ? "at the end" : "at any time"}`],
     [
       "simulated",
       `${results.software}, ${results.engine}${accuracy}, ${results.created.replace("T", " ").replace("Z", " UTC")}`,
     ],
   ];
-  return facts;
+  return facts.filter(([, text]) => text !== "");
 }
 
 function facts(results: Results, world: World): HTMLElement {
@@ -185,50 +140,55 @@ function facts(results: Results, world: World): HTMLElement {
     ["centre of gravity", element("span", {}, ...centreText(world))],
     ...runFacts(results).map(([name, text]) => [name, text]),
   ];
-  return table(["", ""], rows, [1], "wrap");
+  return table([{ head: "" }, { head: "", kind: "text" }], rows, "wrap");
 }
 
 /** The kinds of boxes; none where boxes have no names and hardly two are alike: such a list says nothing that the drawings do not. */
 function toldItems(boxes: BoxColumns): Item[] {
   const all = itemsOf(boxes);
-  return all.length > ROWS && all.every(({ name }) => name === "") ? [] : all;
+  return all.length > MOST_UNNAMED && all.every(({ name }) => name === "") ? [] : all;
 }
 
-function itemsTable(all: readonly Item[], most: number): HTMLElement | null {
+/** Numbers in ascending order, those that follow each other together. */
+export function rangesText(numbers: readonly number[]): string {
+  const ranges: [number, number][] = [];
+  for (const number of numbers) {
+    const last = ranges.at(-1);
+    if (last?.[1] === number - 1) last[1] = number;
+    else ranges.push([number, number]);
+  }
+  const texts = ranges.map(([first, last]) =>
+    first === last ? String(first) : `${first}${last === first + 1 ? ", " : " to "}${last}`,
+  );
+  return texts.slice(0, MOST_RANGES).join(", ") + (texts.length > MOST_RANGES ? ", …" : "");
+}
+
+function itemsTable(all: readonly Item[], ids: ArrayLike<number>, most: number): HTMLElement | null {
   if (all.length === 0) return null;
-  const size = (item: Item) => item.size.map((side) => Number((100 * side).toFixed(1))).join(" × ");
-  const rows = all.slice(0, most).map((item) => {
-    const { name, masses } = item;
+  const rows = all.slice(0, most).map(({ name, size, boxes, masses }) => {
     const [least, most] = [Math.min(...masses), Math.max(...masses)].map(weight);
-    const each = least === most ? least : `${least} to ${most}`;
-    const sum = masses.reduce((sofar, mass) => sofar + mass, 0);
-    return [name || "box", String(masses.length), size(item), `${each} kg`, `${weight(sum)} kg`];
+    return [
+      name || "box",
+      String(masses.length),
+      sizeText(size),
+      `${least === most ? least : `${least} to ${most}`} kg`,
+      `${weight(masses.reduce((sofar, mass) => sofar + mass, 0))} kg`,
+      rangesText(boxes.map((box) => ids[box])),
+    ];
   });
+  const columns = ["item", "number", "length × width × height, cm", "each", "together"].map((head) => ({ head }));
   const rest = all.slice(most).reduce((sum, { masses }) => sum + masses.length, 0);
-  return element(
-    "div",
-    {},
-    element("h3", {}, "What is loaded"),
-    table(["item", "number", "length × width × height, cm", "each", "together"], rows),
-    rest > 0 ? element("p", {}, `and ${plural(rest, "more box")}`) : null,
+  return part(
+    "What is loaded",
+    table([...columns, { head: "boxes", kind: "text" }], rows, "wrap items"),
+    moreBoxes(rest),
   );
 }
 
-/** A number beside a limit, with as many digits as it takes to see whether it is beyond. */
-function besideLimit(value: number, limit: number): string {
-  if (!Number.isFinite(value)) return "–";
-  const texts = [0, 1, 2, 3].map((digits) => fixed(value, digits));
-  return texts.find((text) => Number(text) > limit === value > limit) ?? texts[3];
-}
-
-/** A number at its largest, and in brackets at the end, beside its limit. */
-const mostAndLast = (most: number, last: number, limit: number) =>
-  `${besideLimit(most, limit)} (${besideLimit(last, limit)})`;
-
-const when = (time: number) => (Number.isNaN(time) ? "–" : time >= 0 ? seconds(time) : "settling");
+const sizeText = (size: readonly number[]) => size.map((side) => Number((100 * side).toFixed(1))).join(" × ");
 
 function worldsTable(results: Results, worlds: readonly World[]): HTMLElement[] {
-  const { worlds: columns, replicas, thresholds } = results;
+  const { worlds: summary, replicas, thresholds } = results;
   const caveats = new Map<string, string>();
   const rows = worlds.map((world): Cell[] => {
     const { index, verdict, stopReason, boxes } = world;
@@ -237,7 +197,7 @@ function worldsTable(results: Results, worlds: readonly World[]): HTMLElement[] 
     const text = verdictText(verdict, stopReason);
     if (verdict === VERDICT_CODES.failed || verdict === VERDICT_CODES.not_needed)
       return [name, to, text, "", "", "", "", "", "", world.statusText];
-    for (const { name: caveat, meaning } of caveatsOf(columns.caveats[index])) caveats.set(caveat, meaning);
+    for (const { name: caveat, meaning } of caveatsOf(summary.caveats[index])) caveats.set(caveat, meaning);
     const first = firstBox(world);
     const at = boxes.firstBeyond[first];
     const told =
@@ -246,47 +206,40 @@ function worldsTable(results: Results, worlds: readonly World[]): HTMLElement[] 
       name,
       to,
       failing(verdict) ? bad(text) : text,
-      first < 0 ? "–" : boxText(boxes, first) + (Number.isNaN(at) ? "" : `, ${when(at)}`),
-      `${columns.fallen[index]} (${columns.fallenAtEnd[index]})`,
-      String(columns.moved[index]),
-      String(columns.tilted[index]),
-      mostAndLast(100 * columns.peakDisplacement[index], 100 * columns.endDisplacement[index], 100 * thresholds.move),
+      first < 0 ? "–" : boxName(boxes, first) + (Number.isNaN(at) ? "" : `, ${when(at)}`),
+      `${summary.fallen[index]} (${summary.fallenAtEnd[index]})`,
+      String(summary.moved[index]),
+      String(summary.tilted[index]),
+      mostAndLast(100 * summary.peakDisplacement[index], 100 * summary.endDisplacement[index], 100 * thresholds.move),
       told,
-      [...caveatsOf(columns.caveats[index]).map(({ name: caveat }) => caveat), world.statusText]
+      [...caveatsOf(summary.caveats[index]).map(({ name: caveat }) => caveat), world.statusText]
         .filter(Boolean)
         .join(", "),
     ];
   });
-  const heads = [
+  const columns: Column[] = [
     { head: "acceleration" },
-    { head: "pushed to", left: true },
-    { head: "verdict", left: true },
-    { head: "goes first", left: true },
+    { head: "pushed to", kind: "text" },
+    { head: "verdict", kind: "text" },
+    { head: "goes first", kind: "text name" },
     { head: "fallen" },
     { head: "moved" },
     { head: "tilted" },
     { head: "farthest, cm" },
-    { head: "replicas", left: true, shown: rows.some((row) => row[8] !== "") },
-    { head: "to know", left: true, shown: rows.some((row) => row[9] !== "") },
+    { head: "replicas", kind: "text", shown: rows.some((row) => row[8] !== "") },
+    { head: "to know", kind: "text", shown: rows.some((row) => row[9] !== "") },
   ];
   const explained = [...caveats].map(
     ([name, meaning]) => `${capital(name)}: ${meaning.charAt(0).toLowerCase()}${meaning.slice(1)}`,
   );
   return [
-    fittedTable(heads, rows, "wrap"),
+    table(columns, rows, "wrap"),
     note(
       ["In brackets: at the end.", ...explained, NOT_MODELLED, ...(results.judgedAtEnd ? [JUDGED_AT_END] : [])].join(
         " ",
       ),
     ),
   ];
-}
-
-function departures(results: Results, worlds: readonly World[]): HTMLElement[] {
-  return worlds.flatMap((world) => {
-    const sentence = departuresSentence(results, world);
-    return sentence ? [element("p", {}, `Under ${world.acceleration}: ${sentence}`)] : [];
-  });
 }
 
 function marginsTable(results: Results, layout: number, world: World): HTMLElement | null {
@@ -305,17 +258,17 @@ function marginsTable(results: Results, layout: number, world: World): HTMLEleme
       text(own(margins.inPlace.margin, i)),
       value + 1e-6 < needed[i] ? bad(text(value)) : text(value),
       needed[i] > 0 ? `${Number(needed[i].toPrecision(3))} g` : "–",
-      box > 0 ? boxText(world.boxes, box - 1) : "–",
+      box > 0 ? boxName(world.boxes, box - 1) : "–",
     ];
   });
-  const heads = [
+  const columns: Column[] = [
     { head: "pushed to" },
     { head: "in place", shown: margins.withinLimits !== null },
     { head: margins.withinLimits ? "within limits" : "in place" },
     { head: "needed" },
-    { head: "goes first above", left: true },
+    { head: "goes first above", kind: "text name" },
   ];
-  return element("div", {}, element("h3", {}, "How many g it stands"), fittedTable(heads, rows));
+  return part("How many g it stands", table(columns, rows));
 }
 
 function wallsTable(results: Results, worlds: readonly World[]): HTMLElement | null {
@@ -340,11 +293,10 @@ function wallsTable(results: Results, worlds: readonly World[]): HTMLElement | n
     ];
   });
   const norm = results.settings["Screening/Walls"] ?? "";
-  return element(
-    "div",
-    {},
-    element("h3", {}, `Force on the walls${norm === "" ? "" : `, limits of ${norm}`}`),
-    table(["wall", "largest", "limit", "share", "under"], rows, [4]),
+  const columns = ["wall", "largest", "limit", "share"].map((head) => ({ head }));
+  return part(
+    `Force on the walls${norm === "" ? "" : `, limits of ${norm}`}`,
+    table([...columns, { head: "under", kind: "text" }], rows),
   );
 }
 
@@ -361,53 +313,69 @@ function farthestBoxes(worlds: readonly World[]): [number, World][] {
   return [...found].sort((a, b) => farthest(b) - farthest(a) || a[0] - b[0]);
 }
 
-function boxesTable({ thresholds }: Results, found: readonly [number, World][], most: number): HTMLElement | null {
+function boxesTable(results: Results, found: readonly [number, World][], most: number): HTMLElement | null {
   if (found.length === 0) return null;
+  const { thresholds } = results;
+  const all = found[0][1].boxes;
   const rows = found.slice(0, most).map(([box, world]): Cell[] => {
     const { boxes } = world;
     const { peak, end } = boxes;
-    const size = [...boxes.size.subarray(3 * box, 3 * box + 3)].map((side) => Number((100 * side).toFixed(1)));
+    const side = sidesLeft(world).get(box);
     return [
       String(boxes.id[box]),
-      boxes.name[box],
-      size.join(" × "),
+      shortName(boxes.name[box]),
+      sizeText([...boxes.size.subarray(3 * box, 3 * box + 3)]),
       weight(boxes.mass[box]),
+      weight(boxes.bearingLimit[box]),
       mostAndLast(100 * peak.displacement[box], 100 * end.displacement[box], 100 * thresholds.move),
       mostAndLast(100 * peak.drop[box], 100 * end.drop[box], 100 * thresholds.drop),
       mostAndLast(peak.tilt[box], end.tilt[box], thresholds.tilt),
       when(boxes.firstBeyond[box]),
       world.verdict === VERDICT_CODES.unstable ? "gravity alone" : world.acceleration,
+      side === undefined ? "" : sideName(side),
     ];
   });
-  const named = found[0][1].boxes.name.some((name) => name !== "");
-  const heads = [
+  const columns: Column[] = [
     { head: "box" },
-    { head: "name", left: true, shown: named },
+    { head: "name", kind: "text name", shown: all.name.some((name) => name !== "") },
     { head: "size, cm" },
     { head: "mass, kg" },
+    { head: "may bear, kg", shown: all.bearingLimit.some(Number.isFinite) },
     { head: "farthest, cm" },
     { head: "drop, cm" },
     { head: "tilt, °" },
     { head: "beyond from" },
-    { head: "under", left: true },
+    { head: "under", kind: "text" },
+    { head: "leaves at", kind: "text", shown: rows.some((row) => row.at(-1) !== "") },
   ];
-  const more = found.length - rows.length;
-  return element(
-    "div",
-    {},
-    element("h3", {}, "What went beyond a limit"),
-    fittedTable(heads, rows, named ? "many" : ""),
-    more > 0 ? element("p", {}, `and ${plural(more, "more box")}`) : null,
+  const many = columns.filter(({ shown }) => shown !== false).length > FEW_COLUMNS;
+  return part(
+    "What went beyond a limit",
+    table(columns, rows, many ? "many" : ""),
+    moreBoxes(found.length - rows.length),
   );
 }
 
-/** Rows of a table that shares the room of a page with another one, which has so many at most. */
-const rowsFor = (room: number, other: number) => Math.max(LEAST_ROWS, room - Math.min(other, Math.floor(room / 2)));
+/**
+ * Rows of the tables that share the room of a page, evenly but for those that want fewer.
+ * @param room lines, with those of the heads of tables
+ * @param wanted rows of each table at most; 0: it is not there
+ */
+export function rowsFor(room: number, wanted: readonly number[]): number[] {
+  const rows = wanted.map((most) => Math.min(LEAST_ROWS, most));
+  const heads = LINES_OF_HEADS * wanted.filter((most) => most > 0).length;
+  const left = room - heads - rows.reduce((sum, row) => sum + row, 0);
+  for (let line = left >= 0 ? left : left + LINES_OF_SECOND_PAGE; line > 0; --line) {
+    const growing = [...rows.keys()].filter((i) => rows[i] < wanted[i]);
+    if (growing.length > 0) ++rows[growing.reduce((least, i) => (rows[i] < rows[least] ? i : least))];
+  }
+  return rows;
+}
 
 /** How the worlds ended, to the bit. */
 const hashes = (worlds: readonly World[]) =>
   note(
-    `Hashes of the ends: ${worlds.map(({ acceleration, stateHash }) => `${acceleration} ${stateHash}`).join(", ")}.`,
+    `${worlds[0].layout}, hashes of the ends: ${worlds.map(({ acceleration, stateHash }) => `${acceleration} ${stateHash}`).join(", ")}.`,
   );
 
 function headline(world: World, worlds: readonly World[]): HTMLElement {
@@ -432,8 +400,14 @@ function headline(world: World, worlds: readonly World[]): HTMLElement {
 /**
  * A page to print of a load: what it is, what it stands, and what goes first. The order is that of `holdfast report`.
  * @param worlds of the layout, one per acceleration
+ * @param limited its boxes with a bearing limit
  */
-export function loadSheet(results: Results, layout: number, worlds: readonly World[]): HTMLElement {
+export function loadSheet(
+  results: Results,
+  layout: number,
+  worlds: readonly World[],
+  limited: readonly LimitedBox[],
+): HTMLElement {
   const simulated = worlds.filter(({ boxes }) => boxes.id.length > 0);
   const [world] = simulated;
   const title = element("h2", {}, results.layouts[layout]);
@@ -441,26 +415,36 @@ export function loadSheet(results: Results, layout: number, worlds: readonly Wor
   const states = statesOf(simulated);
   const { size, openings } = world.container;
   const mats = matsSentence(world.boxes);
-  const left = departures(results, simulated);
+  const [left, end] = [departures(simulated), endViews(simulated)];
   const [margins, walls] = [marginsTable(results, layout, world), wallsTable(results, simulated)];
-  const room = ROWS - (margins || walls ? ROWS_OF_MARGINS : 0) - left.length - Math.max(0, worlds.length - 4);
+  const rooms = roomsOfViews(world.container);
+  const room =
+    LINES -
+    (margins || walls ? LINES_OF_MARGINS : 0) -
+    (end ? LINES_OF_END : 0) -
+    left.length -
+    Math.max(0, worlds.length - 4) +
+    Math.floor((HIGHEST - rooms.top[1] - rooms.side[1]) / LINE_HEIGHT);
   const [beyond, items] = [farthestBoxes(simulated), toldItems(world.boxes)];
+  const rows = rowsFor(room, [beyond.length, limited.length, items.length]);
   const sides = isClosed(openings, size[2]) ? null : openingsText(openings, size[2]);
   return element(
     "section",
     {},
     title,
     headline(world, worlds),
-    views(world, states),
-    key(states),
+    ...views(world, states),
+    colourKey(states, ["first to go under some acceleration", "beyond a limit", "stayed under all"]),
     mats === "" ? null : note(mats),
     sides ? note(`${capital(sides)}. The floor is dashed where no wall stands on it.`) : null,
     facts(results, world),
     ...worldsTable(results, worlds),
     ...left,
+    end,
     element("div", { class: "beside" }, margins, walls),
-    boxesTable(results, beyond, rowsFor(room, items.length)),
-    itemsTable(items, rowsFor(room, beyond.length)),
+    boxesTable(results, beyond, rows[0]),
+    bearingTable(world.boxes, limited, rows[1]),
+    itemsTable(items, world.boxes.id, rows[2]),
     hashes(simulated),
   );
 }
