@@ -316,3 +316,160 @@ test("a load is mended: what would help is tried, taken, undone, and the mended 
   assert.match(await page.innerText(".detail"), /boxes\s+19/);
   await page.close();
 });
+
+test("boxes are swapped, copied, added and described with the keyboard alone; what is saved has the program's bits", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.click(".file button.advice");
+  await page.waitForSelector(".go button.primary:not([disabled])");
+  await screened(page);
+  await page.focus(".matrix");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.keyboard.press("e");
+  await page.waitForSelector("#app:not([aria-busy]) .mend");
+  /** Goes to what has a name with the tab key. */
+  const reach = async (name: string) => {
+    for (let press = 0; press < 120; ++press) {
+      const at = await page.evaluate(() => {
+        const node = document.activeElement as HTMLElement;
+        return node.getAttribute("aria-label") ?? node.closest("label")?.textContent ?? node.textContent;
+      });
+      if (at === name) return;
+      await page.keyboard.press("Tab");
+    }
+    throw new Error(`the tab key does not reach ${name}`);
+  };
+  const press = async (name: string) => {
+    await reach(name);
+    await page.keyboard.press("Enter");
+  };
+  const choose = async (box: number) => {
+    await reach("Boxes. Arrow keys choose one.");
+    const boxes = 22;
+    for (let step = 0; step < 2 * boxes; ++step) {
+      if (new RegExp(`Box ${box},`).test(await page.innerText(".mend"))) return;
+      await page.keyboard.press(step < boxes ? "ArrowUp" : "ArrowDown");
+    }
+    throw new Error(`box ${box} is not in the list`);
+  };
+  const type = async (name: string, text: string) => {
+    await reach(name);
+    await page.keyboard.press("Control+A");
+    await page.keyboard.type(text);
+  };
+  const undone = (edits: number) =>
+    page.waitForFunction(
+      (text) =>
+        [...document.querySelectorAll("#app:not([aria-busy]) .mend:not([aria-busy]) button")].some(
+          (button) => button.textContent === text,
+        ),
+      edits > 1 ? `Undo (${edits})` : "Undo",
+    );
+  const says = (words: RegExp) =>
+    page.waitForFunction(
+      (source) => new RegExp(source).test(document.querySelector(".mend:not([aria-busy]) .problem")?.textContent ?? ""),
+      words.source,
+    );
+  const focused = () =>
+    page.evaluate(() => (document.activeElement!.closest("label") ?? document.activeElement!).textContent);
+  const hash = async () => /[0-9a-f]{16}/.exec(await page.innerText(".panel .top"))![0];
+  let saves = 0;
+  const save = async () => {
+    const [download] = await Promise.all([page.waitForEvent("download"), press("Save load")]);
+    const name = `mended-${++saves}.json`;
+    await download.saveAs(path.join(folder, name));
+    const { worlds } = byProgram(name, ["--container", "trailer-box"]);
+    assert.equal(await hash(), worlds[0].state_hash, name);
+    return JSON.parse(readFileSync(path.join(folder, name), "utf8")).loads[0].boxes;
+  };
+  const before = await hash();
+
+  // The first and the last box, of other heights, swap their places.
+  await choose(20);
+  await press("Swap");
+  assert.match(await page.innerText(".mend"), /Choose the box that box 20, Tinned food 20 swaps places with/);
+  await choose(1);
+  await press("Swap with box 20, Tinned food 20");
+  await undone(1);
+  const swapped = await save();
+  assert.deepEqual(
+    [swapped[0].corner_min, swapped[0].corner_max],
+    [
+      [7.8, 1.22, 0],
+      [8.6, 2.42, 1],
+    ],
+  );
+  assert.deepEqual(
+    [swapped[19].corner_min, swapped[19].corner_max],
+    [
+      [0, 0, 0],
+      [0.8, 1.2, 1.3],
+    ],
+  );
+
+  // A copy stands behind the others, is chosen, and is described.
+  await choose(3);
+  await press("Copy");
+  await undone(2);
+  await page.waitForFunction(() => /Box 21, Paper 3/.test(document.querySelector<HTMLElement>(".mend")!.innerText));
+  assert.equal(await focused(), "Copy", "the focus stays where it was");
+  await press("Name, mass, material");
+  await type("Name", "Spare");
+  await type("Mass, kg", "123,5");
+  await type("Material", "2");
+  await page.keyboard.press("Enter");
+  await undone(3);
+  assert.equal(await focused(), "Material");
+  assert.deepEqual((await save())[20], {
+    corner_min: [8.6, 0, 0],
+    corner_max: [9.4, 1.2, 1.2],
+    name: "Spare",
+    material: 2,
+    mass: 123.5,
+  });
+  await type("Mass, kg", "heavy");
+  await press("Change");
+  await says(/^The mass has to be a number of kg above 0: heavy\.$/);
+
+  // A new one needs a size and a mass that can be used, and a place.
+  await press("Add a box");
+  await type("Length, cm", "60");
+  await type("Width, cm", "40");
+  await press("Add");
+  await says(/^The height has to be a number of cm above 0\.$/);
+  await type("Height, cm", "900");
+  await reach("Material");
+  const form = page.locator(".mend form[aria-label='A new box']");
+  await form.locator("label:has-text('Mass') input").focus();
+  await page.keyboard.type("31");
+  await page.keyboard.press("Enter");
+  await says(/^There is no place where a box of 60 × 40 × 900 cm stands\.$/);
+  await type("Height, cm", "50");
+  await page.keyboard.press("Enter");
+  await undone(4);
+  await page.waitForFunction(() => /Box 22/.test(document.querySelector<HTMLElement>(".mend")!.innerText));
+  const added = await save();
+  assert.deepEqual(added[21], { corner_min: [7.2, 0, 0], corner_max: [7.8, 0.4, 0.5], material: 1, mass: 31 });
+  assert.match(await page.innerText(".panel .top"), /Of 22 boxes/);
+
+  // A swap for which there is no room is refused in the words of the program.
+  await press("Swap");
+  await choose(1);
+  await press("Swap with box 22");
+  await says(/^box \d+ overlaps box \d+:/);
+
+  // All of it is taken back.
+  await press("Undo (4)");
+  for (const edits of [3, 2, 1]) {
+    await undone(edits);
+    assert.equal(await focused(), edits > 1 ? `Undo (${edits})` : "Undo");
+    await page.keyboard.press("Enter");
+  }
+  await page.waitForSelector("#app:not([aria-busy]) .mend:not([aria-busy]) button[data-does='undo'][disabled]");
+  assert.equal(await hash(), before);
+  await page.close();
+});

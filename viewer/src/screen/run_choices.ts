@@ -48,7 +48,7 @@ export const USUAL: RunChoices = {
 };
 
 /** A comma may be the decimal mark. */
-const withPoint = (number: string) => number.trim().replace(",", ".");
+export const withPoint = (number: string) => number.trim().replace(",", ".");
 
 /** The number in another unit; what is none stays, for the engine to refuse. */
 const times = (factor: number) => (text: string) => {
