@@ -6,7 +6,7 @@ import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { ENGINE, PLANNER, PROGRAM } from "./places";
+import { ENGINE, PAGE, PLANNER, PROGRAM } from "./places";
 import { type Cell, csvOf, palletRows, partsOf, xlsxOf, zipped } from "./spreadsheets";
 
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
@@ -35,10 +35,10 @@ const screened = async (page: Page) => {
   await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
 };
 
-/** What `holdfast screen` says of a file under the norm of the road. */
-function byProgram(file: string, options: readonly string[] = []) {
+/** What `holdfast screen` says of a file under a norm. */
+function byProgram(file: string, options: readonly string[] = [], norm = "road") {
   const output = path.join(folder, "results.h5");
-  const words = ["screen", "--layouts", path.join(folder, file), "--norm", "road", "--margins", ...options];
+  const words = ["screen", "--layouts", path.join(folder, file), "--norm", norm, "--margins", ...options];
   const lines = execFileSync(PROGRAM, [...words, "--json", "--quiet", "--overwrite", "-o", output], {
     encoding: "utf8",
   });
@@ -92,6 +92,67 @@ test("a spreadsheet of pallets is dropped, screened, and a world is opened: verd
   await page.waitForSelector("#app:not([aria-busy]) > main.live");
   await page.close();
 });
+
+test("a norm that needs a size asks for it, keeps it in the address, and has the program's worlds", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  const size = page.locator(".choices label:has-text('Size K') input");
+  assert.ok(!(await size.isVisible()), "the norm of the road has its sizes");
+  await page.selectOption(".choices select >> nth=0", { label: (await eumosLabel(page))! });
+  const refused = () =>
+    page.waitForFunction(
+      () =>
+        document.querySelector(".go .problem")?.textContent ===
+          "eumos-40509 needs a size K: a number of g from 0.01 to 2." &&
+        document.querySelector(".go button.primary[disabled]"),
+    );
+  await refused();
+  for (const wrong of ["2.01", "0.0099", "much"]) {
+    await size.fill(wrong);
+    await page.waitForSelector("main.setup[aria-busy]");
+    await refused();
+  }
+  // A comma may be the decimal mark.
+  await size.fill("1,5");
+  await page.waitForSelector("main.setup:not([aria-busy]) .go button.primary:not([disabled])");
+  assert.match(
+    await page.innerText(".choices"),
+    /Source: EUMOS 40509, K g for at least 0\.3 s[\s\S]*Needed: front 1\.5 g/,
+  );
+  await page.waitForFunction(() => /normSize%3A1%2C5/.test(location.hash));
+  await screened(page);
+
+  const { worlds, layout } = byProgram("pallets.csv", ["--container", "trailer-box"], "eumos-40509:1.5");
+  assert.equal(worlds.length, 4);
+  assert.ok(new Set(worlds.map((world) => world.verdict)).size > 1, "some move, and some stay");
+  for (const [index, world] of worlds.entries()) {
+    await page.evaluate((number) => {
+      location.hash = `world=${number}`;
+    }, index + 1);
+    await page.waitForFunction(
+      (name) => document.querySelector("#app:not([aria-busy]) > main.world") && document.title.includes(name),
+      world.acceleration,
+    );
+    const panel = await page.innerText(".panel .top");
+    assert.match(panel, new RegExp(`^[^\\w]*${world.verdict}`), world.acceleration);
+    assert.match(panel, new RegExp(world.state_hash), world.acceleration);
+  }
+  assert.equal(worlds[0].acceleration, "eumos-40509-front-1g5");
+  assert.ok(layout.margins_within_limits_g.front > 0);
+  await page.close();
+
+  // Who opens the address has the norm and its size.
+  const other = await openPage({ address: `file://${PAGE}#run=norm%3Aeumos-40509%3A%3BnormSize%3A1%2C5` });
+  await drop(other, { "pallets.csv": csvOf(palletRows()) });
+  assert.equal(await other.inputValue(".choices label:has-text('Size K') input"), "1,5");
+  assert.match(await other.innerText(".choices"), /Needed: front 1\.5 g/);
+  await other.close();
+});
+
+const eumosLabel = (page: Page) => page.locator(".choices option:has-text('eumos-40509')").textContent();
 
 test("several files at once: loads of all of them, a sheet without loads left out, what is wrong said by row", {
   skip,
