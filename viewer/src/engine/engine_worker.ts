@@ -1,5 +1,5 @@
-import { type Engine, loadEngine, type World } from "holdfast-engine";
-import type { Answer, Changes, Frame, LiveInputs, Order, Saved } from "./messages";
+import { type Engine, loadEngine, type World, type WorldOutcome } from "holdfast-engine";
+import type { Answer, Changes, Frame, LiveInputs, Order, Orders } from "./messages";
 
 /** The native engine, so that the page never waits for it. It has one live world at a time. */
 
@@ -40,14 +40,18 @@ function start(engine: Engine, { boxes, segments, masses, mats, settings }: Live
   world = engine.world({ boxes, segments, masses, mats, settings });
 }
 
-function screen(engine: Engine, order: Extract<Order, { kind: "screen" }>): Saved {
-  const { settings } = order;
-  const boxes = engine.readLayout(order.layout, { settings });
-  const segments = engine.readAcceleration(order.acceleration);
-  return {
-    outcome: engine.screen({ boxes, segments, settings }),
-    same: boxes.length === order.boxes.length && boxes.every((value, i) => Math.abs(value - order.boxes[i]) < 1e-9),
-  };
+function screen(engine: Engine, { load, acceleration, settings }: Orders["screen"]["ask"]): WorldOutcome | null {
+  const { loads, errors } = engine.readLoads(load, "the load", { settings });
+  const [problem] = [...errors, ...loads.flatMap((read) => read.errors)];
+  if (problem) throw new Error(problem.message);
+  const { container, boxes } = loads[0].load;
+  const segments = engine.readAcceleration(acceleration);
+  const isPlain = boxes.every((box) =>
+    Object.keys(box).every((key) => ["corner_min", "corner_max", "name", "material", "order", "bearing_limit"].includes(key)),
+  );
+  if (container || !isPlain || boxes.some(({ material }) => typeof material === "string")) return null;
+  const rows = boxes.flatMap((box) => [...box.corner_min, ...box.corner_max, Number(box.material)]);
+  return engine.screen({ boxes: rows, segments, settings });
 }
 
 async function answer(order: Order) {

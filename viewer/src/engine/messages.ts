@@ -46,21 +46,15 @@ export interface Frame {
   computed: number;
 }
 
-/** What the files that are saved give in the program. */
-export interface Saved {
-  outcome: WorldOutcome;
-  /** the texts, read as the program reads them, are what was to be saved */
-  same: boolean;
-}
-
 /** What page and engine say to each other. */
 export interface Orders {
   version: { ask: object; answer: string };
   start: { ask: LiveInputs & { hashed: boolean }; answer: Frame };
   advance: { ask: { to: number; changes: Changes; hashed: boolean }; answer: Frame };
+  /** What `holdfast screen` says of files of which these are the texts; null: the engine of the page cannot tell. */
   screen: {
-    ask: { layout: string; acceleration: string; boxes: Float64Array; settings: LiveInputs["settings"] };
-    answer: Saved;
+    ask: { load: string; acceleration: string; settings: LiveInputs["settings"] };
+    answer: WorldOutcome | null;
   };
   catalogue: { ask: object; answer: Catalogue };
   run: { ask: { settings: RunSettings }; answer: RunFacts };

@@ -1,4 +1,5 @@
 import type { Load, LoadBox, WorldOutcome } from "holdfast-engine";
+import { loadText } from "../data/load_text";
 import { VERDICT_CODES } from "../data/outcome";
 import { PENDING, type World } from "../data/results";
 import { failing, VERDICTS } from "../data/verdict";
@@ -212,9 +213,8 @@ export class MendPanel {
   }
 
   private save(): void {
-    const text = `${JSON.stringify({ holdfast: 1, loads: [this.load] })}\n`;
     const name = this.world.layout.replace(/\.\w+$/, "").replaceAll(/[^\w.-]+/g, "-");
-    download(`${name}-mended.json`, new Blob([text], { type: "application/json" }));
+    download(`${name}-mended.json`, new Blob([loadText(this.load)], { type: "application/json" }));
   }
 
   /** Tries what may help; the best first. */

@@ -89,7 +89,7 @@ function packed(boxes: BoxColumns, { loaded }: World, states: readonly State[]):
       [0, 1, 2].map((axis) =>
         loaded
           ? loaded.boxes[7 * box + offset + axis]
-          : boxes.initial[3 * box + axis] + (sign * boxes.size[3 * box + axis]) / 2,
+          : boxes.initial[3 * box + axis] - boxes.centre[3 * box + axis] + (sign * boxes.size[3 * box + axis]) / 2,
       );
     return { low: at(0, -1), high: at(3, 1), state, number: boxes.id[box], name: boxes.name[box] };
   });
