@@ -66,6 +66,7 @@ test("a replayed world has the bits of the file, its verdict, its counts and its
   await page.keyboard.press("l");
   await page.waitForSelector("#app:not([aria-busy]) > main.live");
   assert.match(await page.innerText(".panel .top"), /^[^\w]*stayed/, "nothing has happened at the start");
+  assert.doesNotMatch(await page.innerText(".panel .top"), /State hash/, "that of the file is of another world");
   await page.selectOption(".player select", "4");
   await leaveField(page);
   await page.keyboard.press("b");

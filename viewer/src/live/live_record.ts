@@ -130,6 +130,7 @@ export class LiveRecord {
       accelerated: true,
       criticalBox: 0,
       beginTime: 0,
+      stateHash: "",
       boxes: columns,
       series: null,
       walls: null,
@@ -184,6 +185,7 @@ export class LiveRecord {
     this.time = frame.time;
     this.velocities = frame.velocities;
     this.world.endTime = frame.time;
+    this.world.stateHash = frame.stateHash ?? "";
     const energy = this.measure(frame);
     this.judge(energy);
     if (sampled) this.sample(frame.time, acceleration, energy);
