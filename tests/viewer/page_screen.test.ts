@@ -531,6 +531,7 @@ test("boxes are swapped, copied, added and described with the keyboard alone; wh
     await page.keyboard.press("Enter");
   }
   await page.waitForSelector("#app:not([aria-busy]) .mend:not([aria-busy]) button[data-does='undo'][disabled]");
+  assert.equal(await page.evaluate(() => document.activeElement!.className), "mend", "there is nothing left to undo");
   assert.equal(await hash(), before);
   await page.close();
 });

@@ -43,8 +43,8 @@ export class BoxTools {
       return;
     }
     const size = this.world.container.size;
-    const button = (text: string, title: string, make: (load: Load) => Load, of = text) =>
-      element("button", { title, "data-does": of, onclick: () => this.edit(make) }, text);
+    const button = (text: string, title: string, make: (load: Load) => Load, does = text) =>
+      element("button", { title, "data-does": does, onclick: () => this.edit(make) }, text);
     const by = (axis: number, sign: number) => (load: Load) => moved(load, box, axis, sign * this.step);
     const step = element(
       "button",

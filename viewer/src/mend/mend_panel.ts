@@ -117,7 +117,7 @@ export class MendPanel {
 
   /** Gives it to what does the same, and to the panel where nothing does. */
   focus(does: string): void {
-    const all = [...this.node.querySelectorAll<HTMLElement>("button, input, summary")];
+    const all = [...this.node.querySelectorAll<HTMLElement>("button:enabled, input, summary")];
     const found = all.find((one) => doingOf(one) === does) ?? this.node;
     found.closest("details")?.setAttribute("open", "");
     found.focus();
