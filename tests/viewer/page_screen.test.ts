@@ -6,7 +6,7 @@ import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { ENGINE, PAGE, PLANNER, PROGRAM } from "./places";
+import { ENGINE, LOADS, PAGE, PLANNER, PROGRAM } from "./places";
 import { type Cell, csvOf, palletRows, partsOf, xlsxOf, zipped } from "./spreadsheets";
 
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
@@ -90,6 +90,24 @@ test("a spreadsheet of pallets is dropped, screened, and a world is opened: verd
   // Live takes it over.
   await page.keyboard.press("l");
   await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await page.close();
+});
+
+test("a screened load with its own centres of mass, fixed boxes and mats is replayed live with the same bits", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "loads.json": readFileSync(LOADS, "utf8") });
+  await screened(page);
+  await page.evaluate(() => {
+    location.hash = "world=2";
+  });
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await page.keyboard.press("b");
+  await page.waitForSelector(".bits.same");
+  assert.match(await page.innerText(".bits"), /The same bits as when it was screened/);
   await page.close();
 });
 

@@ -13,3 +13,5 @@ export const PROGRAM = process.env.HOLDFAST ?? path.resolve(BUILD, "../release/b
 export const PICTURES = path.resolve(BUILD, "../../docs/guide/viewer");
 /** The export of a load planner, whose axes are others. */
 export const PLANNER = path.resolve(BUILD, "../../tests/io/loads/formats/planner_export.csv");
+/** Loads with everything that a load may say. */
+export const LOADS = path.resolve(BUILD, "../../tests/viewer/loads.json");
