@@ -467,6 +467,16 @@ test("boxes are swapped, copied, added and described with the keyboard alone; wh
   };
   const before = await hash();
 
+  // A step that was chosen holds for the next boxes too.
+  await choose(20);
+  await press("by 10 cm");
+  await press("rear");
+  await undone(1);
+  await press("by 1 cm");
+  await press("Undo");
+  await page.waitForSelector("#app:not([aria-busy]) .mend:not([aria-busy]) button[data-does='undo'][disabled]");
+  assert.equal(await hash(), before);
+
   // The first and the last box, of other heights, swap their places.
   await choose(20);
   await press("Swap");

@@ -9,6 +9,9 @@ import { against, changed, leftFloating, MAT, moved, swapped, turned, withMats, 
 
 /** m that a press of a button moves a box. */
 const STEPS = [0.01, 0.1] as const;
+/** That of them which was chosen, for all boxes. */
+let chosenStep: (typeof STEPS)[number] = STEPS[1];
+const stepText = () => `by ${100 * chosenStep} cm`;
 
 /** Puts a load in the place of the old one; where `make` throws, the user is told why. */
 export type Edit = (make: (load: Load) => Load, choose?: number) => void;
@@ -16,7 +19,6 @@ export type Edit = (make: (load: Load) => Load, choose?: number) => void;
 /** What can be done with the chosen box. */
 export class BoxTools {
   readonly node = element("div");
-  private step: (typeof STEPS)[number] = STEPS[1];
   /** the box that is to change places with another one; null: none */
   private swapping: number | null = null;
   private box: number | null = null;
@@ -45,18 +47,18 @@ export class BoxTools {
     const size = this.world.container.size;
     const button = (text: string, title: string, make: (load: Load) => Load, does = text) =>
       element("button", { title, "data-does": does, onclick: () => this.edit(make) }, text);
-    const by = (axis: number, sign: number) => (load: Load) => moved(load, box, axis, sign * this.step);
+    const by = (axis: number, sign: number) => (load: Load) => moved(load, box, axis, sign * chosenStep);
     const step = element(
       "button",
       {
         title: "How far a press moves it",
         "data-does": "step",
         onclick: () => {
-          this.step = STEPS[(STEPS.indexOf(this.step) + 1) % STEPS.length];
-          step.textContent = this.stepText;
+          chosenStep = STEPS[(STEPS.indexOf(chosenStep) + 1) % STEPS.length];
+          step.textContent = stepText();
         },
       },
-      this.stepText,
+      stepText(),
     );
     const form = new BoxForm("What the load says of the box", of, this.world.boxes.mass[box], false, this.materials, {
       word: "Change",
@@ -92,10 +94,6 @@ export class BoxTools {
       this.swapHint,
       element("details", {}, element("summary", {}, "Name, mass, material"), form.node),
     );
-  }
-
-  private get stepText(): string {
-    return `by ${100 * this.step} cm`;
   }
 
   private copyButton(box: number): HTMLElement {
