@@ -125,6 +125,8 @@ for (const { number, container, cause } of [
     assert.match(await page.innerText(".panel .top"), cause);
     const world = await screenSaved(page);
     assert.match(await page.innerText(".bits"), new RegExp(world.state_hash));
+    const said = await page.innerText(".saved");
+    assert.match(said, new RegExp(`holdfast screen says ${world.verdict}, hash ${world.state_hash}\\.`));
     await page.close();
   });
 

@@ -40,18 +40,11 @@ function start(engine: Engine, { boxes, segments, masses, mats, settings }: Live
   world = engine.world({ boxes, segments, masses, mats, settings });
 }
 
-function screen(engine: Engine, { load, acceleration, settings }: Orders["screen"]["ask"]): WorldOutcome | null {
+function screen(engine: Engine, { load, acceleration, settings }: Orders["screen"]["ask"]): WorldOutcome {
   const { loads, errors } = engine.readLoads(load, "the load", { settings });
   const [problem] = [...errors, ...loads.flatMap((read) => read.errors)];
   if (problem) throw new Error(problem.message);
-  const { container, boxes } = loads[0].load;
-  const segments = engine.readAcceleration(acceleration);
-  const isPlain = boxes.every((box) =>
-    Object.keys(box).every((key) => ["corner_min", "corner_max", "name", "material", "order", "bearing_limit"].includes(key)),
-  );
-  if (container || !isPlain || boxes.some(({ material }) => typeof material === "string")) return null;
-  const rows = boxes.flatMap((box) => [...box.corner_min, ...box.corner_max, Number(box.material)]);
-  return engine.screen({ boxes: rows, segments, settings });
+  return engine.screenLoad(loads[0].load, engine.readAcceleration(acceleration), { settings }).outcome;
 }
 
 async function answer(order: Order) {

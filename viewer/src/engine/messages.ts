@@ -51,10 +51,10 @@ export interface Orders {
   version: { ask: object; answer: string };
   start: { ask: LiveInputs & { hashed: boolean }; answer: Frame };
   advance: { ask: { to: number; changes: Changes; hashed: boolean }; answer: Frame };
-  /** What `holdfast screen` says of files of which these are the texts; null: the engine of the page cannot tell. */
+  /** What `holdfast screen` says of files of which these are the texts. */
   screen: {
     ask: { load: string; acceleration: string; settings: LiveInputs["settings"] };
-    answer: WorldOutcome | null;
+    answer: WorldOutcome;
   };
   catalogue: { ask: object; answer: Catalogue };
   run: { ask: { settings: RunSettings }; answer: RunFacts };
