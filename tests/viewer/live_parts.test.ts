@@ -5,7 +5,7 @@ import { hitBox } from "../../viewer/src/live/box_hit";
 import { DrivenAcceleration } from "../../viewer/src/live/driven_acceleration";
 import { bitsSentence } from "../../viewer/src/live/live_words";
 import { dragged, placed } from "../../viewer/src/live/placing";
-import { accelerationText, engineSettings, layoutText, settingsText } from "../../viewer/src/live/saved_files";
+import { accelerationText, engineSettings, settingsText } from "../../viewer/src/live/saved_files";
 import { SpeedMeter } from "../../viewer/src/live/speed_meter";
 import { pullForce } from "../../viewer/src/live/spring";
 
@@ -48,19 +48,6 @@ test("an acceleration file has a line per segment, in numbers that are read as t
   const text = accelerationText([{ start: 1 / 3, duration: 0.1, value: [0.6 * 9.81, 0, -0] }], "why");
   const numbers = text.split("\n")[2].split("\t").map(Number);
   assert.deepEqual(numbers, [1 / 3, 0.1, 0.6 * 9.81, 0, 0]);
-});
-
-test("a layout file has centimetres that are the same bits in metres, with either axis up", () => {
-  const boxes = Float64Array.of(0.1, 0.2, 0, 0.35, 1.27, 0.59, 3, 0.29, 0, 0.333, 1, 1, 1, 0);
-  const lines = layoutText("2 boxes", boxes, "z", 2.33).trim().split("\n");
-  assert.equal(lines[0], "2 boxes");
-  assert.equal(lines[1], "10\t20\t0\t35\t127\t59\t3");
-  const read = lines.slice(1).flatMap((line) => line.split("\t").map((word, i) => Number(word) / (i < 6 ? 100 : 1)));
-  assert.deepEqual(read, [...boxes]);
-  // y is up, and z goes from right to left: (x, y, z) of the container is (x, z, W - y) of the file.
-  const turned = layoutText("", boxes, "y", 2.33).split("\n")[1].split("\t").map(Number);
-  assert.deepEqual([turned[0], turned[1], turned[3], turned[4], turned[6]], [10, 0, 35, 59, 3]);
-  assert.ok(Math.abs(turned[2] - 106) < 1e-9 && Math.abs(turned[5] - 213) < 1e-9);
 });
 
 test("settings leave out what is of the run, and what has no value", () => {

@@ -4,10 +4,12 @@ import { test } from "node:test";
 import type { Engine } from "holdfast-engine";
 import { bytesInMemory } from "../../viewer/src/data/byte_source";
 import { Hdf5File } from "../../viewer/src/data/hdf5_file";
+import { loadText } from "../../viewer/src/data/load_text";
+import { withCorners } from "../../viewer/src/data/loaded_layout";
 import { VERDICT_CODES } from "../../viewer/src/data/outcome";
 import { ResultsReader } from "../../viewer/src/data/read_results";
 import { centresOf, LiveRecord } from "../../viewer/src/live/live_record";
-import { engineSettings, layoutText } from "../../viewer/src/live/saved_files";
+import { engineSettings } from "../../viewer/src/live/saved_files";
 import { accelerationAt } from "../../viewer/src/time/acceleration";
 import { ENGINE, RESULTS } from "./places";
 
@@ -137,16 +139,16 @@ test("a world that is recorded live is the world of the file: hash, verdict, cou
   }
 });
 
-test("loads with masses, mats, names of materials, pairs, fixed boxes and containers have the bits of the program", {
+test("loads with masses, centres of mass, mats, names of materials, pairs, fixed boxes and containers have the program's bits", {
   skip,
 }, async () => {
   const reader = await demo("loads.h5");
   const { results } = reader;
+  let withCentres = 0;
   for (const [index, layout] of results.worlds.layout.entries()) {
     const file = reader.world(index);
-    const { masses, mats, settings, missing } = file.loaded!;
-    if (results.layouts[layout] === "wheels.json#wheels") assert.deepEqual(missing, ["centres of mass of its own"]);
-    if (missing.length > 0) continue;
+    const { masses, mats, settings } = file.loaded!;
+    if (results.layouts[layout] === "wheels.json#wheels") ++withCentres;
     const inputs = {
       boxes: file.loaded!.boxes,
       segments: Float64Array.from(file.segments.flatMap((s) => [s.start, s.duration, ...s.value])),
@@ -159,19 +161,36 @@ test("loads with masses, mats, names of materials, pairs, fixed boxes and contai
     assert.equal(world.stateHash(), file.stateHash, `${file.layout} under ${file.acceleration}`);
     world.free();
   }
+  assert.equal(withCentres, results.accelerations.length);
 });
 
-test("a saved layout is read by the engine as the same boxes, with either axis up", { skip }, async () => {
-  const reader = await demo();
-  const { results } = reader;
-  for (let index = 0; index < results.worlds.layout.length; index += 4) {
-    const { boxes, header } = reader.world(index).loaded!;
-    for (const up of ["z", "y"]) {
-      const settings = [["Container", "UpAxis", up] as const];
-      const read = engine.readLayout(layoutText(header, boxes, up, results.container.size[1]), { settings });
-      near(read, boxes, up === "z" ? 0 : 1e-12, `${results.layouts[results.worlds.layout[index]]}, ${up} up`);
+test("a saved load is read by the engine as it is, whichever axis is up in other files", { skip }, async () => {
+  for (const name of ["demo.h5", "loads.h5"]) {
+    const reader = await demo(name);
+    const { accelerations, worlds } = reader.results;
+    for (let index = 0; index < worlds.layout.length; index += accelerations.length) {
+      const { load, boxes } = reader.world(index).loaded!;
+      const saved = withCorners(load, boxes);
+      assert.deepEqual(saved, load);
+      for (const up of ["z", "y"]) {
+        const settings = [["Container", "UpAxis", up] as const];
+        const { loads, errors } = engine.readLoads(loadText(saved), "saved.json", { settings });
+        assert.deepEqual([errors, loads.length, loads[0].errors], [[], 1, []], load.name);
+        assert.deepEqual({ ...loads[0].load, name: load.name }, JSON.parse(JSON.stringify(load)));
+      }
     }
   }
+});
+
+test("the boxes of a saved load stand where they were put", async () => {
+  const { load, boxes } = (await demo()).world(0).loaded!;
+  const put = boxes.slice();
+  for (const axis of [0, 3]) put[7 + axis] += 0.125;
+  const { corner_min, corner_max, ...rest } = withCorners(load, put).boxes[1];
+  const before = load.boxes[1];
+  assert.deepEqual(corner_min, [before.corner_min[0] + 0.125, before.corner_min[1], before.corner_min[2]]);
+  assert.deepEqual(corner_max, [before.corner_max[0] + 0.125, before.corner_max[1], before.corner_max[2]]);
+  assert.deepEqual({ ...before, ...rest }, before);
 });
 
 /** Numbers of two columns, to an absolute difference that grows with their size. */

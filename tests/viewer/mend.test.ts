@@ -3,7 +3,19 @@ import { test } from "node:test";
 import type { Load, LoadBox } from "holdfast-engine";
 import { UPRIGHT } from "../../viewer/src/data/openings";
 import type { World } from "../../viewer/src/data/results";
-import { against, closedUp, lowered, moved, turned, withMats, without } from "../../viewer/src/mend/load_edits";
+import { withOneMore } from "../../viewer/src/mend/free_place";
+import {
+  against,
+  changed,
+  closedUp,
+  leftFloating,
+  lowered,
+  moved,
+  swapped,
+  turned,
+  withMats,
+  without,
+} from "../../viewer/src/mend/load_edits";
 import { pressedSide, remediesOf } from "../../viewer/src/mend/remedies";
 
 const [FRONT, REAR, LEFT, RIGHT] = UPRIGHT;
@@ -28,6 +40,54 @@ test("edits give another load, with the size of the box as it was", () => {
   assert.deepEqual(turned(heavy, 0).boxes[0].centre_of_mass, [-0.02, 0.1, 0.3]);
   assert.equal(withMats(load, [1], 0.6).boxes[1].mat, 0.6);
   assert.deepEqual(without(load, 0).boxes, [load.boxes[1]]);
+  const named = changed(load, 0, { name: "Paper", mass: 250, material: "pallet" });
+  assert.deepEqual(named.boxes[0], { ...load.boxes[0], name: "Paper", mass: 250, material: "pallet" });
+  assert.equal(named.boxes[1], load.boxes[1]);
+});
+
+test("two boxes swap their places: the corner at the front and the left, or the far wall where one stood at it", () => {
+  const load = loadOf(box(0, 0, 0), box(3, 1.2, 0, 1.2, 1.2), box(2, 0.4, 0, 0.5, 0.5));
+  const next = swapped(load, 0, 1, SIZE);
+  assert.deepEqual(placeOf(next, 1), [0, 0, 0]);
+  assert.deepEqual(placeOf(next, 0), [3, 1.6, 0], "at the right wall, though it is narrower");
+  assert.deepEqual(next.boxes[0].corner_max, [4, 2.4, 0.6]);
+  assert.deepEqual(placeOf(swapped(load, 1, 2, SIZE), 1), [2, 0.4, 0], "away from the walls the corner stays");
+  const rear = loadOf(box(5, 0, 0), box(0, 1, 0, 2, 0.8));
+  assert.deepEqual(placeOf(swapped(rear, 0, 1, SIZE), 1), [4, 0, 0]);
+  const across = loadOf(box(0, 0, 0, 1, 2.4), box(2, 0, 0, 1, 1));
+  assert.deepEqual(placeOf(swapped(across, 0, 1, SIZE), 1), [0, 0, 0], "a place at both walls has its left corner");
+});
+
+test("of two boxes on each other the upper one becomes the lower one; others may be left without anything beneath", () => {
+  const load = loadOf(box(0, 0, 0, 1, 0.8, 1), box(0, 0, 1, 1, 0.8, 0.6), box(0, 0, 1.6), box(2, 0, 0, 1, 0.8, 0.9));
+  for (const next of [swapped(load, 0, 1, SIZE), swapped(load, 1, 0, SIZE)]) {
+    assert.deepEqual([placeOf(next, 1)[2], placeOf(next, 0)[2]], [0, 0.6]);
+    assert.deepEqual(leftFloating(load, next), []);
+  }
+  assert.deepEqual(leftFloating(load, swapped(load, 0, 3, SIZE)), [1], "the new one is 10 cm lower");
+  const floating = loadOf(box(0, 0, 0), box(3, 0, 1));
+  assert.deepEqual(leftFloating(floating, moved(floating, 0, 0, 1)), [], "it was so before");
+});
+
+test("one more box goes to the lowest place, of these to the front, of these to the left", () => {
+  const new_ = (length: number, width: number, height = 0.6) => box(0, 0, 0, length, width, height);
+  const place = (load: Load, one: LoadBox, size = SIZE) => {
+    const next = withOneMore(load, one, size);
+    if (!next) return null;
+    assert.deepEqual(next.boxes.slice(0, -1), load.boxes);
+    return placeOf(next, load.boxes.length);
+  };
+  assert.deepEqual(place(loadOf(), new_(1, 0.8)), [0, 0, 0]);
+  const row = loadOf(box(0, 0, 0), box(0, 0.8, 0));
+  assert.deepEqual(place(row, new_(1, 0.8)), [0, 1.6, 0], "beside them");
+  assert.deepEqual(place(row, new_(1, 0.9)), [1, 0, 0], "behind them: there is no room beside");
+  assert.deepEqual(place(row, new_(1, 0.9), [1.5, 2.4, 2.4]), [0, 0, 0.6], "on them: there is no room behind");
+  assert.equal(place(row, new_(1, 0.9, 2), [1.5, 2.4, 2.4]), null, "not through the roof");
+  assert.equal(place(row, new_(1, 2.3), [1.5, 2.4, 2.4]), null, "0.7 of its base would be carried");
+  assert.deepEqual(place(row, new_(1, 2.1), [1.5, 2.4, 2.4]), [0, 0, 0.6], "0.76 of it are");
+  const uneven = loadOf(box(0, 0, 0, 0.75, 2.4, 0.6), box(0.75, 0, 0, 0.75, 2.4, 0.605));
+  assert.deepEqual(place(uneven, new_(1.5, 2), [1.5, 2.4, 2.4]), [0, 0, 0.605], "half a centimetre lower carries too");
+  assert.deepEqual(place(loadOf(box(1, 0, 0, 1, 2.4, 2)), new_(1.5, 1), [3.6, 2.4, 2.4]), [2, 0, 0]);
 });
 
 test("a box goes against the wall, or against what stands between", () => {

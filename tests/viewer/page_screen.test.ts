@@ -6,7 +6,7 @@ import path from "node:path";
 import { after, test } from "node:test";
 import type { Page } from "playwright-core";
 import { closeBrowser, openPage } from "./browser";
-import { ENGINE, PLANNER, PROGRAM } from "./places";
+import { ENGINE, LOADS, PAGE, PLANNER, PROGRAM } from "./places";
 import { type Cell, csvOf, palletRows, partsOf, xlsxOf, zipped } from "./spreadsheets";
 
 const skip = existsSync(ENGINE) ? false : "make viewer-engine has not built the engine";
@@ -35,10 +35,10 @@ const screened = async (page: Page) => {
   await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
 };
 
-/** What `holdfast screen` says of a file under the norm of the road. */
-function byProgram(file: string, options: readonly string[] = []) {
+/** What `holdfast screen` says of a file under a norm. */
+function byProgram(file: string, options: readonly string[] = [], norm = "road") {
   const output = path.join(folder, "results.h5");
-  const words = ["screen", "--layouts", path.join(folder, file), "--norm", "road", "--margins", ...options];
+  const words = ["screen", "--layouts", path.join(folder, file), "--norm", norm, "--margins", ...options];
   const lines = execFileSync(PROGRAM, [...words, "--json", "--quiet", "--overwrite", "-o", output], {
     encoding: "utf8",
   });
@@ -92,6 +92,85 @@ test("a spreadsheet of pallets is dropped, screened, and a world is opened: verd
   await page.waitForSelector("#app:not([aria-busy]) > main.live");
   await page.close();
 });
+
+test("a screened load with its own centres of mass, fixed boxes and mats is replayed live with the same bits", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "loads.json": readFileSync(LOADS, "utf8") });
+  await screened(page);
+  await page.evaluate(() => {
+    location.hash = "world=2";
+  });
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.keyboard.press("l");
+  await page.waitForSelector("#app:not([aria-busy]) > main.live");
+  await page.keyboard.press("b");
+  await page.waitForSelector(".bits.same");
+  assert.match(await page.innerText(".bits"), /The same bits as when it was screened/);
+  await page.close();
+});
+
+test("a norm that needs a size asks for it, keeps it in the address, and has the program's worlds", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.selectOption(".choices select >> nth=1", "trailer-box");
+  const size = page.locator(".choices label:has-text('Size K') input");
+  assert.ok(!(await size.isVisible()), "the norm of the road has its sizes");
+  await page.selectOption(".choices select >> nth=0", { label: (await eumosLabel(page))! });
+  const refused = () =>
+    page.waitForFunction(
+      () =>
+        document.querySelector(".go .problem")?.textContent ===
+          "eumos-40509 needs a size K: a number of g from 0.01 to 2." &&
+        document.querySelector(".go button.primary[disabled]"),
+    );
+  await refused();
+  for (const wrong of ["2.01", "0.0099", "much"]) {
+    await size.fill(wrong);
+    await page.waitForSelector("main.setup[aria-busy]");
+    await refused();
+  }
+  // A comma may be the decimal mark.
+  await size.fill("1,5");
+  await page.waitForSelector("main.setup:not([aria-busy]) .go button.primary:not([disabled])");
+  assert.match(
+    await page.innerText(".choices"),
+    /Source: EUMOS 40509, K g for at least 0\.3 s[\s\S]*Needed: front 1\.5 g/,
+  );
+  await page.waitForFunction(() => /normSize%3A1%2C5/.test(location.hash));
+  await screened(page);
+
+  const { worlds, layout } = byProgram("pallets.csv", ["--container", "trailer-box"], "eumos-40509:1.5");
+  assert.equal(worlds.length, 4);
+  assert.ok(new Set(worlds.map((world) => world.verdict)).size > 1, "some move, and some stay");
+  for (const [index, world] of worlds.entries()) {
+    await page.evaluate((number) => {
+      location.hash = `world=${number}`;
+    }, index + 1);
+    await page.waitForFunction(
+      (name) => document.querySelector("#app:not([aria-busy]) > main.world") && document.title.includes(name),
+      world.acceleration,
+    );
+    const panel = await page.innerText(".panel .top");
+    assert.match(panel, new RegExp(`^[^\\w]*${world.verdict}`), world.acceleration);
+    assert.match(panel, new RegExp(world.state_hash), world.acceleration);
+  }
+  assert.equal(worlds[0].acceleration, "eumos-40509-front-1g5");
+  assert.ok(layout.margins_within_limits_g.front > 0);
+  await page.close();
+
+  // Who opens the address has the norm and its size.
+  const other = await openPage({ address: `file://${PAGE}#run=norm%3Aeumos-40509%3A%3BnormSize%3A1%2C5` });
+  await drop(other, { "pallets.csv": csvOf(palletRows()) });
+  assert.equal(await other.inputValue(".choices label:has-text('Size K') input"), "1,5");
+  assert.match(await other.innerText(".choices"), /Needed: front 1\.5 g/);
+  await other.close();
+});
+
+const eumosLabel = (page: Page) => page.locator(".choices option:has-text('eumos-40509')").textContent();
 
 test("several files at once: loads of all of them, a sheet without loads left out, what is wrong said by row", {
   skip,
@@ -314,5 +393,173 @@ test("a load is mended: what would help is tried, taken, undone, and the mended 
   await page.waitForSelector("main.fleet");
   await page.keyboard.press("ArrowDown");
   assert.match(await page.innerText(".detail"), /boxes\s+19/);
+  await page.close();
+});
+
+test("boxes are swapped, copied, added and described with the keyboard alone; what is saved has the program's bits", {
+  skip,
+}, async () => {
+  const page = await openPage();
+  await drop(page, { "pallets.csv": csvOf(palletRows()) });
+  await page.click(".file button.advice");
+  await page.waitForSelector(".go button.primary:not([disabled])");
+  await screened(page);
+  await page.focus(".matrix");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  await page.keyboard.press("e");
+  await page.waitForSelector("#app:not([aria-busy]) .mend");
+  /** Goes to what has a name with the tab key. */
+  const reach = async (name: string) => {
+    for (let press = 0; press < 120; ++press) {
+      const at = await page.evaluate(() => {
+        const node = document.activeElement as HTMLElement;
+        return node.getAttribute("aria-label") ?? node.closest("label")?.textContent ?? node.textContent;
+      });
+      if (at === name) return;
+      await page.keyboard.press("Tab");
+    }
+    throw new Error(`the tab key does not reach ${name}`);
+  };
+  const press = async (name: string) => {
+    await reach(name);
+    await page.keyboard.press("Enter");
+  };
+  const choose = async (box: number) => {
+    await reach("Boxes. Arrow keys choose one.");
+    const boxes = 22;
+    for (let step = 0; step < 2 * boxes; ++step) {
+      if (new RegExp(`Box ${box},`).test(await page.innerText(".mend"))) return;
+      await page.keyboard.press(step < boxes ? "ArrowUp" : "ArrowDown");
+    }
+    throw new Error(`box ${box} is not in the list`);
+  };
+  const type = async (name: string, text: string) => {
+    await reach(name);
+    await page.keyboard.press("Control+A");
+    await page.keyboard.type(text);
+  };
+  const undone = (edits: number) =>
+    page.waitForFunction(
+      (text) =>
+        [...document.querySelectorAll("#app:not([aria-busy]) .mend:not([aria-busy]) button")].some(
+          (button) => button.textContent === text,
+        ),
+      edits > 1 ? `Undo (${edits})` : "Undo",
+    );
+  const says = (words: RegExp) =>
+    page.waitForFunction(
+      (source) => new RegExp(source).test(document.querySelector(".mend:not([aria-busy]) .problem")?.textContent ?? ""),
+      words.source,
+    );
+  const focused = () =>
+    page.evaluate(() => (document.activeElement!.closest("label") ?? document.activeElement!).textContent);
+  const hash = async () => /[0-9a-f]{16}/.exec(await page.innerText(".panel .top"))![0];
+  let saves = 0;
+  const save = async () => {
+    const [download] = await Promise.all([page.waitForEvent("download"), press("Save load")]);
+    const name = `mended-${++saves}.json`;
+    await download.saveAs(path.join(folder, name));
+    const { worlds } = byProgram(name, ["--container", "trailer-box"]);
+    assert.equal(await hash(), worlds[0].state_hash, name);
+    return JSON.parse(readFileSync(path.join(folder, name), "utf8")).loads[0].boxes;
+  };
+  const before = await hash();
+
+  // A step that was chosen holds for the next boxes too.
+  await choose(20);
+  await press("by 10 cm");
+  await press("rear");
+  await undone(1);
+  await press("by 1 cm");
+  await press("Undo");
+  await page.waitForSelector("#app:not([aria-busy]) .mend:not([aria-busy]) button[data-does='undo'][disabled]");
+  assert.equal(await hash(), before);
+
+  // The first and the last box, of other heights, swap their places.
+  await choose(20);
+  await press("Swap");
+  assert.match(await page.innerText(".mend"), /Choose the box that box 20, Tinned food 20 swaps places with/);
+  await choose(1);
+  await press("Swap with box 20, Tinned food 20");
+  await undone(1);
+  const swapped = await save();
+  assert.deepEqual(
+    [swapped[0].corner_min, swapped[0].corner_max],
+    [
+      [7.8, 1.22, 0],
+      [8.6, 2.42, 1],
+    ],
+  );
+  assert.deepEqual(
+    [swapped[19].corner_min, swapped[19].corner_max],
+    [
+      [0, 0, 0],
+      [0.8, 1.2, 1.3],
+    ],
+  );
+
+  // A copy stands behind the others, is chosen, and is described.
+  await choose(3);
+  await press("Copy");
+  await undone(2);
+  await page.waitForFunction(() => /Box 21, Paper 3/.test(document.querySelector<HTMLElement>(".mend")!.innerText));
+  assert.equal(await focused(), "Copy", "the focus stays where it was");
+  await press("Name, mass, material");
+  await type("Name", "Spare");
+  await type("Mass, kg", "123,5");
+  await type("Material", "2");
+  await page.keyboard.press("Enter");
+  await undone(3);
+  assert.equal(await focused(), "Material");
+  assert.deepEqual((await save())[20], {
+    corner_min: [8.6, 0, 0],
+    corner_max: [9.4, 1.2, 1.2],
+    name: "Spare",
+    material: 2,
+    mass: 123.5,
+  });
+  await type("Mass, kg", "heavy");
+  await press("Change");
+  await says(/^The mass has to be a number of kg above 0: heavy\.$/);
+
+  // A new one needs a size and a mass that can be used, and a place.
+  await press("Add a box");
+  await type("Length, cm", "60");
+  await type("Width, cm", "40");
+  await press("Add");
+  await says(/^The height has to be a number of cm above 0\.$/);
+  await type("Height, cm", "900");
+  await reach("Material");
+  const form = page.locator(".mend form[aria-label='A new box']");
+  await form.locator("label:has-text('Mass') input").focus();
+  await page.keyboard.type("31");
+  await page.keyboard.press("Enter");
+  await says(/^There is no place where a box of 60 × 40 × 900 cm stands\.$/);
+  await type("Height, cm", "50");
+  await page.keyboard.press("Enter");
+  await undone(4);
+  await page.waitForFunction(() => /Box 22/.test(document.querySelector<HTMLElement>(".mend")!.innerText));
+  const added = await save();
+  assert.deepEqual(added[21], { corner_min: [7.2, 0, 0], corner_max: [7.8, 0.4, 0.5], material: 1, mass: 31 });
+  assert.match(await page.innerText(".panel .top"), /Of 22 boxes/);
+
+  // A swap for which there is no room is refused in the words of the program.
+  await press("Swap");
+  await choose(1);
+  await press("Swap with box 22");
+  await says(/^box \d+ overlaps box \d+:/);
+
+  // All of it is taken back.
+  await press("Undo (4)");
+  for (const edits of [3, 2, 1]) {
+    await undone(edits);
+    assert.equal(await focused(), edits > 1 ? `Undo (${edits})` : "Undo");
+    await page.keyboard.press("Enter");
+  }
+  await page.waitForSelector("#app:not([aria-busy]) .mend:not([aria-busy]) button[data-does='undo'][disabled]");
+  assert.equal(await page.evaluate(() => document.activeElement!.className), "mend", "there is nothing left to undo");
+  assert.equal(await hash(), before);
   await page.close();
 });

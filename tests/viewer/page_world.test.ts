@@ -289,16 +289,6 @@ test("a load shows its own container, and the names, mats and friction of its bo
   await page.waitForFunction(() => /Castings 1/.test(document.querySelector(".rows .row")?.textContent ?? ""));
   assert.equal(await page.getAttribute(".rows .name", "title"), "Castings 1");
   await page.evaluate(() => {
-    location.hash = "world=5";
-  });
-  await page.waitForFunction(() => /wheels/.test(document.querySelector("header")?.textContent ?? ""));
-  await page.keyboard.press("l");
-  await page.waitForFunction(() =>
-    /This load has centres of mass of its own, which the engine|This page has no engine/.test(
-      document.querySelector("header")?.textContent ?? "",
-    ),
-  );
-  await page.evaluate(() => {
     location.hash = "world=13";
   });
   await page.waitForFunction(() => /seed_example/.test(document.querySelector("header")?.textContent ?? ""));

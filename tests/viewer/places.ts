@@ -15,3 +15,5 @@ export const ROOT = path.resolve(BUILD, "../..");
 export const PICTURES = path.join(ROOT, "docs/guide/viewer");
 /** The export of a load planner, whose axes are others. */
 export const PLANNER = path.join(ROOT, "tests/io/loads/formats/planner_export.csv");
+/** Loads with everything that a load may say. */
+export const LOADS = path.join(ROOT, "tests/viewer/loads.json");

@@ -199,21 +199,27 @@ test("loads have names, mats, masses, fixed boxes and containers of their own, w
   assert.deepEqual([...boxes.mass.subarray(0, 3)], [620, 635, 840]);
   assert.deepEqual([...boxes.mat.subarray(5, 8)], [Number.NaN, 0.6, 0.6]);
   assert.deepEqual([...boxes.fixed].indexOf(1), -1);
-  assert.deepEqual(trailer.loaded?.more, [
-    "a container of its own",
-    "masses of its own",
-    "materials with names",
-    "anti-slip mats",
-  ]);
+  assert.equal(trailer.loaded?.load.container, container.shape);
+  assert.equal(trailer.loaded?.load.boxes[0].material, "pallet");
   const json = of("wheels.json");
   assert.deepEqual([...json.boxes.fixed], [1, 0]);
   assert.equal(json.boxes.bearingLimit[1], 250);
-  assert.deepEqual(json.loaded?.more.slice(-2), ["fixed boxes of its own", "centres of mass of its own"]);
+  assert.deepEqual(json.boxes.centre, Float32Array.of(0, 0, 0, 0.05, 0, -0.1));
+  const wheels = JSON.parse(readFileSync(`${RESULTS}/wheels.json`, "utf8")).loads[0];
+  const { load } = json.loaded!;
+  const defaults = wheels.boxes.map((box: object) => ({ material: 1, ...box }));
+  assert.deepEqual(JSON.parse(JSON.stringify(load.boxes)), defaults, "all that the load says");
+  assert.deepEqual(load.container, { bed_height: 1.2, ...wheels.container });
   const plain = of("seed_example.txt");
   assert.deepEqual(plain.container, results.container);
-  assert.deepEqual([plain.boxes.name, plain.loaded?.more], [["", "", ""], []]);
-  for (const name of ["trailer.h5", "demo.h5", "earlier.h5"])
-    assert.deepEqual((await open(name)).reader.world(0).loaded?.more, [], name);
+  assert.deepEqual(plain.boxes.name, ["", "", ""]);
+  for (const name of ["trailer.h5", "demo.h5", "earlier.h5"]) {
+    const { load, masses, mats, settings } = (await open(name)).reader.world(0).loaded!;
+    assert.equal(load.container, undefined, name);
+    for (const box of load.boxes)
+      assert.deepEqual(Object.keys(JSON.parse(JSON.stringify(box))), ["corner_min", "corner_max", "material"], name);
+    assert.deepEqual([masses, mats, settings], [null, null, {}], name);
+  }
 });
 
 test("a file that has nothing of loads has their boxes", async () => {
@@ -229,7 +235,7 @@ test("a file that has nothing of loads has their boxes", async () => {
     ],
   );
   assert.ok(boxes.mat.every(Number.isNaN) && boxes.bearingLimit.every(Number.isNaN));
-  assert.deepEqual(loaded?.more, []);
+  assert.deepEqual(loaded?.settings, {});
   assert.ok(reader.criticalNames().every((name) => name === ""));
 });
 

@@ -136,6 +136,19 @@ test("loads with masses, mats, fixed boxes, centres of mass and containers of th
   sameMargins(layouts, loadsOf(paths), inputs);
 });
 
+test("loads under an acceleration of a file have the program's bits", () => {
+  const paths = ["configs/loads/trailer.csv", "tests/viewer/loads.json"].map((name) => path.join(root, name));
+  const file = path.join(root, "configs/accelerations/lane_change_2ms2.txt");
+  const segments = engine.readAcceleration(readFileSync(file, "utf8"));
+  const { worlds } = screenedBy(["--layouts", ...paths, "--accelerations", file]);
+  const ofFile = worlds.filter(({ acceleration }) => acceleration.startsWith("lane_change"));
+  assert.equal(ofFile.length, loadsOf(paths).size);
+  for (const { layout, state_hash, verdict } of ofFile) {
+    const { outcome } = engine.screenLoad(loadsOf(paths).get(layout), segments, {});
+    assert.deepEqual([outcome.stateHash, outcome.verdict], [state_hash, verdict], layout);
+  }
+});
+
 test("another container, friction and limits have the program's bits", () => {
   const config = path.join(root, "tests/viewer/loads.ini");
   const file = path.join(root, "configs/loads/trailer.csv");

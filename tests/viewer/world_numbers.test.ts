@@ -94,19 +94,23 @@ test("segments of an acceleration hold from their start to before their end", ()
   assert.equal(accelerationAt(segments, 1.5)[0], 0);
 });
 
-/** Boxes from their lowest corners and sizes, m. */
-function boxesOf(list: { at: number[]; size: number[] }[]): BoxColumns {
+/** Boxes from their lowest corners and sizes, m, and where their centres of mass are from their middles. */
+function boxesOf(list: { at: number[]; size: number[]; centre?: number[] }[]): BoxColumns {
+  const centreOf = ({ centre = [0, 0, 0] }: (typeof list)[number]) => centre;
   return {
     id: Uint32Array.from(list, (_, i) => i + 1),
     size: Float32Array.from(list.flatMap(({ size }) => size)),
-    reference: Float32Array.from(list.flatMap(({ at, size }) => at.map((low, axis) => low + size[axis] / 2))),
+    centre: Float32Array.from(list.flatMap(centreOf)),
+    reference: Float32Array.from(
+      list.flatMap((box) => box.at.map((low, axis) => low + box.size[axis] / 2 + centreOf(box)[axis])),
+    ),
   } as unknown as BoxColumns;
 }
 
 const pile = boxesOf([
   { at: [1, 0, 0], size: [1, 1, 1] },
   { at: [2.2, 0, 0], size: [1, 1, 1] },
-  { at: [1.5, 0, 1], size: [1, 1, 0.5] },
+  { at: [1.5, 0, 1], size: [1, 1, 0.5], centre: [0.2, -0.1, 0.15] },
 ]);
 
 test("the way of a box is free until the next box or the wall", () => {

@@ -183,8 +183,11 @@ export interface Engine {
   /** The first rows of a table. */
   preview(bytes: Uint8Array, rows: number): TableRow[];
   readLoads(content: string | Uint8Array, name: string, inputs?: GivenSettings & ReadChoices): WrittenFile;
-  /** What `holdfast screen` says of a load under an acceleration of the norm, and what the results file has of its boxes. */
-  screenLoad(load: Load, acceleration: number, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
+  /**
+   * What `holdfast screen` says of a load under an acceleration, by its number in the norm or by rows of five numbers, and what the
+   * results file has of its boxes.
+   */
+  screenLoad(load: Load, acceleration: number | Numbers, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
   /** What `holdfast margins` finds: four directions in each column. */
   loadMargins(load: Load, inputs: RunSettings): Columns;
   /** What `holdfast check --bearing` finds: columns of boxes, kg. */

@@ -139,16 +139,18 @@ class Engine {
   }
 
   /**
-   * Simulates a load to its end under an acceleration of the norm that the settings name, as `holdfast screen` does.
+   * Simulates a load to its end under an acceleration, as `holdfast screen` does.
    * @param {object} load as `readLoads` gives it
-   * @param {number} acceleration of the norm, from 0
+   * @param {number | Float64Array} acceleration of the norm that the settings name, from 0; or rows of five numbers
    * @param {object} inputs `config` and `settings`, as of `world`; `container` as of `run`
    * @param {boolean} [recorded] also give what the results file has of boxes and samples
    * @returns {{outcome: object, columns: Record<string, Float64Array>}}
    */
   screenLoad(load, acceleration, inputs, recorded = false) {
+    const [ofNorm, segments] = typeof acceleration === 'number' ? [acceleration, []] : [0, acceleration];
     const { outcome, ...columns } = this.withLoad(load, inputs, (settings, container, text) =>
-      this.readColumns(this.wasm.page_screen_load(settings, container, text, acceleration, recorded ? 1 : 0)));
+      this.withNumbers(segments, (at) => this.readColumns(this.wasm.page_screen_load(
+        settings, container, text, ofNorm, at, segments.length / NUMBERS_PER_SEGMENT, recorded ? 1 : 0))));
     return { outcome: this.outcomeOf(outcome), columns };
   }
 

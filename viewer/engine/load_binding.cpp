@@ -97,6 +97,16 @@ Layout load_of(const char* text, Settings settings) {
   return std::move(load.layout);
 }
 
+/// The acceleration of these rows of five numbers; without any, that of the norm in the settings.
+Acceleration acceleration_for(const Settings& settings, std::size_t of_norm, const double* segments,
+                              std::size_t segment_count) {
+  if (segment_count > 0)
+    return value_or_throw(read_acceleration(acceleration_of("the acceleration", segments, segment_count)));
+  std::vector<Acceleration> accelerations = value_or_throw(find_norm(settings.screening.norm)).accelerations();
+  if (of_norm >= accelerations.size()) throw BadArgument{"no such acceleration"};
+  return std::move(accelerations[of_norm]);
+}
+
 Json acceleration_json(const Acceleration& acceleration) {
   Json segments = Json::array();
   for (const Segment& segment : acceleration.segments)
@@ -264,20 +274,19 @@ EXPORTED int page_preview(const char* bytes, std::size_t size, std::size_t rows)
   });
 }
 
-/// Simulates a load under an acceleration of the norm in the settings, as `holdfast screen` does, into numbers that
-/// `page_outcome_rows` explains.
+/// Simulates a load under an acceleration, as `holdfast screen` does, into numbers that `page_outcome_rows` explains.
 /// @param text         of a file of ours with the load
-/// @param acceleration of the norm, from 0
+/// @param acceleration of the norm in the settings, from 0, where there are no segments
+/// @param segments     rows of five numbers
 /// @param record       also what the results file has of boxes and samples, in further columns
 EXPORTED int page_screen_load(const holdfast_settings* handle, const char* container, const char* text,
-                              std::size_t acceleration, int record) {
+                              std::size_t acceleration, const double* segments, std::size_t segment_count, int record) {
   return call([&] {
     const Settings settings = settings_with(handle, {.container = optional_text(container)});
     const Layout layout = load_of(text, settings);
-    const std::vector<Acceleration> accelerations = value_or_throw(find_norm(settings.screening.norm)).accelerations();
-    if (acceleration >= accelerations.size()) throw BadArgument{"no such acceleration"};
+    const Acceleration pushed = acceleration_for(settings, acceleration, segments, segment_count);
     const std::unique_ptr<Engine> engine = engine_of(settings);
-    const WorldRecord found = simulate_world(*engine, layout, accelerations[acceleration], settings, record != 0);
+    const WorldRecord found = simulate_world(*engine, layout, pushed, settings, record != 0);
     holdfast::WorldOutcome world;
     fill_world(found, recording_plan(settings, false).thresholds, false, world);
     append(world);

@@ -349,6 +349,7 @@ class App {
         shown.push({ results: second.results, world: await second.world(other) });
       if (turn !== this.turn) return;
       const before = this.world && this.shownLayout === shown[0].world.layout ? this.world : null;
+      const focused = this.mending?.focused ?? null;
       this.closeWorld();
       const mend = this.mendPanel(shown);
       const chooser = shown[1] ? this.chooserOf(shown[1]) : null;
@@ -360,6 +361,7 @@ class App {
         shown.map((of) => `${of.world.layout} · ${of.world.acceleration}`),
       );
       this.fill(this.world.node);
+      if (focused !== null) mend?.focus(focused);
       if (live && this.whyNot) this.bar.say(this.whyNot);
     } catch (error) {
       this.store.update(FLEET);
@@ -398,7 +400,7 @@ class App {
     const mending = element(
       "button",
       {
-        title: "Move, turn, take away boxes, and what would help (E)",
+        title: "Move, turn, swap, add and take away boxes, and what would help (E)",
         "aria-pressed": String(mend),
         onclick: () => this.mend(),
       },

@@ -16,10 +16,11 @@ const MARGINAL = 0.02;
 /** m: boxes closer than this touch, as loaded. */
 const TOUCH = 0.005;
 
-const low = (boxes: BoxColumns, box: number, axis: number) =>
-  boxes.reference[3 * box + axis] - boxes.size[3 * box + axis] / 2;
+const middle = (boxes: BoxColumns, box: number, axis: number) =>
+  boxes.reference[3 * box + axis] - boxes.centre[3 * box + axis];
+const low = (boxes: BoxColumns, box: number, axis: number) => middle(boxes, box, axis) - boxes.size[3 * box + axis] / 2;
 const high = (boxes: BoxColumns, box: number, axis: number) =>
-  boxes.reference[3 * box + axis] + boxes.size[3 * box + axis] / 2;
+  middle(boxes, box, axis) + boxes.size[3 * box + axis] / 2;
 const overlap = (boxes: BoxColumns, a: number, b: number, axis: number) =>
   Math.min(high(boxes, a, axis), high(boxes, b, axis)) - Math.max(low(boxes, a, axis), low(boxes, b, axis));
 

@@ -1,8 +1,9 @@
+import { readContainers } from "./containers";
 import { criticalBox, excursionsTo } from "./excursions";
 import { type Hdf5File, type Numbers, UnreadableFile } from "./hdf5_file";
 import { fixedMaterials, UPRIGHT } from "./openings";
 import { VERDICT_CODES } from "./outcome";
-import { LoadInputs, readContainers } from "./read_loads";
+import { LoadInputs } from "./read_loads";
 import {
   type BoxColumns,
   type BoxDamage,
@@ -144,6 +145,7 @@ export class ResultsReader {
       fixed: Uint8Array.from(load.material, (name, box) => (load.fixed[box] || fixed.has(name) ? 1 : 0)),
       mass: float("boxes/mass"),
       size: float("boxes/size"),
+      centre: load.centre,
       initial,
       reference,
       endDisplacement,

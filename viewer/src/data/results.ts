@@ -1,5 +1,6 @@
 /** What the page knows of a results file: plain columns, in the units and frame of docs/reference/results_file.md. */
 
+import type { Load, Shape } from "holdfast-engine";
 import type { Openings } from "./openings";
 
 /** Number of boxes of a world that was not simulated, or that a file of an earlier version does not have. */
@@ -143,7 +144,8 @@ export interface Container {
   type: string;
   size: Size;
   openings: Openings;
-  /** keys of its own as of [Container], where it is that of a load */
+  /** where it is that of a load: as JSON of ours has it, and as keys of [Container] */
+  shape?: Shape;
   settings?: Record<string, string>;
 }
 
@@ -204,7 +206,9 @@ export interface BoxColumns {
   /** part of the container: it never moves, and counts in no verdict */
   fixed: Uint8Array;
   size: Float32Array;
-  /** m, as loaded */
+  /** m, from the middle of the box to its centre of mass, along its axes */
+  centre: Float32Array;
+  /** m, of the centre of mass as loaded */
   initial: Float32Array;
   /** m, from where displacement counts: as settled, at t = 0, or as loaded */
   reference: Float32Array;
@@ -257,19 +261,15 @@ export interface WallForces {
 
 /** A layout as the engine takes it. */
 export interface LoadedLayout {
-  /** first line of the layout file */
-  header: string;
+  /** all that it says */
+  load: Load;
   /** rows of seven numbers: corner with the smallest coordinates, corner with the largest (m), material */
   boxes: Float64Array;
   /** kg, and coefficients of friction, one per box, NaN where it has none; null: none has */
   masses: Float64Array | null;
   mats: Float64Array | null;
-  /** in place of those of the run: numbers for materials with names and for fixed boxes, and the load's own container */
+  /** in place of those of the run: numbers for materials, and the load's own container */
   settings: Record<string, string>;
-  /** what the load says that is more than rows of seven numbers, and a layout file does not have, in words */
-  more: string[];
-  /** the same of what the engine does not take */
-  missing: string[];
 }
 
 export interface World {

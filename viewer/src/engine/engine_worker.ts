@@ -1,6 +1,6 @@
-import { type Engine, loadEngine, type World, type WrittenFile } from "holdfast-engine";
+import { type Engine, loadEngine, type World, type WorldOutcome, type WrittenFile } from "holdfast-engine";
 import { sha256 } from "../data/sha256";
-import type { Answer, Changes, Frame, HashedFile, LiveInputs, Order, Saved } from "./messages";
+import type { Answer, Changes, Frame, HashedFile, LiveInputs, Order, Orders } from "./messages";
 
 /** The native engine, so that the page never waits for it. It has one live world at a time. */
 
@@ -41,14 +41,11 @@ function start(engine: Engine, { boxes, segments, masses, mats, settings }: Live
   world = engine.world({ boxes, segments, masses, mats, settings });
 }
 
-function screen(engine: Engine, order: Extract<Order, { kind: "screen" }>): Saved {
-  const { settings } = order;
-  const boxes = engine.readLayout(order.layout, { settings });
-  const segments = engine.readAcceleration(order.acceleration);
-  return {
-    outcome: engine.screen({ boxes, segments, settings }),
-    same: boxes.length === order.boxes.length && boxes.every((value, i) => Math.abs(value - order.boxes[i]) < 1e-9),
-  };
+function screen(engine: Engine, { load, acceleration, settings }: Orders["screen"]["ask"]): WorldOutcome {
+  const { loads, errors } = engine.readLoads(load, "the load", { settings });
+  const [problem] = [...errors, ...loads.flatMap((read) => read.errors)];
+  if (problem) throw new Error(problem.message);
+  return engine.screenLoad(loads[0].load, engine.readAcceleration(acceleration), { settings }).outcome;
 }
 
 /** With the hashes that the program has of loads: of the bytes of a layout file, of any other load as it writes it. */

@@ -48,13 +48,6 @@ export interface Frame {
   computed: number;
 }
 
-/** What the files that are saved give in the program. */
-export interface Saved {
-  outcome: WorldOutcome;
-  /** the texts, read as the program reads them, are what was to be saved */
-  same: boolean;
-}
-
 /** A load of a file, with what the results file has of the text that it is from. */
 export interface HashedLoad extends ReadLoad {
   /** hexadecimal; empty where the browser has none */
@@ -78,9 +71,10 @@ export interface Orders {
   version: { ask: object; answer: string };
   start: { ask: LiveInputs & { hashed: boolean }; answer: Frame };
   advance: { ask: { to: number; changes: Changes; hashed: boolean }; answer: Frame };
+  /** What `holdfast screen` says of files of which these are the texts. */
   screen: {
-    ask: { layout: string; acceleration: string; boxes: Float64Array; settings: LiveInputs["settings"] };
-    answer: Saved;
+    ask: { load: string; acceleration: string; settings: LiveInputs["settings"] };
+    answer: WorldOutcome;
   };
   catalogue: { ask: object; answer: Catalogue };
   run: { ask: { settings: RunSettings }; answer: RunFacts };

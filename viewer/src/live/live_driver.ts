@@ -138,9 +138,9 @@ export class LiveDriver implements TimeControl {
     return { ...this.file.settings, ...this.of.loaded!.settings };
   }
 
-  /** The settings of the world, and with them a configuration that repeats it. */
+  /** The settings of the world; where they are saved, those that repeat it beside its load. */
   settings(mode: Mode, saved = false): LiveInputs["settings"] {
-    const { given } = this;
+    const given = saved ? this.file.settings : this.given;
     if (mode === "replay") return engineSettings(given, {});
     const { accuracy } = this.choices;
     const changed: Record<string, string> = {

@@ -28,7 +28,7 @@ const CORNER = [
 /** What the panel does beside driving. */
 export interface LiveActions {
   leave(): void;
-  save(kind: "layout" | "acceleration" | "settings"): void;
+  save(kind: "load" | "acceleration" | "settings"): void;
 }
 
 /** The driver's seat: run and step, acceleration, friction, accuracy, the place of a box, files. */
@@ -152,7 +152,9 @@ export class LivePanel {
         element(
           "div",
           { class: "buttons" },
-          button("Layout", "A layout file of how the boxes stood at the start", () => actions.save("layout")),
+          button("Load", "The load as it stood at the start: JSON, which the page and the program read", () =>
+            actions.save("load"),
+          ),
           button("Acceleration", "An acceleration file of what was driven", () => actions.save("acceleration")),
           button("Settings", "A configuration with friction and accuracy", () => actions.save("settings")),
         ),

@@ -146,7 +146,7 @@ export class LivePointer {
       this.push = null;
       return undefined;
     }
-    const point = this.scene.boxAt(box).place.toArray();
+    const point = this.scene.boxAt(box).centre.toArray();
     return { box, force: [direction[0] * GRAVITY * mass[box], direction[1] * GRAVITY * mass[box], 0], point };
   }
 }

@@ -1,3 +1,4 @@
+import { centreOfMass } from "../data/centre_of_mass";
 import { criticalBox, excursionsTo, isBeyond, noExcursions } from "../data/excursions";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
 import {
@@ -50,9 +51,8 @@ export function centresOf(boxes: Float64Array, settings: Readonly<Record<string,
   const centres = new Float64Array((3 * boxes.length) / 7);
   for (let box = 0; 7 * box < boxes.length; ++box) {
     const row = boxes.subarray(7 * box, 7 * box + 7);
-    const offset = (settings[`Material ${row[6]}/CentreOfMass`] ?? "").split(/\s+/).map(Number);
-    for (let axis = 0; axis < 3; ++axis)
-      centres[3 * box + axis] = (row[axis] + row[axis + 3]) / 2 + (offset[axis] || 0) / 100;
+    const offset = centreOfMass(undefined, String(row[6]), settings);
+    for (let axis = 0; axis < 3; ++axis) centres[3 * box + axis] = (row[axis] + row[axis + 3]) / 2 + offset[axis];
   }
   return centres;
 }
@@ -130,6 +130,7 @@ export class LiveRecord {
       accelerated: true,
       criticalBox: 0,
       beginTime: 0,
+      stateHash: "",
       boxes: columns,
       series: null,
       walls: null,
@@ -184,6 +185,7 @@ export class LiveRecord {
     this.time = frame.time;
     this.velocities = frame.velocities;
     this.world.endTime = frame.time;
+    this.world.stateHash = frame.stateHash ?? "";
     const energy = this.measure(frame);
     this.judge(energy);
     if (sampled) this.sample(frame.time, acceleration, energy);

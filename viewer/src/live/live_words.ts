@@ -7,22 +7,8 @@ export function whyNotLive(world: World): string | null {
   if (!engineCarried()) return "This page has no engine in it: make viewer-engine, and then make viewer, put it in.";
   if (world.boxes.id.length === 0) return "This world was not simulated: there is nothing to drive.";
   if (!world.loaded) return "The layout of this world is in another part of the run.";
-  const { missing } = world.loaded;
-  if (missing.length > 0)
-    return `This load has ${listed(missing)}, which the engine of this page does not take: holdfast screen simulates it.`;
   return null;
 }
-
-/** Why the layout of a world is not saved as a layout file, as a sentence; null: it is. */
-export function whyNotSaved({ loaded }: Pick<World, "loaded">): string | null {
-  const more = loaded?.more ?? [];
-  return more.length > 0
-    ? `This load has ${listed(more)}, which a layout file of seven numbers per box does not have.`
-    : null;
-}
-
-const listed = (words: readonly string[]) =>
-  words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}` : words[0];
 
 /** What a world that was replayed to its end says of the file. */
 export function bitsSentence(

@@ -81,7 +81,7 @@ export class Pull {
     const { box } = this;
     if (box === null) return undefined;
     const point = this.point();
-    const arm = point.clone().sub(this.scene.boxAt(box).place);
+    const arm = point.clone().sub(this.scene.boxAt(box).centre);
     const [vx, vy, vz, wx, wy, wz] = velocities.subarray(6 * box, 6 * box + 6);
     const velocity = new THREE.Vector3(wx, wy, wz).cross(arm).add(new THREE.Vector3(vx, vy, vz));
     const force = pullForce(this.target.clone().sub(point), velocity, mass[box]);

@@ -1,22 +1,7 @@
-import { centimetres } from "../data/lengths";
 import type { Segment } from "../data/results";
 import type { LiveInputs } from "../engine/messages";
 
 /** Files that `holdfast screen` reads, from what was driven. */
-
-/**
- * A layout file: its header, and a line per box. `UpAxis = y` turns the frame of the file: y is up there, and z goes across from
- * right to left.
- */
-export function layoutText(header: string, boxes: Float64Array, upAxis: string, width: number): string {
-  const lines = [header.trim() === "" ? "Layout" : header];
-  for (let row = 0; row < boxes.length; row += 7) {
-    const [x1, y1, z1, x2, y2, z2, material] = boxes.subarray(row, row + 7);
-    const corners = upAxis === "y" ? [x1, z1, width - y2, x2, z2, width - y1] : [x1, y1, z1, x2, y2, z2];
-    lines.push([...corners.map(centimetres), String(material)].join("\t"));
-  }
-  return `${lines.join("\n")}\n`;
-}
 
 export function accelerationText(segments: readonly Segment[], what: string): string {
   const lines = segments.map(({ start, duration, value }) => [start, duration, ...value].join("\t"));

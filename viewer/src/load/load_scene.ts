@@ -180,8 +180,12 @@ export class LoadScene {
     const weight = [0, 0, 0];
     const before = [0, 0, 0];
     let mass = 0;
+    const centre = new THREE.Vector3();
+    const rotation = new THREE.Quaternion();
     for (let box = 0; box < count; ++box) {
       let squares = 0;
+      // Places are those of centres of mass, and boxes are drawn about their middles.
+      centre.fromArray(boxes.centre, 3 * box).applyQuaternion(rotation.fromArray(this.poses.rotation, 4 * box));
       const counted = boxes.fixed[box] ? 0 : boxes.mass[box];
       mass += counted;
       for (let axis = 0; axis < 3; ++axis) {
@@ -189,8 +193,9 @@ export class LoadScene {
         const apart = state.exploded * (boxes.reference[i] - middle[axis]);
         const displacement = this.poses.displacement[i];
         squares += displacement * displacement;
-        ghost[i] = boxes.reference[i] + apart;
-        place[i] = ghost[i] + displacement;
+        const from = boxes.reference[i] + apart;
+        ghost[i] = from - boxes.centre[i];
+        place[i] = from + displacement - centre.getComponent(axis);
         before[axis] += counted * boxes.reference[i];
         weight[axis] += counted * (boxes.reference[i] + displacement);
       }
@@ -284,12 +289,20 @@ export class LoadScene {
     return caster.ray;
   }
 
-  /** A box as it is drawn now: its middle, its rotation and its edges. */
-  boxAt(box: number): { place: THREE.Vector3; rotation: THREE.Quaternion; size: THREE.Vector3 } {
-    const { rotation } = this.geometry;
+  /** A box as it is drawn now: its middle, its centre of mass, its rotation and its edges. */
+  boxAt(box: number): {
+    place: THREE.Vector3;
+    centre: THREE.Vector3;
+    rotation: THREE.Quaternion;
+    size: THREE.Vector3;
+  } {
+    const place = new THREE.Vector3().fromBufferAttribute(this.geometry.place, box);
+    const rotation = new THREE.Quaternion().fromArray(this.geometry.rotation.array, 4 * box);
+    const offset = new THREE.Vector3().fromArray(this.world.boxes.centre, 3 * box).applyQuaternion(rotation);
     return {
-      place: new THREE.Vector3().fromBufferAttribute(this.geometry.place, box),
-      rotation: new THREE.Quaternion(rotation.getX(box), rotation.getY(box), rotation.getZ(box), rotation.getW(box)),
+      place,
+      centre: place.clone().add(offset),
+      rotation,
       size: new THREE.Vector3().fromBufferAttribute(this.geometry.size, box),
     };
   }

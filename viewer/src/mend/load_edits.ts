@@ -9,18 +9,21 @@ export interface Side {
 }
 
 /** m: less than this apart, faces touch. */
-const TOUCHING = 1e-6;
+export const TOUCHING = 1e-6;
+/** m: a gap up to which a box stands at a wall, on the floor or on another box, as the program takes it. */
+export const NEAR = 0.01;
 /** Coefficient of friction of the anti-slip mats that are laid: what their makers state, and CTU Code 2014 asks them to show. */
 export const MAT = 0.6;
 
 /** What is told of places is no finer than a tenth of a micrometre. */
 const round = (value: number) => Math.round(value * 1e7) / 1e7;
 
-const low = (box: LoadBox, axis: number) => box.corner_min[axis];
-const high = (box: LoadBox, axis: number) => box.corner_max[axis];
+export const low = (box: LoadBox, axis: number) => box.corner_min[axis];
+export const high = (box: LoadBox, axis: number) => box.corner_max[axis];
 const extent = (box: LoadBox, axis: number) => high(box, axis) - low(box, axis);
 
-function changed(load: Load, box: number, change: Partial<LoadBox>): Load {
+/** The load with something else said of a box. */
+export function changed(load: Load, box: number, change: Partial<LoadBox>): Load {
   const boxes = load.boxes.slice();
   boxes[box] = { ...boxes[box], ...change };
   return { ...load, boxes };
@@ -98,21 +101,41 @@ export function closedUp(load: Load, side: Side, size: readonly number[], isFixe
   return order.filter((box) => !isFixed(box)).reduce((next, box) => against(next, box, side, size), load);
 }
 
+/** Whether a box stands on another one. */
+const standsOn = (box: LoadBox, other: LoadBox) =>
+  Math.abs(low(box, 2) - high(other, 2)) < NEAR && faces(box, other, 2);
+
 /** Whether another box stands on a box. */
-export const carries = (load: Load, box: number) =>
-  load.boxes.some(
-    (other) =>
-      Math.abs(low(other, 2) - high(load.boxes[box], 2)) < 1e-3 &&
-      [0, 1].every(
-        (axis) =>
-          Math.min(high(other, axis), high(load.boxes[box], axis)) >
-          Math.max(low(other, axis), low(load.boxes[box], axis)) + TOUCHING,
-      ),
-  );
+export const carries = (load: Load, box: number) => load.boxes.some((other) => standsOn(other, load.boxes[box]));
+
+/** Whether nothing is beneath a box. */
+const floats = (load: Load, box: number) =>
+  low(load.boxes[box], 2) >= NEAR && !load.boxes.some((other) => standsOn(load.boxes[box], other));
+
+/** Boxes that have nothing beneath them in a load, and had something in the same load before. */
+export const leftFloating = (before: Load, after: Load): number[] =>
+  [...after.boxes.keys()].filter((box) => floats(after, box) && !floats(before, box));
+
+/**
+ * The load with two boxes in each other's place. The lower corner at the front and the left stays; where a box stood at the rear wall
+ * or the right one alone, the other one comes to that wall. Of two boxes that stood on each other, the upper one stands on the lower one again.
+ */
+export function swapped(load: Load, a: number, b: number, size: readonly number[]): Load {
+  const into = (place: LoadBox, box: LoadBox) =>
+    [0, 1, 2].map((axis) => {
+      const isAtFarWall = axis !== 2 && size[axis] - high(place, axis) < NEAR && low(place, axis) >= NEAR;
+      return isAtFarWall ? size[axis] - extent(box, axis) : low(place, axis);
+    });
+  const [first, second] = [load.boxes[a], load.boxes[b]];
+  const [ofFirst, ofSecond] = [into(second, first), into(first, second)];
+  if (standsOn(second, first)) ofFirst[2] = ofSecond[2] + extent(second, 2);
+  if (standsOn(first, second)) ofSecond[2] = ofFirst[2] + extent(first, 2);
+  return placedAt(placedAt(load, a, ofFirst), b, ofSecond);
+}
 
 /** The load with a box that stands on others on the floor, as near as there is room; null: it cannot, or there is none. */
 export function lowered(load: Load, box: number, size: readonly number[]): Load | null {
-  if (low(load.boxes[box], 2) < 1e-3 || carries(load, box)) return null;
+  if (low(load.boxes[box], 2) < NEAR || carries(load, box)) return null;
   const others = load.boxes.filter((_, index) => index !== box);
   let best: { load: Load; distance: number } | null = null;
   for (const shape of [load, turned(load, box)]) {

@@ -1,6 +1,5 @@
-import type { Load, WorldOutcome } from "holdfast-engine";
-import { boxText } from "../box/box_text";
-import { UPRIGHT } from "../data/openings";
+import type { Load, LoadBox, WorldOutcome } from "holdfast-engine";
+import { loadText } from "../data/load_text";
 import { VERDICT_CODES } from "../data/outcome";
 import { PENDING, type World } from "../data/results";
 import { failing, VERDICTS } from "../data/verdict";
@@ -9,12 +8,13 @@ import type { Screening } from "../screen/screening";
 import { download, element } from "../ui/dom";
 import type { Store } from "../ui/state";
 import { margin } from "../ui/text";
-import { against, MAT, moved, turned, withMats, without } from "./load_edits";
-import { fileOf } from "./load_file";
+import { BoxForm } from "./box_form";
+import { BoxTools, placedFirst } from "./box_tools";
+import { isSame } from "./load_edits";
 import { pressedSide, type Remedy, remediesOf } from "./remedies";
 
-/** m that a press of a button moves a box. */
-const STEPS = [0.01, 0.1] as const;
+/** Identifier of the list of materials that the load has. */
+const MATERIALS = "materials";
 
 /** What a remedy was found to do. */
 interface Tried {
@@ -26,17 +26,22 @@ interface Tried {
   margin: number;
 }
 
+/** What something in the panel does, in words that stay the same while its text changes. */
+function doingOf(node: HTMLElement): string {
+  const form = node.closest("form")?.ariaLabel ?? "";
+  return `${form} ${node.dataset.does ?? node.closest("label")?.textContent ?? node.textContent ?? ""}`;
+}
+
 /** Changes a load, and tells at once what becomes of it. */
 export class MendPanel {
-  readonly node = element("section", { class: "mend", "aria-label": "Mend" });
+  readonly node = element("section", { class: "mend", "aria-label": "Mend", tabindex: -1 });
   private readonly answers = element("div", { "aria-live": "polite" });
-  private readonly box = element("div");
+  private readonly tools: BoxTools;
   private readonly undo: HTMLButtonElement;
   private readonly said = element("p", { class: "problem", role: "alert" });
   private readonly help = element("div", { "aria-live": "polite" });
   private readonly layout: number;
   private busy = false;
-  private step: (typeof STEPS)[number] = STEPS[1];
   private readonly quit: () => void;
 
   /**
@@ -47,14 +52,24 @@ export class MendPanel {
     private readonly screening: Screening,
     private readonly world: World,
     private readonly store: Store,
-    private readonly changed: () => void,
+    private readonly changed: () => Promise<void>,
   ) {
     this.layout = screening.results.worlds.layout[world.index];
-    this.undo = element("button", { onclick: () => this.run(() => screening.undo(world.index)) }, "Undo");
+    this.tools = new BoxTools(
+      world,
+      () => this.load,
+      MATERIALS,
+      (make, choose) => this.edit(make, choose),
+    );
+    this.undo = element("button", {
+      "data-does": "undo",
+      onclick: () => this.run(() => screening.undo(world.index)),
+    });
     this.node.append(
       element("h2", {}, "Mend"),
       this.answers,
-      this.box,
+      this.tools.node,
+      this.newBox(),
       this.said,
       element(
         "div",
@@ -72,24 +87,48 @@ export class MendPanel {
         ),
       ),
       this.help,
+      element(
+        "datalist",
+        { id: MATERIALS },
+        ...[...new Set(this.load.boxes.map(({ material }) => String(material)))].map((value) =>
+          element("option", { value }),
+        ),
+      ),
     );
     this.quit = store.listen((_, changes) => {
-      if (changes.has("box")) this.showBox();
+      if (!changes.has("box")) return;
+      const { focused } = this;
+      this.showBox();
+      if (focused !== null) this.focus(focused);
     });
     this.show();
+    this.showBox();
   }
 
   close(): void {
     this.quit();
   }
 
+  /** What has the focus in this panel, by what it does; null: nothing. */
+  get focused(): string | null {
+    const at = document.activeElement as HTMLElement | null;
+    return at && this.node.contains(at) ? doingOf(at) : null;
+  }
+
+  /** Gives it to what does the same, and to the panel where nothing does. */
+  focus(does: string): void {
+    const all = [...this.node.querySelectorAll<HTMLElement>("button:enabled, input, summary")];
+    const found = all.find((one) => doingOf(one) === does) ?? this.node;
+    found.closest("details")?.setAttribute("open", "");
+    found.focus();
+  }
+
   /** Shows what is known now. */
   show(): void {
     const edits = this.screening.edits(this.layout);
-    this.undo.disabled = edits === 0 || this.busy;
+    this.undo.disabled = edits === 0;
     this.undo.textContent = edits > 1 ? `Undo (${edits})` : "Undo";
     this.answers.replaceChildren(this.table());
-    this.showBox();
   }
 
   private get load(): Load {
@@ -128,80 +167,54 @@ export class MendPanel {
   }
 
   private showBox(): void {
-    const { box } = this.store.state;
-    const { load } = this;
-    if (box === null || box >= load.boxes.length) {
-      this.box.replaceChildren(element("p", { class: "faint" }, "Choose a box to move, turn or take it away."));
-      return;
-    }
-    const of = load.boxes[box];
-    const edit = (next: Load) => this.edit(next);
+    this.tools.show(this.store.state.box);
+  }
+
+  /** Asks for a box that is not in the load yet. */
+  private newBox(): HTMLElement {
     const size = this.world.container.size;
-    const button = (text: string, title: string, next: () => Load) =>
-      element("button", { title, disabled: this.busy, onclick: () => edit(next()) }, text);
-    const centimetres = `${100 * this.step} cm`;
-    const moves = UPRIGHT.map(({ name, axis, far }) =>
-      button(name, `${centimetres} to the ${name}`, () => moved(this.load, box, axis, far ? this.step : -this.step)),
-    );
-    const stops = UPRIGHT.map((side) =>
-      button(`→| ${side.name}`, `To the ${side.name}, until it touches`, () => against(this.load, box, side, size)),
-    );
-    this.box.replaceChildren(
-      element("p", { class: "strong" }, boxText(this.world.boxes, box, "Box")),
-      element(
-        "div",
-        { class: "buttons" },
-        element(
-          "button",
-          {
-            title: "How far a press moves it",
-            onclick: () => {
-              this.step = STEPS[(STEPS.indexOf(this.step) + 1) % STEPS.length];
-              this.showBox();
-            },
-          },
-          `by ${centimetres}`,
-        ),
-        ...moves,
-        button("up", `${centimetres} up`, () => moved(this.load, box, 2, this.step)),
-        button("down", `${centimetres} down`, () => moved(this.load, box, 2, -this.step)),
-      ),
-      element("div", { class: "buttons" }, ...stops),
-      element(
-        "div",
-        { class: "buttons" },
-        button("Turn", "Exchanges length and width", () => turned(this.load, box)),
-        of.mat === undefined
-          ? button("Mat beneath it", `An anti-slip mat, friction ${MAT}`, () => withMats(this.load, [box], MAT))
-          : button("Without its mat", "Takes the mat away", () => withMats(this.load, [box], undefined)),
-        button("Take away", "Leaves the box out", () => without(this.load, box)),
-      ),
-    );
+    const form = new BoxForm("A new box", {}, null, true, MATERIALS, {
+      word: "Add",
+      act: () =>
+        this.edit((load) => {
+          const corner_max = form.size() as LoadBox["corner_max"];
+          return placedFirst(load, { corner_min: [0, 0, 0], corner_max, ...form.said() }, size);
+        }, this.load.boxes.length),
+    });
+    return element("details", {}, element("summary", {}, "Add a box"), form.node);
   }
 
-  private edit(next: Load): Promise<void> {
-    return this.run(() => this.screening.mend(this.world.index, next));
+  /** @param choose a box of the new load, to go on with */
+  private edit(make: (load: Load) => Load, choose?: number): Promise<void> {
+    return this.run(async () => {
+      const next = make(this.load);
+      if (!isSame(next, this.load)) await this.screening.mend(this.world.index, next);
+    }, choose);
   }
 
-  private async run(work: () => Promise<void>): Promise<void> {
+  private async run(work: () => Promise<void>, choose?: number): Promise<void> {
     if (this.busy) return;
     this.busy = true;
+    this.node.setAttribute("aria-busy", "true");
     this.said.textContent = "";
-    this.show();
     try {
       await work();
-      this.changed();
+      const { box } = this.store.state;
+      if (box !== null && box >= this.load.boxes.length) this.store.update({ box: null });
+      await this.changed();
+      if (choose !== undefined) this.store.update({ box: choose });
     } catch (error) {
       this.said.textContent = (error as Error).message.replaceAll(/the load: (\/\S+: )?/g, "");
     } finally {
       this.busy = false;
+      this.node.removeAttribute("aria-busy");
       this.show();
     }
   }
 
   private save(): void {
     const name = this.world.layout.replace(/\.\w+$/, "").replaceAll(/[^\w.-]+/g, "-");
-    download(`${name}-mended.json`, new Blob([fileOf(this.load)], { type: "application/json" }));
+    download(`${name}-mended.json`, new Blob([loadText(this.load)], { type: "application/json" }));
   }
 
   /** Tries what may help; the best first. */
@@ -266,7 +279,7 @@ export class MendPanel {
               element("span", { class: "strong" }, one.remedy.text),
               `: ${one.sentence}${gain(one.margin)}.`,
             ),
-            element("button", { onclick: () => this.edit(one.remedy.load) }, "Take"),
+            element("button", { onclick: () => this.edit(() => one.remedy.load) }, "Take"),
           ),
         ),
       ),

@@ -33,7 +33,7 @@ export function boundsOfBox({ boxes, loaded }: World, box: number): Bounds {
     [0, 1, 2].map((axis) =>
       loaded
         ? loaded.boxes[7 * box + offset + axis]
-        : boxes.initial[3 * box + axis] + (sign * boxes.size[3 * box + axis]) / 2,
+        : boxes.initial[3 * box + axis] - boxes.centre[3 * box + axis] + (sign * boxes.size[3 * box + axis]) / 2,
     );
   return { low: at(0, -1), high: at(3, 1) };
 }

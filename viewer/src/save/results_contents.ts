@@ -1,10 +1,10 @@
 import type { Load, LoadBox } from "holdfast-engine";
+import { containerOf } from "../data/containers";
 import type { Column, FileContents } from "../data/file_contents";
 import { STOP_REASON_CODES, VERDICT_CODES, WORLD_FIELDS } from "../data/outcome";
 import type { Margins, Segment } from "../data/results";
 import { FORMAT_VERSION } from "../data/results_datasets";
 import { sha256 } from "../data/sha256";
-import { containerOf } from "../screen/screened_results";
 import { KEPT_OF_BOXES, type Screened } from "./screened";
 import { type SavedWorld, savedWorlds } from "./world_rows";
 

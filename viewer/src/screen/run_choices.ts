@@ -2,7 +2,10 @@ import type { GivenSettings, ReadChoices, RunSettings } from "holdfast-engine";
 
 /** What a user sets for a screening. Empty texts: as the program has it without a word of it. */
 export interface RunChoices {
+  /** name of a norm; with a colon behind it, one whose size is given */
   norm: string;
+  /** K, g, of such a norm */
+  normSize: string;
   /** name in the catalogue, for all loads; `OWN_SIZE`; or empty: as each load says */
   container: string;
   /** m, of `OWN_SIZE` */
@@ -28,8 +31,18 @@ export interface RunChoices {
 /** In place of the name of a container: one of another size. */
 export const OWN_SIZE = "size";
 
+/** Behind the name of a norm whose size is given; the size follows. */
+const SIZED = ":";
+/** A norm as a choice. */
+export const normChoice = (name: string, takesSize: boolean) => (takesSize ? `${name}${SIZED}` : name);
+/** Whether a size is to be given with a choice. */
+export const takesSize = (norm: string) => norm.endsWith(SIZED);
+/** g: the least and the largest size that the program takes. */
+export const NORM_SIZES = [0.01, 2] as const;
+
 export const USUAL: RunChoices = {
   norm: "road",
+  normSize: "",
   container: "",
   length: "",
   width: "",
@@ -48,7 +61,7 @@ export const USUAL: RunChoices = {
 };
 
 /** A comma may be the decimal mark. */
-const withPoint = (number: string) => number.trim().replace(",", ".");
+export const withPoint = (number: string) => number.trim().replace(",", ".");
 
 /** The number in another unit; what is none stays, for the engine to refuse. */
 const times = (factor: number) => (text: string) => {
@@ -60,9 +73,10 @@ const inMetres = times(0.01);
 
 /** Settings of the program by what was chosen. */
 function settingsOf(choices: RunChoices): NonNullable<GivenSettings["settings"]> {
+  const { norm } = choices;
   const isOwn = choices.container === OWN_SIZE;
   const all: [string, string, string][] = [
-    ["Screening", "Norm", choices.norm],
+    ["Screening", "Norm", takesSize(norm) ? `${norm}${withPoint(choices.normSize)}` : norm],
     ["Container", "Length", isOwn ? inCentimetres(choices.length) : ""],
     ["Container", "Width", isOwn ? inCentimetres(choices.width) : ""],
     ["Container", "Height", isOwn ? inCentimetres(choices.height) : ""],
@@ -76,6 +90,14 @@ function settingsOf(choices: RunChoices): NonNullable<GivenSettings["settings"]>
     ["Screening", "Margins", choices.margins ? "true" : ""],
   ];
   return all.filter(([, , value]) => value.trim() !== "");
+}
+
+/** Why choices cannot be used, as a sentence, where the program would speak of the text of a setting; null: it judges them. */
+export function whyNotUsed({ norm, normSize }: RunChoices): string | null {
+  const [least, largest] = NORM_SIZES;
+  const size = Number(withPoint(normSize));
+  if (!takesSize(norm) || (size >= least && size <= largest)) return null;
+  return `${norm.slice(0, -SIZED.length)} needs a size K: a number of g from ${least} to ${largest}.`;
 }
 
 /** What worlds are simulated with. */

@@ -1,34 +1,14 @@
-import type { Columns, Load, ReadLoad, RunFacts, Shape, WorldOutcome } from "holdfast-engine";
+import type { Columns, Load, ReadLoad, RunFacts, WorldOutcome } from "holdfast-engine";
+import { centreOfMass } from "../data/centre_of_mass";
+import { containerOf } from "../data/containers";
 import { excursionsTo } from "../data/excursions";
-import { centimetres } from "../data/lengths";
+import { loadedLayout } from "../data/loaded_layout";
 import { STOP_REASON_CODES, VERDICT_CODES } from "../data/outcome";
-import { numbered, OWN_CENTRES, ownContainer } from "../data/read_loads";
-import type {
-  BoxColumns,
-  Container,
-  Excursions,
-  LoadedLayout,
-  Margins,
-  Results,
-  Series,
-  World,
-  WorldColumns,
-} from "../data/results";
+import type { BoxColumns, Excursions, Margins, Results, Series, World, WorldColumns } from "../data/results";
 import { emptyWorlds, PENDING } from "../data/results";
 import { notSimulated } from "./not_simulated";
 
 /** Results in the form of a results file, of worlds that the engine of this page simulates. */
-
-export const containerOf = ({ type, size, open_sides, drop_sides, bed_height }: Shape): Container =>
-  ownContainer(
-    type ?? "",
-    size,
-    (open_sides ?? []).join(" "),
-    Object.entries(drop_sides ?? {})
-      .map(([side, height]) => `${side} ${centimetres(height)}`)
-      .join(" "),
-    bed_height ?? 0,
-  );
 
 /** What is known before any world is simulated: loads that cannot be used have failed. */
 export function newResults(
@@ -177,7 +157,7 @@ export function worldOf(
     boxes,
     series: seriesOf(columns),
     stateHash: outcome.stateHash,
-    loaded: loadedOf(results, results.worlds.layout[index], read, boxes),
+    loaded: loadedLayout(read.load, settings, results.ownContainers.get(results.worlds.layout[index])),
   };
 }
 
@@ -225,6 +205,7 @@ function boxColumns(
     mass: float("boxes/mass"),
     fixed: Uint8Array.from(columns["boxes/fixed"] ?? []),
     size: float("boxes/size"),
+    centre: Float32Array.from(boxes.flatMap((box) => centreOfMass(box.centre_of_mass, String(box.material), settings))),
     initial,
     reference,
     endDisplacement,
@@ -238,41 +219,5 @@ function boxColumns(
     moved: flags("moved"),
     tilted: flags("tilted"),
     unstable: flags("unstable"),
-  };
-}
-
-/** The load as live worlds take it: rows of seven numbers, and what they do not have. */
-function loadedOf(results: Results, layout: number, read: ReadLoad, columns: BoxColumns): LoadedLayout {
-  const { boxes } = read.load;
-  const rows = Float64Array.from(
-    boxes.flatMap((box) => [
-      ...box.corner_min,
-      ...box.corner_max,
-      typeof box.material === "number" ? box.material : -1,
-    ]),
-  );
-  const known = (values: Float64Array) => (values.some(Number.isFinite) ? values : null);
-  const some = (is: (box: (typeof boxes)[number]) => boolean) => boxes.some(is);
-  const own = results.ownContainers.get(layout);
-  const found: [boolean, string][] = [
-    [own !== undefined, "a container of its own"],
-    [some((box) => box.mass !== undefined), "masses of its own"],
-    [some((box) => typeof box.material === "string"), "materials with names"],
-    [some((box) => box.mat !== undefined), "anti-slip mats"],
-    [some((box) => box.fixed === true), "fixed boxes of its own"],
-    [some((box) => box.centre_of_mass !== undefined), OWN_CENTRES],
-  ];
-  const more = found.filter(([is]) => is).map(([, words]) => words);
-  return {
-    header: read.header,
-    boxes: rows,
-    masses: known(Float64Array.from(boxes, (box) => box.mass ?? Number.NaN)),
-    mats: known(columns.mat),
-    settings: {
-      ...numbered(rows, columns.material, (box) => boxes[box].fixed === true, results.settings),
-      ...own?.settings,
-    },
-    more,
-    missing: more.filter((words) => words === OWN_CENTRES),
   };
 }

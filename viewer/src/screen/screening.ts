@@ -1,9 +1,9 @@
 import type { Columns, Load, RunFacts, RunSettings, WorldOutcome } from "holdfast-engine";
+import { loadText } from "../data/load_text";
 import { NOT_COUNTED, PENDING, type Results, type World } from "../data/results";
 import type { ResultsSource } from "../data/results_source";
 import { Cancelled, type EnginePool } from "../engine/engine_pool";
 import type { HashedLoad, SimulatedWorld } from "../engine/messages";
-import { fileOf } from "../mend/load_file";
 import { type KeptWorld, keptOf, type Screened } from "../save/screened";
 import { badWorld, newResults, putMargins, putWorld, worldOf } from "./screened_results";
 
@@ -127,7 +127,7 @@ export class Screening implements ResultsSource {
 
   /** A load as one of a file that it is saved in. */
   private async hashed(read: HashedLoad): Promise<HashedLoad> {
-    const bytes = new TextEncoder().encode(fileOf(read.load));
+    const bytes = new TextEncoder().encode(loadText(read.load));
     const found = await this.pool.ask("read", { name: read.name, bytes, choices: this.settings }, true);
     return { ...read, sha256: found.loads[0].sha256 };
   }

@@ -3,7 +3,15 @@ import type { EnginePool } from "../engine/engine_pool";
 import type { HashedFile, HashedLoad } from "../engine/messages";
 import { askedLine, columnsOption, LOOKED_AT, type Puzzle, puzzleOf, RememberedColumns } from "./column_choices";
 import type { InputFile } from "./input_files";
-import { type FileChoices, fromText, type RunChoices, readChoices, runSettings, toText } from "./run_choices";
+import {
+  type FileChoices,
+  fromText,
+  type RunChoices,
+  readChoices,
+  runSettings,
+  toText,
+  whyNotUsed,
+} from "./run_choices";
 
 /** Milliseconds without a change before files are read anew: while somebody types, they are not. */
 const PATIENCE = 150;
@@ -116,6 +124,8 @@ export class Setup {
     let problem = "";
     let readings: Reading[] = this.readings;
     try {
+      const why = whyNotUsed(choices);
+      if (why) throw new Error(why);
       facts = await pool.ask("run", { settings: runSettings(choices) }, true);
       readings = await Promise.all(files.map((file) => this.readFile(file, choices)));
     } catch (error) {

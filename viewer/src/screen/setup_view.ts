@@ -2,7 +2,16 @@ import type { Problem, ReadLoad, Shape } from "holdfast-engine";
 import { element } from "../ui/dom";
 import { count, plural } from "../ui/text";
 import { columnsOption, MEANINGS, type Puzzle } from "./column_choices";
-import { adviceOf, type FileChoices, fileChoicesText, OWN_SIZE, type RunChoices } from "./run_choices";
+import {
+  adviceOf,
+  type FileChoices,
+  fileChoicesText,
+  NORM_SIZES,
+  normChoice,
+  OWN_SIZE,
+  type RunChoices,
+  takesSize,
+} from "./run_choices";
 import type { Reading, Setup } from "./setup";
 
 type Key = Exclude<keyof RunChoices, "margins">;
@@ -28,6 +37,7 @@ export class SetupView {
   private readonly notes = new Map<string, HTMLElement>();
   private readonly fields = new Map<Key, HTMLInputElement | HTMLSelectElement>();
   private readonly own: HTMLElement;
+  private readonly normSize: HTMLElement;
   /** headers of tables whose columns are being explained */
   private readonly explained = new Set<string>();
 
@@ -45,6 +55,7 @@ export class SetupView {
       this.number("width", "Width, m"),
       this.number("height", "Height, m"),
     );
+    this.normSize = this.number("normSize", `Size K, g, ${NORM_SIZES.join(" to ")}`);
     const pairs = catalogue.friction.flatMap(({ name, materials, dry, wet }) => [
       { value: name, label: `${materials}: ${dry}` },
       ...(wet !== null && wet !== dry ? [{ value: `${name}-wet`, label: `${materials}, wet: ${wet}` }] : []),
@@ -56,10 +67,12 @@ export class SetupView {
         this.choice(
           "norm",
           "Norm",
-          catalogue.norms
-            .filter((norm) => !norm.takesSize)
-            .map(({ name, numbers }) => ({ value: name, label: `${name}: ${numbers}` })),
+          catalogue.norms.map((norm) => ({
+            value: normChoice(norm.name, norm.takesSize),
+            label: `${norm.name}: ${norm.numbers}`,
+          })),
         ),
+        this.normSize,
         this.note("norm"),
       ),
       this.part(
@@ -186,6 +199,7 @@ export class SetupView {
   private show(): void {
     const { choices, facts, problem, readings, busy, usable } = this.setup;
     for (const [key, field] of this.fields) if (field.value !== choices[key]) field.value = choices[key];
+    this.normSize.hidden = !takesSize(choices.norm);
     this.own.hidden = choices.container !== OWN_SIZE;
     this.problem.textContent = problem;
     this.problem.hidden = problem === "";
