@@ -63,10 +63,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x7cdafd6490588fa1},
-    {"lean", lean, 0x6a4c0dd4aa506dda},
-    {"tumble", tumble, 0x60909f88f75edd68},
-    {"drop", drop, 0x22e7aac11818541f},
+    {"brake", brake, 0x22ad2036ac525bce},
+    {"lean", lean, 0xf89401980b9eb730},
+    {"tumble", tumble, 0x32eb744f100fffff},
+    {"drop", drop, 0x094f35df34a8bf79},
 };
 
 }  // namespace

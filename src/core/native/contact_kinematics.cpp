@@ -9,9 +9,8 @@ bool is_missed_contact(const ContactSet& contact, double gap_before, double deep
 }
 
 bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
-  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    return bodies.largest_speed(body) <= kRestShare * terms.velocity_unit;
-  });
+  return std::all_of(island.bodies.begin(), island.bodies.end(),
+                     [&](std::uint32_t body) { return bodies.largest_speed(body) <= kSmall * terms.velocity_unit; });
 }
 
 std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end) {
@@ -22,8 +21,7 @@ std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manif
 }
 
 double penetration_slop(const StepTerms& terms, double least) {
-  return std::max(
-      {least, kTouch, std::min(kPenetrationSlop, kPenetrationSlopShare * terms.velocity_unit * terms.step)});
+  return std::max({least, kTouch, std::min(kPenetrationSlop, kSmall * terms.velocity_unit * terms.step)});
 }
 
 double speculative_margin(const StepTerms& terms, double approach) {

@@ -123,7 +123,7 @@ std::optional<Vec3> KnownBalances::beyond(const Island& island, const Vec3& grav
     centre += balance.gravity / static_cast<double>(record->balances.size());
     nearest = std::min(nearest, (balance.gravity - gravity).norm());
   }
-  if (nearest > kLittleChange * gravity.norm()) return std::nullopt;
+  if (nearest > kSmall * gravity.norm()) return std::nullopt;
   return gravity + record->reach * (gravity - centre);
 }
 

@@ -15,31 +15,29 @@ namespace holdfast::internal::native {
 struct Effort {
   /// Residual with which a solve of a step ends.
   double tolerance = 1e-4;  // |g − a| h
-  /// The same where the warm start is reset, because the acceleration has just changed.
-  double reset_tolerance = 1e-7;  // |g − a| h
   /// Iterations of a solve, at most, where what is left may pass.
-  int iterations = 60;  // iterations
-  /// The same where the acceleration has just changed.
-  int reset_iterations = 400;  // iterations
+  int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points.
   double mean_residual = 0.01;  // |g − a| h
   /// Times that impacts may cut a step.
   int impact_cuts = 8;  // times
-  /// Where no impact may cut a step: length that contacts which close within the step and are solved as closed close
-  /// by at most.
-  double closing_length = 2e-4;  // m
   /// Times that the end of a slip may cut a step.
   int slip_end_cuts = 2;  // times
-  /// Overlap from which positions are corrected.
-  double overlap = 1e-5;  // m
-  /// Overlap that a step may end with before a contact is solved, where this is more than `kPenetrationSlop` allows.
-  double penetration_slop = 0.0;  // m
+  /// Overlap from which positions are corrected. Where no impact may cut a step, contacts which close within the step
+  /// and are solved as closed close by this length at most. Of large islands also: overlap of a missed contact from
+  /// which a step is taken again; and twice the overlap that a step may end with before a contact is solved, which is
+  /// less than any real step that stops a box.
+  double slop = 1e-5;  // m
   /// Penalty R along the normal, and along the tangents where a contact sticks.
   double sticking_penalty = kStickingPenalty;  // of the carried mass
   /// Penalty R along the tangents where a contact slides.
   double sliding_penalty = kMovingSlidingPenalty;  // of the carried mass
-  /// R is fitted anew where more of the points than this call for another one.
-  double refit_share = kRefitShare;  // of the points
+  /// Residual with which a solve ends whose warm start is reset, because the acceleration has just changed.
+  double reset_tolerance = kResetTolerance * tolerance;  // |g − a| h
+  /// Iterations of such a solve, at most.
+  int reset_iterations = kResetIterations * iterations;  // iterations
+  /// Overlap that a step may end with before a contact is solved, where this is more than `kPenetrationSlop` allows.
+  double penetration_slop = 0.0;  // m
 };
 
 /// All settings of the native engine: those of the accuracy, with the keys of the configuration that override them.
@@ -50,19 +48,13 @@ struct NativeOptions {
   /// For larger ones. Their impacts are solved at the end of a step, but for islands of up to `kLocatedIslandBodies`
   /// while the acceleration goes to and fro: there are many at any time, and to locate them takes five times as long.
   Effort large_island{.iterations = 12,
-                      .reset_iterations = 24,
-                      .mean_residual = 0.02,
                       .impact_cuts = 2,
                       .slip_end_cuts = 0,
-                      .overlap = 2e-4,
-                      .penetration_slop = 1e-4,
+                      .slop = 2e-4,
                       .sticking_penalty = kLargeIslandStickingPenalty,
-                      .sliding_penalty = kLargeIslandSlidingPenalty,
-                      .refit_share = kLargeIslandRefitShare};
+                      .sliding_penalty = kLargeIslandSlidingPenalty};
   /// Equilibrium residual of a body at rest, at most.
   double rest_tolerance = 1e-8;  // of m |g − a|
-  /// Overlap of a missed contact from which a step is taken again.
-  double missed_contact_overlap = 2e-4;  // m
   /// Whether slow bodies of large islands that move sleep.
   bool sleep = true;  // yes or no
   /// Whether time goes to the end of the phase where all bodies rest.
@@ -79,33 +71,29 @@ NativeOptions native_options(const Settings& settings);
 template <class Visit>
 void visit_fields(const Effort& effort, Visit visit) {
   // A new field fails to compile here.
-  const auto& [tolerance, reset_tolerance, iterations, reset_iterations, mean_residual, impact_cuts, closing_length,
-               slip_end_cuts, overlap, penetration_slop, sticking_penalty, sliding_penalty, refit_share] = effort;
+  const auto& [tolerance, iterations, mean_residual, impact_cuts, slip_end_cuts, slop, sticking_penalty,
+               sliding_penalty, reset_tolerance, reset_iterations, penetration_slop] = effort;
   visit("tolerance", tolerance);
-  visit("reset_tolerance", reset_tolerance);
   visit("iterations", iterations);
-  visit("reset_iterations", reset_iterations);
   visit("mean_residual", mean_residual);
   visit("impact_cuts", impact_cuts);
-  visit("closing_length", closing_length);
   visit("slip_end_cuts", slip_end_cuts);
-  visit("overlap", overlap);
-  visit("penetration_slop", penetration_slop);
+  visit("slop", slop);
   visit("sticking_penalty", sticking_penalty);
   visit("sliding_penalty", sliding_penalty);
-  visit("refit_share", refit_share);
+  visit("reset_tolerance", reset_tolerance);
+  visit("reset_iterations", reset_iterations);
+  visit("penetration_slop", penetration_slop);
 }
 
 /// The same; an `Effort` is a value too.
 template <class Visit>
 void visit_fields(const NativeOptions& options, Visit visit) {
-  const auto& [steps_per_second, small_island, large_island, rest_tolerance, missed_contact_overlap, sleep, jump,
-               freeze] = options;
+  const auto& [steps_per_second, small_island, large_island, rest_tolerance, sleep, jump, freeze] = options;
   visit("steps_per_second", steps_per_second);
   visit("small_island", small_island);
   visit("large_island", large_island);
   visit("rest_tolerance", rest_tolerance);
-  visit("missed_contact_overlap", missed_contact_overlap);
   visit("sleep", sleep);
   visit("jump", jump);
   visit("freeze", freeze);

@@ -74,7 +74,7 @@ void NativeWorld::rewind() {
 Phase NativeWorld::next_part(const Phase& phase) const {
   if (phase.samples.empty()) return phase;
   const Bodies& bodies = state_.scene.bodies;
-  const double slow = kSlipShare * state_.terms.longest_step * gravity_.norm();
+  const double slow = kNegligible * state_.terms.longest_step * gravity_.norm();
   std::vector<LoneBlock> blocks;
   for (const Manifold& manifold : state_.scene.manifolds) {
     if (!manifold.active || manifold.contact.count == 0 || manifold.friction == 0.0) continue;

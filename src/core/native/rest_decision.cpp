@@ -23,7 +23,7 @@ void set_at_rest(Bodies& bodies, const IslandView& island) {
 Change RestDecision::note(Bodies& bodies, const StepTerms& terms, const Vec3& effective_gravity, bool disturbed) {
   if (!disturbed && effective_gravity == terms.effective_gravity) return change_ = Change::none;
   const double change = (effective_gravity - reset_gravity_).norm();
-  if (disturbed || change > kLittleChange * effective_gravity.norm()) {
+  if (disturbed || change > kSmall * effective_gravity.norm()) {
     change_ = Change::much;
     reset_gravity_ = effective_gravity;
     std::fill(reset_.begin(), reset_.end(), 1);
@@ -84,7 +84,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
     islands.find(bodies, scene.manifolds);
   }
   for (std::size_t i = 0; i < refuted_.size(); ++i) {
-    if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(kLongestWait, std::max(1U, 2 * next_wait_[i]));
+    if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(2 * kHorizon, std::max(1U, 2 * next_wait_[i]));
     if (bodies.activity[i] != Activity::moving) wait_[i] = next_wait_[i] = 0;
   }
 }
@@ -113,7 +113,7 @@ bool RestDecision::prove(Scene& scene, const StepTerms& terms, const IslandView&
 /// may rest with its help. True where there are any.
 bool RestDecision::activate_leaning(Scene& scene, const StepTerms& terms) {
   const Bodies& bodies = scene.bodies;
-  const double least = kLeaningAcceleration * terms.effective_gravity.norm();
+  const double least = kNegligible * terms.effective_gravity.norm();
   const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (body < 0 || refuted_[at(body)] == 0 || reset_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);

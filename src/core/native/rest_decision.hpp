@@ -13,7 +13,7 @@ namespace holdfast::internal::native {
 /// How what acts on the bodies has changed since the step before.
 enum class Change : std::uint8_t {
   none,
-  little,  ///< g − a, by no more than `kLittleChange` since it last changed by much
+  little,  ///< g − a, by no more than `kSmall` since it last changed by much
   much,    ///< g − a by more, or a force from outside, or a coefficient of friction
 };
 

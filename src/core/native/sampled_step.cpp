@@ -17,7 +17,7 @@ constexpr double kSampledShare = 0.01;  // of the way
 
 /// The same at most, and of what moves freely: far below the error of a simulation with such steps.
 /// @measured Half and twice: insensitive, also the suite `oscillate` of `validate`.
-constexpr double kSampledShift = 2e-5;  // m
+constexpr double kSampledShift = 2.0 * kContactTolerance;  // m
 
 /// How a block has moved, horizontally.
 struct Path {

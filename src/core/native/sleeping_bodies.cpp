@@ -102,7 +102,7 @@ void SleepingBodies::wake_hit(Scene& scene, const StepTerms& terms) {
     for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
       const ContactPoint& point = manifold.contact.points[i];
       const double speed = now.normal_velocity(point);
-      if (speed >= -kJumpShare * terms.velocity_unit || point.gap + terms.step * speed >= 0.0) continue;
+      if (speed >= -kNoticeable * terms.velocity_unit || point.gap + terms.step * speed >= 0.0) continue;
       hit_[at(is_asleep(bodies, manifold.a) ? manifold.a : manifold.b)] = 1;
       any_hit = true;
     }

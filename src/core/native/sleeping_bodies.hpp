@@ -15,7 +15,7 @@ namespace holdfast::internal::native {
 /// Five things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
 /// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
 /// since they fell asleep. Bodies that are hit, and those near them, do not sleep in that step, nor do those that
-/// moving ones carry. And all wake where the effective gravity has changed by more than `kLittleChange`.
+/// moving ones carry. And all wake where the effective gravity has changed by more than `kSmall`.
 class SleepingBodies {
  public:
   explicit SleepingBodies(std::size_t bodies = 0)

@@ -332,7 +332,7 @@ void StepTransaction::accept(const std::vector<std::uint8_t>& moved) {
     for (int i = 0; i < manifold.contact.count; ++i)
       carries = carries || manifold.cached[at(i)].force.dot(manifold.contact.normal) > 0.0;
     manifold.idle_steps = carries ? 0 : manifold.idle_steps + 1;
-    if (manifold.idle_steps > kIdleSteps || (!carries && nearest > kContactTolerance)) manifold.deactivate();
+    if (manifold.idle_steps > kHorizon || (!carries && nearest > kContactTolerance)) manifold.deactivate();
   }
 }
 

@@ -25,7 +25,7 @@ WorldState state_of(const WorldBatch& batch, const World& world, const Settings&
                     const NativeOptions& options) {
   WorldState state{.scene = scene_of(batch, world, settings),
                    .terms = {},
-                   .contacts = Contacts(world.contact, options.missed_contact_overlap),
+                   .contacts = Contacts(world.contact, options.large_island.slop),
                    .islands = {},
                    .sleeping = SleepingBodies(world.box_count),
                    .rest = RestDecision(world.box_count)};

@@ -21,7 +21,7 @@ TEST_CASE("native_options: every field is visited once, under its name", "[core]
       });
     }
   });
-  CHECK(fields == 8);
+  CHECK(fields == 7);
   CHECK(efforts == 2);
 }
 

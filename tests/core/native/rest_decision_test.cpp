@@ -36,7 +36,7 @@ TEST_CASE("rest decision: a change of g - a is little beside what it was when it
   CHECK(world.act({0, 0, 0}, kStep) == Change::none);
   CHECK(world.act({4, 0, 0}, kStep) == Change::much);
   CHECK(world.act({4, 0, 0}, kStep) == Change::none);
-  const double little = 0.6 * kLittleChange * world.state.terms.effective_gravity.norm();
+  const double little = 0.6 * kSmall * world.state.terms.effective_gravity.norm();
   CHECK(world.act({4 + little, 0, 0}, kStep) == Change::little);
   CHECK(world.act({4 + 2 * little, 0, 0}, kStep) == Change::much);
   CHECK(world.state.rest.note(world.bodies(), world.state.terms, world.state.terms.effective_gravity, true) ==

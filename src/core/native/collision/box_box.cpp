@@ -36,7 +36,7 @@ ContactSet aligned_contact(const OrientedBox& a, const OrientedBox& b, double ma
   if (!(gap[0] <= margin && gap[1] <= margin && gap[2] <= margin)) return contact;
 
   Vec3 score = gap;
-  if (const int kept = face_axis(previous); kept >= 0) score[kept] += kAxisHysteresis;
+  if (const int kept = face_axis(previous); kept >= 0) score[kept] += kAxisPreference;
   int k = score[1] > score[0] ? 1 : 0;
   if (score[2] > score[k]) k = 2;
 
@@ -98,7 +98,7 @@ ContactSet aligned_contact(const HalfSpace& a, const OrientedBox& b, int k, doub
 
 /// Whether two points are near enough to be one.
 bool are_one(const ContactPoint& first, const ContactPoint& second) {
-  return (first.on_a - second.on_a).squaredNorm() + (first.on_b - second.on_b).squaredNorm() <= kSameEdge * kSameEdge;
+  return (first.on_a - second.on_a).squaredNorm() + (first.on_b - second.on_b).squaredNorm() <= kSamePoint * kSamePoint;
 }
 
 /// Whether the point of two edges is one of several points of the faces' contact. The faces' separation counts overlap
@@ -109,10 +109,10 @@ bool are_one(const ContactPoint& first, const ContactPoint& second) {
 bool has_point_of(const ContactSet& faces, const ContactSet& edges) {
   const ContactPoint& wanted = edges.points[0];
   const auto end = faces.points.begin() + faces.count;
-  const auto is_beside = [&](const ContactPoint& point) { return point.gap <= std::max(0.0, wanted.gap) + kSameEdge; };
+  const auto is_beside = [&](const ContactPoint& point) { return point.gap <= std::max(0.0, wanted.gap) + kSamePoint; };
   return std::count_if(faces.points.begin(), end, is_beside) > 1 &&
          std::any_of(faces.points.begin(), end, [&](const ContactPoint& point) {
-           return std::abs(point.gap - wanted.gap) <= kEdgeHandicap && are_one(point, wanted);
+           return std::abs(point.gap - wanted.gap) <= kAxisPreference && are_one(point, wanted);
          });
 }
 

@@ -57,8 +57,8 @@ std::span<const IndexPair> BroadPhase::find_pairs(std::span<const Vec3> lower, s
 /// Gives a box new surroundings, larger ones where it left the last ones soon, and looks for its neighbours.
 void BroadPhase::renew(std::uint32_t index, const Vec3& lower, const Vec3& upper) {
   Surroundings& box = boxes_[index];
-  if (box.calls < kSurroundingsLast / 2) box.margin = std::min(2.0 * box.margin, kMostSurroundings);
-  if (box.calls > 2 * kSurroundingsLast) box.margin = std::max(0.5 * box.margin, kLeastSurroundings);
+  if (box.calls < kHorizon / 2) box.margin = std::min(2.0 * box.margin, kMostSurroundings);
+  if (box.calls > 2 * kHorizon) box.margin = std::max(0.5 * box.margin, kLeastSurroundings);
   box.calls = 0;
   box.lower = lower.array() - box.margin;
   box.upper = upper.array() + box.margin;

@@ -36,7 +36,7 @@ class BroadPhase {
   struct Surroundings {
     Vec3 lower, upper;
     double margin = 0.0;                    ///< around the box when it was last in the middle, m
-    int calls = 0;                          ///< since then
+    std::uint32_t calls = 0;                ///< since then
     std::vector<std::uint32_t> neighbours;  ///< boxes whose surroundings overlap these, sorted
   };
 

@@ -44,7 +44,7 @@ void match_points(Manifold& manifold, const ContactSet& contact, const OrientedB
   };
   const auto count = static_cast<std::size_t>(contact.count);
   bool same = contact.count == old.count && contact.axis == old.axis;
-  constexpr double kNear = kMatchDistanceInOrder * kMatchDistanceInOrder;
+  constexpr double kNear = kSamePoint * kSamePoint;
   for (std::size_t i = 0; same && i < count; ++i) same = square_on_b(i, i) < kNear || square_on_a(i, i) < kNear;
   if (same) return;
   std::array<CachedImpulse, 8> cached;

@@ -35,9 +35,9 @@ struct alignas(64) Manifold {
   /// The pair is part of a solve. A pair that merely touches is not, as long as the solution without it keeps the two
   /// apart: islands stay small, and no pair carries a force that nothing pushes into it.
   bool active = false;
-  bool slides = false;    ///< in the part of the step that is solved, or at its end: friction is kinetic
-  int idle_steps = 0;     ///< solved steps since it last carried a force
-  double friction = 0.0;  ///< static
+  bool slides = false;           ///< in the part of the step that is solved, or at its end: friction is kinetic
+  std::uint32_t idle_steps = 0;  ///< solved steps since it last carried a force
+  double friction = 0.0;         ///< static
   double kinetic_friction = 0.0;
   double restitution = 0.0;
   double nearest_gap = std::numeric_limits<double>::infinity();  ///< of the contact's points, m

@@ -18,7 +18,7 @@ struct Candidate {
   ContactAxis axis;
 
   void offer(double separation, const ContactAxis& offered, const ContactAxis& previous) {
-    const double offered_score = offered == previous ? separation + kAxisHysteresis : separation;
+    const double offered_score = offered == previous ? separation + kAxisPreference : separation;
     if (offered_score > score) {
       score = offered_score;
       axis = offered;
@@ -81,7 +81,7 @@ bool offer_edges(const OrientedBox& a, const OrientedBox& b, const RelativePose&
       const double radius_b = hb[j1] * reach(i, j2) + hb[j2] * reach(i, j1);
       const double apart = distance - (radius_a + radius_b);
       // An overlap grows when divided by the product's length: most pairs of edges need no square root.
-      if (apart < 0.0 && apart + kAxisHysteresis <= of_edges.score) continue;
+      if (apart < 0.0 && apart + kAxisPreference <= of_edges.score) continue;
       const double separation = apart / std::sqrt(square);
       if (separation > margin) return false;
       of_edges.offer(separation, {ContactAxis::Kind::edges, i, j}, previous);
@@ -121,7 +121,7 @@ std::optional<AxisChoice> choose_axis(const OrientedBox& a, const OrientedBox& b
   Candidate of_a, of_b;
   if (!offer_faces(a, b, pose, margin, previous, of_a, of_b)) return std::nullopt;
   const Candidate& of_faces = better_face(a, b, of_a, of_b);
-  Candidate of_edges{.score = of_faces.score + kEdgeHandicap};
+  Candidate of_edges{.score = of_faces.score + kAxisPreference};
   if (!nearly_aligned(pose.abs_a_from_b) && !offer_edges(a, b, pose, margin, previous, of_edges)) return std::nullopt;
   const bool edges = of_edges.axis.kind == ContactAxis::Kind::edges;
   return AxisChoice{edges ? of_edges.axis : of_faces.axis, of_faces.axis};

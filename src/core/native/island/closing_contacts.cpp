@@ -13,7 +13,7 @@ namespace holdfast::internal::native {
 void ClosingContacts::activate_nearby(Scene& scene, const IslandView& island, const StepTerms& terms,
                                       const PointFilter& filter, double step) const {
   const Bodies& bodies = scene.bodies;
-  const double near = kNearbyShare * terms.velocity_unit * step;
+  const double near = kNoticeable * terms.velocity_unit * step;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     if (manifold.active || stays(bodies, manifold.a) || stays(bodies, manifold.b)) continue;

@@ -17,9 +17,9 @@ double turning_speed(const Bodies& bodies, const IslandView& island, const StepT
 
 ImpactTiming impact_timing(const Bodies& bodies, const IslandView& island, const StepTerms& terms, const Effort& effort,
                            int cuts) {
-  return {.located_speed = std::max(kLocatedShare * terms.velocity_unit, effort.impact_cuts > 0
-                                                                             ? turning_speed(bodies, island, terms)
-                                                                             : effort.closing_length / terms.step),
+  return {.located_speed =
+              std::max(kSmall * terms.velocity_unit,
+                       effort.impact_cuts > 0 ? turning_speed(bodies, island, terms) : effort.slop / terms.step),
           .locates = cuts < effort.impact_cuts};
 }
 
@@ -88,10 +88,10 @@ bool Impacts::propagate(const Scene& scene, const IslandView& island, const Step
       const double before = normal_velocity(bodies, manifold, point);
       if ((impacting_[index] & bit) != 0 || !filter.takes(point.gap, before, step)) continue;
       // An impulse on surfaces that separate already gives energy, which nothing takes where impacts rebound.
-      if (manifold.restitution > 0.0 && before > kSlipShare * terms.velocity_unit) continue;
+      if (manifold.restitution > 0.0 && before > kNegligible * terms.velocity_unit) continue;
       could_impact_[index] |= bit;
       const double after = motion_.end_normal_velocity(bodies, manifold, point);
-      pushes = pushes || std::max(0.0, point.gap) + step * after < -kSlipShare * terms.velocity_unit * step;
+      pushes = pushes || std::max(0.0, point.gap) + step * after < -kNegligible * terms.velocity_unit * step;
     }
   }
   if (pushes)

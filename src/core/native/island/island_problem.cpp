@@ -236,7 +236,7 @@ void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island,
           double& bias = constraint.velocity_bias.row[0][lane];
           bias = point.gap > kTouch ? point.gap / step : 0.0;
           const double speed = point.normal_velocity();
-          if (speed < -kReboundShare * terms.velocity_unit) bias += manifold.restitution * speed;
+          if (speed < -kLarge * terms.velocity_unit) bias += manifold.restitution * speed;
           constraint.expected_impulse[lane] = step * point.cached.force.dot(manifold.contact.normal);
         });
   });

@@ -9,7 +9,7 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
   const double unit = terms.effective_gravity.norm() * step;
   limits.velocity_unit = unit > 0.0 ? unit : 1e-3 * step;
   const SolveResult result = solve_once(limits, report);
-  const bool diverged = !(result.residual < kDivergedResidual * limits.velocity_unit);
+  const bool diverged = !(result.residual < kLarge * limits.velocity_unit);
   const bool may_pass = result.residual <= limits.worst_residual * limits.velocity_unit;
   if (!diverged && (limits.more_iterations == 0 || may_pass)) return result;
   SolveLimits careful = limits;

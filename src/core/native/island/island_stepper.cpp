@@ -34,7 +34,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     report.residual = std::max(report.residual, part.result.residual);
     slips_.find_ended(scene, island, terms, part.result.residual);
     solve_.prepared.store_step_impulses(scene, island, part.length);
-    const bool impact = part.impact_time < part.length - kLeastRemainder * terms.step;
+    const bool impact = part.impact_time < part.length - kLeastCut * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
     if (scene.side_forces.wanted()) solve_.prepared.add_pushes(scene, share, scene.side_forces.of_step());
     motion_.move(scene.bodies, island, part.length, share);
@@ -92,14 +92,13 @@ SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& isl
     limits.iterations = effort_.iterations;
     limits.sticking = effort_.sticking_penalty;
     limits.sliding = effort_.sliding_penalty;
-    limits.refit_share = effort_.refit_share;
   }
   const double speed = mean_speed(scene.bodies, island);
-  const double slow = speed < terms.velocity_unit ? std::max(kSlowShare, speed / terms.velocity_unit) : 1.0;
+  const double slow = speed < terms.velocity_unit ? std::max(kSmall, speed / terms.velocity_unit) : 1.0;
   limits.mean_residual = slow * effort_.mean_residual;
   if (island.bodies.size() > kSmallIslandBodies) {
     limits.idle_penalty = kLargeIslandIdlePenalty;
-    limits.refit_every = kLargeIslandRefitEvery;
+    limits.refit_every = kLargeIslandCheckEvery;
   }
   limits.more_iterations = kMoreIterations * effort_.iterations;
   return limits;
@@ -117,7 +116,7 @@ bool IslandStepper::update_manifold(Scene& scene, std::uint32_t index, const Ste
   const double margin = speculative_margin(terms, scene.bodies, manifold.a, manifold.b);
   ContactSet contact = contact_now(scene.bodies, scene.sides, manifold.a, manifold.b, margin, manifold.contact.axis);
   if (scene.sinking.is_flush(scene.bodies, scene.sides, scene.manifolds, manifold.a, manifold.b, contact)) contact = {};
-  const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.missed_contact_overlap);
+  const bool missed = is_missed_contact(contact, manifold.nearest_gap, options_.large_island.slop);
   update_contact(manifold, contact, scene.bodies);
   return missed;
 }
@@ -127,12 +126,12 @@ void IslandStepper::correct_positions(Scene& scene, const IslandView& island, co
   bool any = false;
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    if (manifold.nearest_gap >= -effort_.overlap) continue;
+    if (manifold.nearest_gap >= -effort_.slop) continue;
     any = true;
     manifold.activate();
   }
   if (!any) return;
-  correction_.find(scene, island, kCorrectionTolerance * effort_.overlap);
+  correction_.find(scene, island, kCorrectionTolerance * effort_.slop);
   for (const std::uint32_t body : island.bodies) {
     if (!correction_.moves(static_cast<std::int32_t>(body))) continue;
     scene.bodies.state.position[body] += correction_.shift(body);

@@ -52,9 +52,9 @@ bool RestProof::rests(Scene& scene, const IslandView& island, const StepTerms& t
       });
       limits = repeated_limits(limits, island);
     }
-    const double speed = find_beginning_motion(limits, large ? kBeginningMotion : 0.0, terms, report);
+    const double speed = find_beginning_motion(limits, large ? kNegligible : 0.0, terms, report);
     // Forces that merely balance could lie in contacts that nothing pushes.
-    if (terms.reset_warm_start && speed < kLeaningMotion * terms.velocity_unit && admit_pushed(scene)) {
+    if (terms.reset_warm_start && speed < kNoticeable * terms.velocity_unit && admit_pushed(scene)) {
       found = settle(terms, report);
       rests = found ? *found : decide_balance(terms, report);
     }
@@ -80,7 +80,7 @@ double RestProof::find_beginning_motion(SolveLimits limits, double tolerance, co
   const double exact = std::min(limits.tolerance, kBalanceTolerance * options_.rest_tolerance);
   limits.tolerance = std::max(exact, tolerance);
   solve_.solve(limits, terms, terms.step, report);
-  if (limits.tolerance > exact && largest_speed(prepared_.problem) < kLeaningMotion * terms.velocity_unit) {
+  if (limits.tolerance > exact && largest_speed(prepared_.problem) < kNoticeable * terms.velocity_unit) {
     limits.tolerance = exact;
     solve_.solve(limits, terms, terms.step, report);
   }
@@ -178,10 +178,9 @@ std::optional<bool> RestProof::balance_of_prepared(const StepTerms& terms) {
 /// leaves the answer open.
 std::optional<bool> RestProof::settle(const StepTerms& terms, IslandReport& report) {
   SolveLimits limits;
-  limits.iterations = kBalanceCheckEvery;
+  limits.iterations = kCheckEvery;
   limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
   limits.projection = Projection::orthogonal;
-  limits.relaxation = kRestRelaxation;
   limits.idle_penalty = kRestIdlePenalty;
   limits.accelerate = true;
   limits.sticking = limits.sliding = kRestPenalty;
@@ -199,7 +198,7 @@ std::optional<bool> RestProof::settle(const StepTerms& terms, IslandReport& repo
 std::optional<bool> RestProof::judge_by_motion(const StepTerms& terms, IslandReport& report) {
   const ContactProblem before = prepared_.problem;
   SolveLimits limits = limits_after_reset(effort_);
-  limits.tolerance = std::max(limits.tolerance, kBeginningMotion);
+  limits.tolerance = std::max(limits.tolerance, kNegligible);
   const SolveResult result = solve_.solve(limits, terms, terms.step, report);
   if (balances(terms)) return true;
   const double speed = largest_speed(prepared_.problem);

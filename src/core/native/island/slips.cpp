@@ -25,7 +25,7 @@ double largest_slip(const Manifold& manifold, VelocityOf velocity_of) {
 
 /// Slip from which friction is kinetic, m/s.
 double kinetic_slip(const StepTerms& terms, const Effort& effort) {
-  return std::max(kKineticSlip, effort.mean_residual) * terms.velocity_unit;
+  return std::max(kSmall, effort.mean_residual) * terms.velocity_unit;
 }
 
 /// Slip from which friction becomes kinetic within a step, m/s. Where a proof of rest has just failed, what does not
@@ -43,7 +43,7 @@ void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     if (manifold.kinetic_friction == manifold.friction) continue;
-    const double slow = manifold.slides ? kSlipShare * terms.velocity_unit : kinetic_slip(terms, effort);
+    const double slow = manifold.slides ? kNegligible * terms.velocity_unit : kinetic_slip(terms, effort);
     manifold.slides = largest_slip(manifold, [&](const ContactPoint& point) {
                         return relative_velocity(scene.bodies, manifold, point);
                       }) > slow;
@@ -51,7 +51,7 @@ void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms
 }
 
 void Slips::find_ended(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const {
-  const double slow = std::max(kSlipShare * terms.velocity_unit, kResidualSlip * residual);
+  const double slow = std::max(kNegligible * terms.velocity_unit, kResidualSlip * residual);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     manifold.slides = manifold.slides && largest_slip(manifold, [&](const ContactPoint& point) {
@@ -96,10 +96,10 @@ double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, 
       const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
       const Vec3 slip = tangential(manifold, relative_velocity(bodies, manifold, point));
       const double speed = slip.norm();
-      if (speed <= kSlipShare * terms.velocity_unit) continue;
+      if (speed <= kNegligible * terms.velocity_unit) continue;
       const Vec3 end = tangential(manifold, motion_.end_velocity(bodies, manifold, point));
       // A slip that keeps some speed in its direction goes on.
-      if (end.dot(slip) > kSlipShare * speed * speed) continue;
+      if (end.dot(slip) > kNegligible * speed * speed) continue;
       double slowing =
           -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
       if (changed && is_fixed(bodies, manifold.a)) {

@@ -14,7 +14,7 @@ bool SolvedMotion::jumps(const Bodies& bodies, std::uint32_t body, const StepTer
   const BodyVector& end = solved_.solution(body);
   const Vec3 change = linear(end) - bodies.state.velocity[body] - step * bodies.acceleration[body];
   const Vec3 turn = angular(end) - bodies.state.angular_velocity[body] - step * bodies.angular_acceleration[body];
-  return change.norm() + bodies.radius[body] * turn.norm() > kJumpShare * terms.velocity_unit;
+  return change.norm() + bodies.radius[body] * turn.norm() > kNoticeable * terms.velocity_unit;
 }
 
 void SolvedMotion::find(const Bodies& bodies, const IslandView& island, const StepTerms& terms, double step) {

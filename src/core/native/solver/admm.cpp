@@ -73,12 +73,12 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
     }
     wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
     if (limits.accelerate) {
-      primal_residual = relax(problem.constraints, problem.velocity, limits.relaxation, u_, g_, r_);
+      primal_residual = relax(problem.constraints, problem.velocity, u_, g_, r_);
       anderson_.accelerate(problem.constraints, g_, r_);
       project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);
     } else {
       primal_residual = relax_and_project(limits.projection, problem.constraints, problem.mid_arms, problem.velocity,
-                                          limits.relaxation, problem.normal_bounds, wrench_);
+                                          problem.normal_bounds, wrench_);
     }
     change_.resize(problem.bodies.size());
     momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench_, change_);

@@ -57,8 +57,10 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
     --pause_;
     return;
   }
+  if (stored_ == 0) return;
   double weight[kAndersonDepth];
-  if (weigh(weight)) subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
+  weigh(weight);
+  subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
 }
 
 /// The inner products of `r` with all of `r_step_`.
@@ -69,10 +71,8 @@ void Anderson::along_steps(std::span<const ContactConstraint> constraints, const
   dot(constraints, r, std::span(steps).first(stored_), out);
 }
 
-/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight. False where the
-/// weights are too large to be used.
-bool Anderson::weigh(double (&weight)[kAndersonDepth]) const {
-  if (stored_ == 0) return false;
+/// Solves gram · weight = along by L D Lᵀ; directions that depend on the others get no weight.
+void Anderson::weigh(double (&weight)[kAndersonDepth]) const {
   double l[kAndersonDepth][kAndersonDepth] = {};
   double d[kAndersonDepth] = {};
   for (std::size_t j = 0; j < stored_; ++j) {
@@ -92,7 +92,6 @@ bool Anderson::weigh(double (&weight)[kAndersonDepth]) const {
   for (std::size_t i = 0; i < stored_; ++i) weight[i] = d[i] > 0.0 ? weight[i] / d[i] : 0.0;
   for (std::size_t i = stored_; i-- > 0;)
     for (std::size_t k = i + 1; k < stored_; ++k) weight[i] -= d[i] > 0.0 ? l[k][i] * weight[k] : 0.0;
-  return std::all_of(weight, weight + stored_, [](double w) { return std::abs(w) <= kAndersonLargestWeight; });
 }
 
 }  // namespace holdfast::internal::native

@@ -27,7 +27,7 @@ class Anderson {
  private:
   void along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,
                    std::span<double, kAndersonDepth> out) const;
-  bool weigh(double (&weight)[kAndersonDepth]) const;
+  void weigh(double (&weight)[kAndersonDepth]) const;
 
   int pause_ = 0;           ///< iterations until it acts again
   int next_pause_ = 0;      ///< the same of the next pause

@@ -192,16 +192,15 @@ struct Relaxed {
 };
 template <class T>
 HWY_INLINE Relaxed<T> relax_together(const ContactConstraint* constraints, const BodyVector* velocity,
-                                     double relaxation, ResidualSum& residual) {
+                                     ResidualSum& residual) {
   using P = typename T::P;
-  const P alpha = P::all(relaxation);
   Relaxed<T> out;
   out.u = contact_velocity<T>(constraints, velocity);
   for (std::size_t i = 0; i < 3; ++i) {
     const P penalty = T::penalty(constraints, i);
     const P z = T::row(constraints, &ContactConstraint::contact_velocity, i);
     const P primal_residual = out.u.at[i] - z;
-    out.r.at[i] = P::all(0.0) - alpha * (penalty * primal_residual);
+    out.r.at[i] = P::all(0.0) - penalty * primal_residual;
     out.g.at[i] = T::row(constraints, &ContactConstraint::impulse, i) - penalty * z + out.r.at[i];
     // A lane without a point has no velocity to compare with.
     const P counted = primal_residual * (T::inverse_penalty(constraints, i) * penalty);
@@ -252,12 +251,12 @@ HWY_INLINE const Entry* at_or_null(const Entry* entries, std::size_t first) {
 }
 
 HWY_ATTR PrimalResidual relax_kernel(const ContactConstraint* constraints, std::size_t count,
-                                     const BodyVector* velocity, double relaxation, ConstraintVector* out_u,
-                                     ConstraintVector* out_g, ConstraintVector* out_r) {
+                                     const BodyVector* velocity, ConstraintVector* out_u, ConstraintVector* out_g,
+                                     ConstraintVector* out_r) {
   ResidualSum residual = ResidualSum::zero();
   for_all(count, [&](auto together, std::size_t p) HWY_ATTR {
     using T = decltype(together);
-    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, relaxation, residual);
+    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, residual);
     store<T>(relaxed.u, out_u + p);
     store<T>(relaxed.g, out_g + p);
     store<T>(relaxed.r, out_r + p);
@@ -277,11 +276,11 @@ HWY_ATTR void project_kernel(Projection projection, ContactConstraint* constrain
 
 HWY_ATTR PrimalResidual relax_and_project_kernel(Projection projection, ContactConstraint* constraints,
                                                  const Arms* mid_arms, std::size_t count, const BodyVector* velocity,
-                                                 double relaxation, const NormalBounds* most, LaneWrench* wrench) {
+                                                 const NormalBounds* most, LaneWrench* wrench) {
   ResidualSum residual = ResidualSum::zero();
   for_all(count, [&](auto together, std::size_t p) HWY_ATTR {
     using T = decltype(together);
-    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, relaxation, residual);
+    const Relaxed<T> relaxed = relax_together<T>(constraints + p, velocity, residual);
     project_together<T>(projection, constraints + p, at_or_null(mid_arms, p), relaxed.g, relaxed.u, at_or_null(most, p),
                         wrench);
   });
@@ -386,10 +385,9 @@ void find_contact_velocities(std::span<const ContactConstraint> constraints, std
 }
 
 PrimalResidual relax(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
-                     double relaxation, std::span<ConstraintVector> u, std::span<ConstraintVector> g,
-                     std::span<ConstraintVector> r) {
-  return HWY_DYNAMIC_DISPATCH(relax_kernel)(constraints.data(), constraints.size(), velocity.data(), relaxation,
-                                            u.data(), g.data(), r.data());
+                     std::span<ConstraintVector> u, std::span<ConstraintVector> g, std::span<ConstraintVector> r) {
+  return HWY_DYNAMIC_DISPATCH(relax_kernel)(constraints.data(), constraints.size(), velocity.data(), u.data(), g.data(),
+                                            r.data());
 }
 
 void project(Projection projection, std::span<ContactConstraint> constraints, std::span<const Arms> mid_arms,
@@ -402,9 +400,9 @@ void project(Projection projection, std::span<ContactConstraint> constraints, st
 
 PrimalResidual relax_and_project(Projection projection, std::span<ContactConstraint> constraints,
                                  std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
-                                 double relaxation, std::span<const NormalBounds> most, std::span<LaneWrench> wrench) {
+                                 std::span<const NormalBounds> most, std::span<LaneWrench> wrench) {
   return HWY_DYNAMIC_DISPATCH(relax_and_project_kernel)(projection, constraints.data(), arms_or_null(mid_arms),
-                                                        constraints.size(), velocity.data(), relaxation,
+                                                        constraints.size(), velocity.data(),
                                                         most.empty() ? nullptr : most.data(), wrench.data());
 }
 

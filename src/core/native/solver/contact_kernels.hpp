@@ -21,14 +21,12 @@ struct PrimalResidual {
 void find_contact_velocities(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
                              std::span<ConstraintVector> u);
 
-/// First half of an ADMM iteration: computes u = J v + velocity_bias and the image g = x − α R (u − z) of x = y − R z.
+/// First half of an ADMM iteration: computes u = J v + velocity_bias and the image g = x − R (u − z) of x = y − R z.
 /// Returns the primal residual u − z.
-/// @param velocity   a body; the last entry, of what is fixed, is zero
-/// @param relaxation α: 1 plain, 1.6 over-relaxed
-/// @param u, g, r    a constraint; r = g − x
+/// @param velocity a body; the last entry, of what is fixed, is zero
+/// @param u, g, r  a constraint; r = g − x
 PrimalResidual relax(std::span<const ContactConstraint> constraints, std::span<const BodyVector> velocity,
-                     double relaxation, std::span<ConstraintVector> u, std::span<ConstraintVector> g,
-                     std::span<ConstraintVector> r);
+                     std::span<ConstraintVector> u, std::span<ConstraintVector> g, std::span<ConstraintVector> r);
 
 /// The map Π of impulses into Coulomb's cone K, |y_t| ≤ μ y_n.
 enum class Projection {
@@ -54,7 +52,7 @@ void project(Projection projection, std::span<ContactConstraint> constraints, st
 /// accelerate.
 PrimalResidual relax_and_project(Projection projection, std::span<ContactConstraint> constraints,
                                  std::span<const Arms> mid_arms, std::span<const BodyVector> velocity,
-                                 double relaxation, std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
+                                 std::span<const NormalBounds> most, std::span<LaneWrench> wrench);
 
 /// Σ a b / R over all points: the inner products of impulses with several others.
 /// @param b   of each its first constraint

@@ -12,18 +12,17 @@ namespace holdfast::internal::native {
 
 /// How hard a solve tries.
 struct SolveLimits {
-  double tolerance = 1e-3;                 ///< of velocities, in units of `velocity_unit`
-  double velocity_unit = 1.0;              ///< what residuals are measured in, m/s
-  int iterations = 24;                     ///< at most, where what is left may pass
-  int more_iterations = 0;                 ///< at most, on top of these, where it may not
-  double mean_residual = 0.0;              ///< that may pass: root of the mean square over the points, in those units
-  double worst_residual = kLargeResidual;  ///< that may pass, likewise
-  double relaxation = 1.0;                 ///< α
+  double tolerance = 1e-3;              ///< of velocities, in units of `velocity_unit`
+  double velocity_unit = 1.0;           ///< what residuals are measured in, m/s
+  int iterations = 24;                  ///< at most, where what is left may pass
+  int more_iterations = 0;              ///< at most, on top of these, where it may not
+  double mean_residual = 0.0;           ///< that may pass: root of the mean square over the points, in those units
+  double worst_residual = kNoticeable;  ///< that may pass, likewise
   double sticking = kStickingPenalty;  ///< R over the mass that a contact carries, where it sticks and along the normal
   double sliding = kSlidingPenalty;    ///< the same along the tangents where it slides
   double idle_penalty =
       kIdlePenalty;               ///< R of a contact without impulse, over that of one that carries its effective mass
-  int refit_every = kRefitEvery;  ///< iterations between two looks at R
+  int refit_every = kCheckEvery;  ///< iterations between two looks at R
   double refit_share = kRefitShare;  ///< of the points, above which R is fitted anew where so many call for another one
   Projection projection = Projection::coulomb;  ///< Π
   bool accelerate = false;                      ///< Anderson acceleration: for solves that go on to the end

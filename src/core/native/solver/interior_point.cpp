@@ -40,7 +40,7 @@ void InteriorPoint::place(const ContactProblem& problem, std::size_t constraint,
   const ContactConstraint& contact = problem.constraints[constraint];
   InteriorPoints& points = points_[constraint];
   const double carried = contact.effective_mass * velocity_unit;
-  const double speed = kInteriorStartSpeed * velocity_unit;
+  const double speed = kSmall * velocity_unit;
   const double bound = problem.normal_bounds.empty() ? std::numeric_limits<double>::infinity()
                                                      : problem.normal_bounds[constraint].lane[lane];
   double normal = std::max(contact.impulse.row[0][lane], carried);

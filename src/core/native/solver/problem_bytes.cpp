@@ -58,7 +58,6 @@ void walk_limits(Archive& archive, Limits& limits) {
   archive.number(limits.more_iterations);
   archive.number(limits.mean_residual);
   archive.number(limits.worst_residual);
-  archive.number(limits.relaxation);
   archive.number(limits.sticking);
   archive.number(limits.sliding);
   archive.number(limits.idle_penalty);

@@ -76,13 +76,13 @@ HWY_INLINE bool set_bias(const StepStart& start, const BodyMotion& a, const Body
   where_greater(gap, Four::all(kTouch), gap / step).store(constraint.velocity_bias.row[0].data());
   // Friction along the mean slip makes curved paths second order in the step.
   const Triple slip = velocity - along_normal * normal;
-  const double lasting = kLastingSlip * start.velocity_unit;
+  const double lasting = kLarge * start.velocity_unit;
   for (std::size_t i = 1; i < 3; ++i) {
     const Four bias = used * inner(slip, direction(constraint, i));
     where_greater(inner(slip, slip), Four::all(lasting * lasting), bias).store(constraint.velocity_bias.row[i].data());
   }
   const Four ends_at = max(gap, Four::all(0.0)) + step * along_normal;
-  return total(where_greater(Four::all(-kJumpShare * start.velocity_unit * start.step), ends_at, used)) > 0.0;
+  return total(where_greater(Four::all(-kNoticeable * start.velocity_unit * start.step), ends_at, used)) > 0.0;
 }
 
 HWY_INLINE void turn(const BodyMotion& body, std::array<Lanes, 3>& at_end, std::array<Lanes, 3>& at_middle) {

@@ -88,8 +88,8 @@ TEST_CASE("separating_axis: no axis separates better than the one that is chosen
     ++(is_edge ? edges : faces);
     REQUIRE(separation_along(a, b, direction_of(a, b, choice->face)) >= best_face - kContactTolerance - 1e-12);
     const double chosen = separation_along(a, b, direction_of(a, b, choice->axis));
-    REQUIRE(chosen >= best - kEdgeHandicap - kContactTolerance - 1e-12);
-    if (is_edge) REQUIRE(chosen >= best_face + kEdgeHandicap - kContactTolerance - 1e-12);
+    REQUIRE(chosen >= best - kAxisPreference - kContactTolerance - 1e-12);
+    if (is_edge) REQUIRE(chosen >= best_face + kAxisPreference - kContactTolerance - 1e-12);
   }
   CAPTURE(apart, faces, edges);
   CHECK(std::min({apart, faces, edges}) > 100);
@@ -99,7 +99,7 @@ TEST_CASE("separating_axis: the axis of the step before wins by the hysteresis, 
           "[core][separating_axis]") {
   const OrientedBox a = as_rotated(box_at({0, 0, 0}, {1, 1, 1}));
   const ContactAxis along_x{ContactAxis::Kind::face_of_a, 0, 0};
-  for (const auto& [better, wins] : {std::pair(0.5 * kAxisHysteresis, true), std::pair(2.0 * kAxisHysteresis, false)}) {
+  for (const auto& [better, wins] : {std::pair(0.5 * kAxisPreference, true), std::pair(2.0 * kAxisPreference, false)}) {
     // The boxes overlap by 1 mm along x, and by less along y.
     const OrientedBox b = as_rotated(box_at({0.999, 0.999 + better, 0}, {1, 1, 1}));
     CAPTURE(better);

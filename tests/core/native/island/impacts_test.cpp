@@ -54,7 +54,7 @@ TEST_CASE("impacts: those above a share of |g - a| h are located in time, as oft
   const IslandView island = world.state.islands[0];
   Effort effort;
   effort.impact_cuts = 2;
-  const double unit = kLocatedShare * world.state.terms.velocity_unit;
+  const double unit = kSmall * world.state.terms.velocity_unit;
   ImpactTiming timing = impact_timing(world.bodies(), island, world.state.terms, effort, 1);
   CHECK(timing.locates);
   CHECK(timing.located_speed == unit);

@@ -161,7 +161,7 @@ TEST_CASE("position_correction: what is pushed pushes on, as far as boxes touch"
   correction.find(boxes.scene, island, kExact);
   for (const std::uint32_t body : {1U, 2U, 3U}) {
     CHECK(correction.shift(body).x() == Approx(1e-3).epsilon(1e-3));
-    CHECK(correction.turn(body).norm() < 1e-7);
+    CHECK(correction.turn(body).norm() < 1e-6);
   }
   CHECK_FALSE(correction.moves(0));
   CHECK_FALSE(correction.moves(4));
@@ -225,7 +225,7 @@ TEST_CASE("position_correction: a box that does not fit between walls stays betw
   correction.find(boxes.scene, island, 1e-4);
   // Each wall pushes it as far as it overlaps, again and again.
   CHECK(correction.shift(2).allFinite());
-  CHECK(std::abs(correction.shift(2).x()) < 2.01e-3);
+  CHECK(std::abs(correction.shift(2).x()) < 2.02e-3);
 }
 
 }  // namespace position_correction_test

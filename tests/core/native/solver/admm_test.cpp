@@ -73,7 +73,7 @@ double violation(const ContactProblem& problem) {
                       angular(left[i]).cwiseAbs().maxCoeff() / (body.mass * body.radius)});
   }
   std::vector<ConstraintVector> u(problem.constraints.size()), g = u, r = u;
-  relax(problem.constraints, problem.velocity, 1.0, u, g, r);
+  relax(problem.constraints, problem.velocity, u, g, r);
   for (std::size_t p = 0; p < problem.constraints.size(); ++p) {
     const ContactConstraint& constraint = problem.constraints[p];
     for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {

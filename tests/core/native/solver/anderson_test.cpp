@@ -50,7 +50,7 @@ TEST_CASE("anderson: pauses grow with every residual that jumps, and never end b
   one.next(anderson, 0.0, residual);
   for (int i = 0; i < jumps; ++i) CHECK(one.next(anderson, 0.0, residual *= 10.0) == 0.0);
   // From here on as above: it would go to the end at once, were there no pause.
-  const int pause = jumps < 10 ? 3 << (jumps - 1) : 1000;
+  const int pause = jumps < 10 ? kAndersonPause << (jumps - 1) : 1000;
   double x = 0.0;
   int paused = 0;
   while (paused < pause) {

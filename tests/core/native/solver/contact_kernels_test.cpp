@@ -18,16 +18,14 @@ using namespace holdfast::internal::native;
 
 namespace {
 
-constexpr double kRelaxation = 1.6;
-
 /// One iteration by the kernels: `relax`, then `project` of where it leads.
 struct Sweep {
   PrimalResidual primal_residual;
   std::vector<ConstraintVector> u = std::vector<ConstraintVector>(kConstraints), g = u, r = u;
   std::vector<LaneWrench> wrench = std::vector<LaneWrench>(kBodies + 1);
 
-  Sweep(RandomContacts& contacts, bool with_mid_arms, double relaxation = kRelaxation) {
-    primal_residual = relax(contacts.constraints, contacts.velocity, relaxation, u, g, r);
+  Sweep(RandomContacts& contacts, bool with_mid_arms) {
+    primal_residual = relax(contacts.constraints, contacts.velocity, u, g, r);
     project(Projection::coulomb, contacts.constraints, with_mid_arms ? contacts.mid_arms : std::vector<Arms>(), g, u,
             {}, wrench);
   }
@@ -66,7 +64,7 @@ struct PlainSweep {
                  constraint.contact_velocity.row[2][lane]);
     const Vec3 impulse(constraint.impulse.row[0][lane], constraint.impulse.row[1][lane],
                        constraint.impulse.row[2][lane]);
-    const Vec3 x = impulse - penalty.cwiseProduct(z + kRelaxation * (u - z));
+    const Vec3 x = impulse - penalty.cwiseProduct(u);
     Vec3 y = x;
     y.x() = std::max(0.0, x.x());
     const double radius = constraint.friction * y.x();
@@ -144,7 +142,7 @@ TEST_CASE("contact_kernels: relaxed and projected in one pass, the bits are thos
     std::vector<LaneWrench> wrench(kBodies + 1);
     const PrimalResidual residual =
         relax_and_project(Projection::coulomb, copy.constraints, with_mid_arms ? copy.mid_arms : std::vector<Arms>(),
-                          copy.velocity, kRelaxation, {}, wrench);
+                          copy.velocity, {}, wrench);
     CHECK(same_constraints(contacts.constraints, copy.constraints));
     CHECK(same_bits(swept.wrench, wrench));
     CHECK(residual.largest == swept.primal_residual.largest);
@@ -298,7 +296,7 @@ TEST_CASE("contact_kernels: an iteration leads from x = y - R z to g = x + r", "
         const double penalty = before[p].penalty[i > 0][lane];
         const double z = before[p].contact_velocity.row[i][lane];
         const double x = before[p].impulse.row[i][lane] - penalty * z;
-        const double r = -kRelaxation * penalty * (swept.u[p].row[i][lane] - z);
+        const double r = -penalty * (swept.u[p].row[i][lane] - z);
         worst = std::max({worst, std::abs(swept.r[p].row[i][lane] - r), std::abs(swept.g[p].row[i][lane] - x - r)});
       }
     }

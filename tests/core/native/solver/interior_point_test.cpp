@@ -342,7 +342,6 @@ TEST_CASE("interior_point: it decides as the splitting does", "[core][interior_p
     const SolveLimits limits{.tolerance = 1e-8,
                              .velocity_unit = unit,
                              .iterations = 3000,
-                             .relaxation = kRestRelaxation,
                              .sticking = kRestPenalty,
                              .sliding = kRestPenalty,
                              .idle_penalty = kRestIdlePenalty,

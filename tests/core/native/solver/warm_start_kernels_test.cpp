@@ -78,11 +78,11 @@ double difference(const Started& before, const Started& after, std::size_t p, st
   const Vec3 slip = velocity - normal * normal.dot(velocity);
   const double gap = from.velocity_bias.row[0][lane];
   late = late ||
-         std::max(0.0, gap) + kStart.step * normal.dot(velocity) < -kJumpShare * kStart.velocity_unit * kStart.step;
+         std::max(0.0, gap) + kStart.step * normal.dot(velocity) < -kNoticeable * kStart.velocity_unit * kStart.step;
   double worst = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
     const Vec3 direction = direction_of(from, d);
-    const bool lasts = slip.norm() > kLastingSlip * kStart.velocity_unit;
+    const bool lasts = slip.norm() > kLarge * kStart.velocity_unit;
     const double bias = d == 0 ? std::max(0.0, gap) / kStart.step : lasts ? slip.dot(direction) : 0.0;
     const double force = arm_of(from.impulse.row, lane).dot(direction);
     const double z = arm_of(from.contact_velocity.row, lane).dot(direction) + (d > 0 ? bias : 0.0);
