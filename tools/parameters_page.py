@@ -45,7 +45,7 @@ them by the same names. The keys of [`[Native]`](../reference/config.md#native) 
 
 They are {count} numbers: {constants} constants, {options_count} of the accuracies, and {guards} that merely keep rounding out, which stand
 where they are used. A constant that is made of others is not counted, nor are 0, 1, 2 and ½, numbers of formulas, and
-sizes of arrays.
+sizes of arrays. `bench/sensitivity.py` halves and doubles the counted ones, and tells what changes.
 
 g − a is the effective gravity and h the length of a step: |g − a| h is the velocity that a body gains within a step as
 it falls freely, and |g − a| h² twice the way that it falls. Islands of more than {small} bodies (`kSmallIslandBodies`) are
