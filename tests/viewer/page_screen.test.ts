@@ -320,9 +320,8 @@ test("hostile and damaged spreadsheets get a sentence", { skip }, async () => {
   await page.close();
 });
 
-test("a load is mended: what would help is tried, taken, undone, and the mended load has the program's verdicts", {
-  skip,
-}, async () => {
+/** A page that has screened a spreadsheet of pallets, and shows them under the second acceleration. */
+async function worldOfPallets(): Promise<Page> {
   const page = await openPage();
   await drop(page, { "pallets.csv": csvOf(palletRows()) });
   await page.click(".file button.advice");
@@ -332,6 +331,13 @@ test("a load is mended: what would help is tried, taken, undone, and the mended 
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("Enter");
   await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  return page;
+}
+
+test("a load is mended: what would help is tried, taken, undone, and the mended load has the program's verdicts", {
+  skip,
+}, async () => {
+  const page = await worldOfPallets();
   await page.click("button:text-is('Mend')");
   const answered = () =>
     page.waitForFunction(() => {
@@ -399,15 +405,7 @@ test("a load is mended: what would help is tried, taken, undone, and the mended 
 test("boxes are swapped, copied, added and described with the keyboard alone; what is saved has the program's bits", {
   skip,
 }, async () => {
-  const page = await openPage();
-  await drop(page, { "pallets.csv": csvOf(palletRows()) });
-  await page.click(".file button.advice");
-  await page.waitForSelector(".go button.primary:not([disabled])");
-  await screened(page);
-  await page.focus(".matrix");
-  await page.keyboard.press("ArrowDown");
-  await page.keyboard.press("Enter");
-  await page.waitForSelector("#app:not([aria-busy]) > main.world");
+  const page = await worldOfPallets();
   await page.keyboard.press("e");
   await page.waitForSelector("#app:not([aria-busy]) .mend");
   /** Goes to what has a name with the tab key. */
