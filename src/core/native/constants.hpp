@@ -111,7 +111,7 @@ inline constexpr double kSmall = 0.025;  // |g − a| h
 /// @measured Impacts: half: case `rocking_0.25_by_1_from_0.5` fails; twice: insensitive. Residual: five times as much:
 /// 1 bundled load under one of two road accelerations gains energy in a step, by 1.4 mm of height; no time in any case.
 /// Leaning: half and twice: insensitive; with a fifth the verdict of rows near their limit depends on the accuracy;
-/// with three times worlds under the road accelerations take 11 % more time, and no verdict changes. Lengths: half and
+/// with three times worlds under the road accelerations take 11 % more time, and no verdict changes. Lengths: twice and
 /// four times: insensitive.
 inline constexpr double kNoticeable = 0.1;  // |g − a| h
 
