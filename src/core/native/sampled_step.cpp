@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/samples.hpp"
+#include "core/native/constants.hpp"
 
 namespace holdfast::internal::native {
 
