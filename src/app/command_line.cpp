@@ -16,18 +16,17 @@
 
 #include "analyses/analysis.hpp"
 #include "api/version.hpp"
-#include "app/accuracies_json.hpp"
 #include "app/command_line_pages.hpp"
 #include "app/command_line_parts.hpp"
 #include "app/commands.hpp"
+#include "app/pages/accuracies_json.hpp"
+#include "app/pages/containers_page.hpp"
+#include "app/pages/norms_page.hpp"
+#include "app/pages/results_page.hpp"
+#include "app/pages/settings_page.hpp"
 #include "app/report.hpp"
 #include "core/base/closest_word.hpp"
-#include "core/model/container_catalogue.hpp"
-#include "core/model/norms_page.hpp"
 #include "core/model/setting_table.hpp"
-#include "core/model/settings_page.hpp"
-#include "core/native/accuracy_defaults.hpp"
-#include "io/results/results_page.hpp"
 #include "parallel/schedulers/scheduler.hpp"
 
 // CLI11, which takes seconds to compile, is kept to the files command_line*.
@@ -281,8 +280,7 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
   command->add_option("--layouts", options->layouts, "Layouts, all of them good")->required()->type_name("PATH");
   command->add_option("--accelerations", options->accelerations, "Accelerations")->required()->type_name("PATH");
   command->add_option("--engine", options->engines, "Engines to compare")->capture_default_str()->type_name("NAME");
-  command->add_option("--threads", options->threads, "Numbers of threads to compare")
-      ->capture_default_str()
+  command->add_option("--threads", options->threads, "Numbers of threads to compare (default: 1, and one per core)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   command
@@ -296,7 +294,7 @@ void add_bench_command(CLI::App& program, ChosenCommand& chosen) {
       ->add_option("--folder", options->folder,
                    "Where the results are written, and removed again (default: TMPDIR, or else /tmp)")
       ->type_name("DIR");
-  command->add_option("--csv", options->csv_path, "Write a line a run there")->type_name("FILE");
+  command->add_option("--csv", options->csv_path, "Write one line per run there")->type_name("FILE");
   command->callback([options, &chosen] { chosen.run = [options] { return run_bench_command(*options); }; });
 }
 
@@ -449,12 +447,9 @@ int run_command_line(int argc, char** argv, const ScreeningRunner& runner) {
       "141 ended by the shell's pipe, whose reader took no more.");
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("holdfast {} ({})", kVersion, kGitCommit));
-  add_page(program, "--help-config", "Print every key of config.ini and exit",
-           [] { return settings_help(native::accuracy_default); });
+  add_page(program, "--help-config", "Print every key of config.ini and exit", settings_help);
   // For `make docs` alone, and not listed.
-  add_page(program, "--config-page", "Print docs/reference/config.md and exit", [] {
-    return settings_page(native::accuracy_default);
-  })->group("");
+  add_page(program, "--config-page", "Print docs/reference/config.md and exit", settings_page)->group("");
   add_page(program, "--accuracies", "Print what each accuracy stands for, as JSON, and exit", accuracies_json)
       ->group("");
   add_page(program, "--norms-page", "Print docs/reference/norms.md and exit", norms_page)->group("");

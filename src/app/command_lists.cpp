@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
+#include "app/pages/containers_page.hpp"
+#include "app/pages/norms_page.hpp"
 #include "app/report.hpp"
-#include "core/model/container_catalogue.hpp"
-#include "core/model/norms_page.hpp"
 #include "io/loads/known_formats.hpp"
 
 namespace holdfast::internal {

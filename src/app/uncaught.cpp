@@ -38,8 +38,7 @@ void say_cause() {
   }
   say_cause();
   say("; take less with fewer --threads, a longer ResultsIntervallInSeconds, or --no-series; finished parts are kept, "
-      "and "
-      "--resume continues from them\n");
+      "and --resume continues from them\n");
   ::_exit(static_cast<int>(ExitCode::some_failed));
 }
 

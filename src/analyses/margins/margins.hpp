@@ -29,9 +29,8 @@ struct MarginSpread {
   template <class Visit>
   static void describe(Visit&& visit) {
     visit(DatasetContent{"/margin_spread/low", Axis::layouts, "g",
-                         "margin within the limits, in each direction, that 5 % of the layout's replicas do not reach; "
-                         "NaN if it is not "
-                         "known, as the next two"},
+                         "margin within the limits, in each direction, that 5 % of the layout's replicas do not "
+                         "reach; NaN if it is not known, as the next two"},
           &MarginSpread::low);
     visit(DatasetContent{"/margin_spread/median", Axis::layouts, "g", "margin that half of them reach"},
           &MarginSpread::median);

@@ -30,10 +30,4 @@ std::span<const ContainerType> container_catalogue();
 /// The type of that name or alias, whatever its case, blanks and signs: `40' HC` is `40hc`; null where there is none.
 const ContainerType* find_container(std::string_view name);
 
-/// The page docs/reference/containers.md: all types with their numbers and sources.
-std::string containers_page();
-
-/// The same as a table for a terminal.
-std::string containers_text();
-
 }  // namespace holdfast::internal

@@ -119,8 +119,7 @@ struct LengthUnitName {
 struct Axes {
   static constexpr std::string_view kAccepted =
       "x, y and z in the order of length, width and height, each with a minus where it counts from the far side, such "
-      "as "
-      "-z x y";
+      "as -z x y";
   static std::optional<FileAxes> parse(std::string_view text) { return parse_axes(text); }
   static std::string text(const FileAxes& axes) { return axes_text(axes); }
 };

@@ -170,16 +170,14 @@ std::vector<SettingKey> make_table() {
       "Unit of lengths in files of loads that do not say it themselves; when absent, cm.");
   add(Axes{}, "Axes", "", "", MEMBER(loads.axes),
       "Axes of files of loads that are the container's length, width and height, with a minus where one counts from "
-      "the "
-      "rear, the right wall or the roof: `-z x y`. UpAxis = y is `x -z y`.");
+      "the rear, the right wall or the roof: `-z x y`. UpAxis = y is `x -z y`.");
   add(Text{}, "Format", "", "", MEMBER(loads.format),
       "A known format of tables that `holdfast formats` lists; when absent, the words of the header tell.");
   add(Text{}, "Columns", "", "", MEMBER(loads.columns),
       "What columns of tables mean, where their words do not tell: `PosX = y, Artikel = name`.");
   add(Millimetres{}, "OverlapTolerance", "mm", "", MEMBER(loads.overlap_tolerance),
-      "Overlaps up to this are trimmed, half from each box, with masses kept; when absent 1 mm in files, and up to 0.1 "
-      "mm "
-      "is taken as rounding.");
+      "Overlaps up to this are trimmed, half from each box, with masses kept; when absent 1 mm in files, and up to "
+      "0.1 mm is taken as rounding.");
 
   section = "Contact";
   add(Share{}, "Restitution", "", "0", MEMBER(contact.restitution),
@@ -240,8 +238,7 @@ std::vector<SettingKey> make_table() {
       "validate` have 0 where this is not given.");
   add(NotNegative{}, "RunOutSeconds", "s", "5", MEMBER(screening.run_out_seconds),
       "Longest time after the end of the acceleration: the load moves on until it rests. Without effect where a "
-      "timeout "
-      "or StoppingCondition ends the world; `holdfast run` has 0 where this is not given.");
+      "timeout or StoppingCondition ends the world; `holdfast run` has 0 where this is not given.");
   add(OneOf<ReferencePoses>{}, "ReferencePose", "", "settled", MEMBER(screening.reference_pose),
       "The pose from which displacement is measured: that of the layout, or the one at t = 0, after settling.");
   add(NotNegative{}, "MoveThreshold", "m", "0.1", MEMBER(screening.move_threshold),
@@ -255,8 +252,7 @@ std::vector<SettingKey> make_table() {
       "Whether a layout that does not hold one acceleration is spared the others, whose status is `not_needed`.");
   add(Truth{}, "Margins", "", "false", MEMBER(screening.margins),
       "Whether the largest constant acceleration that each layout stands is found as well, towards the front, the "
-      "rear, "
-      "the left and the right; docs/guide/margins.md says what it means.");
+      "rear, the left and the right; docs/guide/margins.md says what it means.");
   add(Truth{}, "WallForces", "", "false", MEMBER(screening.wall_forces),
       "Whether the forces of the boxes on the sides of the container are recorded; docs/guide/walls.md says what they "
       "mean.");
@@ -277,13 +273,10 @@ std::vector<SettingKey> make_table() {
       "Velocity change in an impact of the damage boundary.");
   add(Truth{}, "Indicators", "", "false", MEMBER(screening.indicators),
       "Whether base support, supported sides, centre of gravity and fill of the layouts are recorded, which geometry "
-      "alone "
-      "gives; docs/guide/indicators.md says what they mean.");
+      "alone gives; docs/guide/indicators.md says what they mean.");
   add(ReplicaCount{}, "Replicas", "", "0", MEMBER(screening.replicas),
       "How often each world is simulated again with friction that is not known exactly; docs/guide/confidence.md says "
-      "what "
-      "is "
-      "told. Drawing ends early where the answer is clear.");
+      "what is told. Drawing ends early where the answer is clear.");
   add(Spread{}, "FrictionSpread", "", "0.1", MEMBER(screening.friction_spread),
       "Standard deviation of a friction coefficient in replicas, divided by its mean.");
   add(Spread{}, "AccelerationSpread", "", "0", MEMBER(screening.acceleration_spread),
@@ -330,8 +323,7 @@ std::vector<SettingKey> make_table() {
       "Whether penetrations are corrected separately from velocities; presets: bullet true, bullet-stock true.");
   add(Any{}, "SplitImpulseThreshold", "m", "", MEMBER(bullet.split_impulse_threshold),
       "Distance below which SplitImpulse acts: 0 makes rebounds exact and prevents overlapping boxes from jumping "
-      "apart, "
-      "but increases creep; presets: bullet -0.04, bullet-stock -0.04.");
+      "apart, but increases creep; presets: bullet -0.04, bullet-stock -0.04.");
   add(Share{}, "Erp", "", "", MEMBER(bullet.erp),
       "Fraction of a penetration that is corrected per step through velocities; presets: bullet 0.2, bullet-stock "
       "0.2.");

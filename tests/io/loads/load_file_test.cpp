@@ -355,8 +355,7 @@ TEST_CASE("load_file: boxes that float, and would stand along other axes, are to
   REQUIRE(loads.loads[0].errors.empty());
   CHECK(said_of(loads) ==
         "a.txt: nothing is beneath 12 of 12 boxes, as in a file whose height is another axis; all boxes stand with "
-        "--axes "
-        "\"x -z y\", which are length, width and height\n");
+        "--axes \"x -z y\", which are length, width and height\n");
   Settings settings;
   settings.loads.axes = parse_axes("x y z");  // which says that it is meant
   CHECK(said_of(loads_of(text, settings, "a.txt")).empty());

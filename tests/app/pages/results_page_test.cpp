@@ -1,4 +1,4 @@
-#include "io/results/results_page.hpp"
+#include "app/pages/results_page.hpp"
 
 #include "core/model/outcome.hpp"
 #include "io/results/results_fixture.hpp"

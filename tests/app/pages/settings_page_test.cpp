@@ -1,28 +1,28 @@
-#include "core/model/settings_page.hpp"
+#include "app/pages/settings_page.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
+#include "app/pages/accuracy_defaults.hpp"
 #include "core/model/setting_table.hpp"
-#include "core/native/accuracy_defaults.hpp"
 
 namespace settings_page_test {
 
 using namespace holdfast::internal;
 
-TEST_CASE("settings_page: docs/reference/config.md is up to date", "[core][settings_page]") {
+TEST_CASE("settings_page: docs/reference/config.md is up to date", "[app][settings_page]") {
   std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/reference/config.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   INFO(
       "docs/reference/config.md differs from the table of keys; run: holdfast --config-page > "
       "docs/reference/config.md");
-  CHECK((page == settings_page(native::accuracy_default)));
+  CHECK((page == settings_page()));
 }
 
-TEST_CASE("settings_page: page and help have every key and section", "[core][settings_page]") {
-  const std::string page = settings_page(native::accuracy_default), help = settings_help(native::accuracy_default);
+TEST_CASE("settings_page: page and help have every key and section", "[app][settings_page]") {
+  const std::string page = settings_page(), help = settings_help();
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     CHECK(page.find("## [" + std::string(key.section) + "]\n") != std::string::npos);
@@ -34,8 +34,8 @@ TEST_CASE("settings_page: page and help have every key and section", "[core][set
   }
 }
 
-TEST_CASE("settings_page: help fits a terminal", "[core][settings_page]") {
-  std::istringstream help(settings_help(native::accuracy_default));
+TEST_CASE("settings_page: help fits a terminal", "[app][settings_page]") {
+  std::istringstream help(settings_help());
   for (std::string line; std::getline(help, line);) {
     INFO(line);
     CHECK(line.size() <= 100);

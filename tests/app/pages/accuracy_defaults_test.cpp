@@ -1,4 +1,4 @@
-#include "core/native/accuracy_defaults.hpp"
+#include "app/pages/accuracy_defaults.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -8,9 +8,8 @@
 namespace accuracy_defaults_test {
 
 using namespace holdfast::internal;
-using native::accuracy_default;
 
-TEST_CASE("accuracy_defaults: every absent key of [Native] has a default", "[core][accuracy_defaults]") {
+TEST_CASE("accuracy_defaults: every absent key of [Native] has a default", "[app][accuracy_defaults]") {
   for (const SettingKey& key : setting_table()) {
     INFO(key.section << " " << key.name);
     const bool of_accuracy = key.section == "Native" && key.default_value.empty();
@@ -18,7 +17,7 @@ TEST_CASE("accuracy_defaults: every absent key of [Native] has a default", "[cor
   }
 }
 
-TEST_CASE("accuracy_defaults: numbers are those of native_options", "[core][accuracy_defaults]") {
+TEST_CASE("accuracy_defaults: numbers are those of native_options", "[app][accuracy_defaults]") {
   Settings settings;
   settings.native.accuracy = Accuracy::reference;
   const native::NativeOptions options = native::native_options(settings);

@@ -1,4 +1,4 @@
-#include "core/model/norms_page.hpp"
+#include "app/pages/norms_page.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "app/accuracies_json.hpp"
+#include "app/pages/accuracies_json.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string_view>

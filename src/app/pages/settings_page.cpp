@@ -1,7 +1,8 @@
-#include "core/model/settings_page.hpp"
+#include "app/pages/settings_page.hpp"
 
 #include <string_view>
 
+#include "app/pages/accuracy_defaults.hpp"
 #include "core/model/setting_table.hpp"
 #include "core/model/wrapped_text.hpp"
 
@@ -62,24 +63,31 @@ given order.
 
 )";
 
+constexpr std::string_view kMaterialNote =
+    R"(One section per material of the loads, by number or name: `[Material 3]`, `[Material pallet]`. Give Density or Mass,
+not both. What a box says for itself holds before its material.
+
+)";
+
+constexpr std::string_view kFrictionNote =
+    R"(One row per pair, in any order: `carton, pallet = 0.5`. The coefficient of a contact is that of an anti-slip mat
+beneath the upper box; else of both materials; else of a material with `floor` or `wall`; else of a material with `any`;
+else `any, floor` and `any, wall`, which are BoxFloor and BoxWall; else `any, any`, which is BoxBox.
+
+)";
+
+constexpr std::string_view kNativeNote =
+    R"(Absent keys take their values from Accuracy; [parameters.md](../physics/parameters.md) has all of its numbers. The
+option `--accuracy` overrides Accuracy.
+
+)";
+
 std::string section_note(std::string_view section) {
-  if (section == kMaterialSection)
-    return "One section per material of the loads, by number or name: `[Material 3]`, `[Material pallet]`. Give "
-           "Density "
-           "or Mass, not both. What a box says for itself holds before its material.\n\n";
-  if (section == kFrictionSection)
-    return "One row per pair, in any order: `carton, pallet = 0.5`. The coefficient of a contact is that of an "
-           "anti-slip "
-           "mat beneath the upper box; else of both materials; else of a material with `floor` or `wall`; else of a "
-           "material with `any`; else `any, floor` and `any, wall`, which are BoxFloor and BoxWall; else `any, any`, "
-           "which "
-           "is BoxBox.\n\n";
+  if (section == kMaterialSection) return std::string(kMaterialNote);
+  if (section == kFrictionSection) return std::string(kFrictionNote);
   if (section == "Renderer Engine") return "Accepted for compatibility with existing files, without effect.\n\n";
   if (section == "Screening") return std::string(kStopWhenNote);
-  if (section == "Native")
-    return "Absent keys take their values from Accuracy; [parameters.md](../physics/parameters.md) has all of its "
-           "numbers. The "
-           "option `--accuracy` overrides Accuracy.\n\n";
+  if (section == "Native") return std::string(kNativeNote);
   if (section == "Bullet")
     return "Absent keys take their values from the preset of the engine, `bullet` or `bullet-stock`.\n\n";
   if (section == "OpenCL")
@@ -90,14 +98,14 @@ std::string section_note(std::string_view section) {
 std::string code(std::string_view text) { return text.empty() ? "" : '`' + std::string(text) + '`'; }
 
 /// What a key does, and what it stands for where it is absent.
-std::string meaning_of(const SettingKey& key, EngineDefault engine_default) {
-  const std::string absent = engine_default(key);
+std::string meaning_of(const SettingKey& key) {
+  const std::string absent = accuracy_default(key);
   return std::string(key.sentence) + (absent.empty() ? "" : ' ' + absent);
 }
 
 }  // namespace
 
-std::string settings_page(EngineDefault engine_default) {
+std::string settings_page() {
   std::string page(kPageIntro);
   for (const std::string_view section : setting_sections()) {
     page += "## [" + std::string(section) + "]\n\n" + section_note(section);
@@ -105,14 +113,14 @@ std::string settings_page(EngineDefault engine_default) {
     for (const SettingKey& key : setting_table()) {
       if (key.section != section) continue;
       page += "| " + code(key.name) + " | " + std::string(key.unit) + " | " + code(key.default_value) + " | " +
-              std::string(key.accepted) + " | " + meaning_of(key, engine_default) + " |\n";
+              std::string(key.accepted) + " | " + meaning_of(key) + " |\n";
     }
     page += '\n';
   }
   return page.append(kLayoutIntro);
 }
 
-std::string settings_help(EngineDefault engine_default) {
+std::string settings_help() {
   std::string help = "Keys of config.ini. All are optional; docs/reference/config.md describes files and axes.\n";
   std::string_view section;
   for (const SettingKey& key : setting_table()) {
@@ -122,7 +130,7 @@ std::string settings_help(EngineDefault engine_default) {
     const std::string unit = key.unit.empty() ? "" : " (" + std::string(key.unit) + ')';
     help += "  " + std::string(key.name) + value + '\n';
     append_wrapped(help, std::string(key.accepted) + unit, 6);
-    append_wrapped(help, meaning_of(key, engine_default), 6);
+    append_wrapped(help, meaning_of(key), 6);
   }
   return help;
 }

@@ -1,4 +1,4 @@
-#include "core/model/norms_page.hpp"
+#include "app/pages/norms_page.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -12,14 +12,14 @@ namespace norms_page_test {
 
 using namespace holdfast::internal;
 
-TEST_CASE("norms_page: docs/reference/norms.md is up to date", "[core][norms_page]") {
+TEST_CASE("norms_page: docs/reference/norms.md is up to date", "[app][norms_page]") {
   std::ifstream file(HOLDFAST_SOURCE_DIR "/docs/reference/norms.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   INFO("docs/reference/norms.md differs from the tables; run: holdfast --norms-page > docs/reference/norms.md");
   CHECK((page == norms_page()));
 }
 
-TEST_CASE("norms_page: page and terminal have every norm and every pair", "[core][norms_page]") {
+TEST_CASE("norms_page: page and terminal have every norm and every pair", "[app][norms_page]") {
   const std::string page = norms_page(), help = norms_help();
   for (const Norm& norm : norms()) {
     INFO(norm.name);

@@ -1,4 +1,4 @@
-#include "core/native/accuracy_defaults.hpp"
+#include "app/pages/accuracy_defaults.hpp"
 
 #include <array>
 #include <cstddef>
@@ -8,9 +8,12 @@
 #include "core/model/setting_kinds.hpp"
 #include "core/native/native_options.hpp"
 
-namespace holdfast::internal::native {
+namespace holdfast::internal {
 
 namespace {
+
+using native::Effort;
+using native::NativeOptions;
 
 /// A key whose default depends on the accuracy, and the text of that default.
 struct KeyOfAccuracy {
@@ -57,11 +60,12 @@ std::string accuracy_default(const SettingKey& key) {
     for (const auto& [word, accuracy] : setting_kinds::Accuracies::kWords) {
       Settings settings;
       settings.native.accuracy = accuracy;
-      sentence += (sentence.empty() ? "Default: " : ", ") + std::string(word) + ' ' + text(native_options(settings));
+      sentence +=
+          (sentence.empty() ? "Default: " : ", ") + std::string(word) + ' ' + text(native::native_options(settings));
     }
     return sentence.append(islands) + '.';
   }
   return "";
 }
 
-}  // namespace holdfast::internal::native
+}  // namespace holdfast::internal
