@@ -27,7 +27,7 @@ tools/test_packages.sh $packages
 archive=holdfast-$version.tar.gz
 git archive --prefix="holdfast-$version/build/viewer/" --add-file=$packages/viewer.html --add-file=$packages/licenses.txt \
   --prefix="holdfast-$version/" -o "$packages/$archive" HEAD
-(cd $packages && sha256sum ./*.deb "$archive" viewer.html > SHA256SUMS)
+(cd $packages && sha256sum ./*.deb ./*.whl "$archive" viewer.html > SHA256SUMS)
 if $rehearse; then
   echo "$packages has what v$version would publish; nothing is tagged"
   exit

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs, uses and removes the packages in a bare Debian 12, which debootstrap makes. As root.
-#   tools/test_packages.sh [FOLDER]   packages of tools/build_packages.sh (build/packages)
+# Installs, uses and removes the packages and the wheel in a bare Debian 12, which debootstrap makes. As root.
+#   tools/test_packages.sh [FOLDER]   what tools/build_packages.sh made (build/packages)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 packages=$(cd "${1:-build/packages}" && pwd)
@@ -27,7 +27,7 @@ inside apt-get -qq update
 step "a bare Debian 12"
 
 mkdir "$root/tmp/packages"
-cp "$packages"/*.deb "$root/tmp/packages"
+cp "$packages"/*.{deb,whl} "$root/tmp/packages"
 rm -f "$root"/tmp/packages/*-dbgsym_*.deb
 inside sh -c 'apt-get -qq install -y --no-install-recommends /tmp/packages/*.deb > /dev/null'
 step "install"
@@ -46,9 +46,12 @@ inside sh -c 'cd /tmp && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
   screen --layouts configs/layouts --norm road --accuracy screening --threads 1 --quiet -o ranks.h5 &&
   holdfast summary results.h5 > one && holdfast summary ranks.h5 > two && cmp one two'
 step "the same by two ranks"
-inside python3 -c 'import holdfast
+cat > "$root/tmp/verdict.py" << 'END'
+import holdfast
 with holdfast.Screen(norm="road", accuracy="screening", unit="cm") as screen:
-    print(screen.evaluate([[[0, 0, 0, 80, 60, 50, 1]]]).verdict)'
+    print(screen.evaluate([[[0, 0, 0, 80, 60, 50, 1]]]).verdict, holdfast.__file__)
+END
+inside python3 /tmp/verdict.py
 step "the first verdict in Python"
 inside apt-get -qq install -y --no-install-recommends g++ cmake make > /dev/null
 cp -r examples/embed "$root/tmp/embed"
@@ -61,3 +64,10 @@ inside apt-get -qq purge -y $names > /dev/null
 left=$(inside find / -xdev \( -path /proc -o -path /tmp \) -prune -o -name '*holdfast*' -print | grep -v '^/var/\(log\|lib/apt\|cache\)' || true)
 [[ -z $left ]] || { echo "left behind: $left" >&2; exit 1; }
 step "purge, and nothing is left"
+
+# The wheel has the library inside, and asks for the libraries of Debian that docs/develop/packages.md names.
+libraries=$(sed -n 's/^sudo apt install \(.*libtbb12.*\)$/\1/p' docs/develop/packages.md)
+inside apt-get -qq install -y --no-install-recommends $libraries > /dev/null
+inside sh -c 'python3 -m venv --system-site-packages /tmp/venv &&
+  /tmp/venv/bin/pip install --quiet --no-index --no-deps /tmp/packages/*.whl && /tmp/venv/bin/python /tmp/verdict.py'
+step "the wheel, without the packages"
