@@ -17,7 +17,7 @@ const browser = await chromium.launch({
 });
 const page = await browser.newPage({ viewport: { width: 1000, height: 640 } });
 await page.goto(`file://${root}/build/viewer/viewer.html`);
-await page.setInputFiles('input[aria-label="Results file"]', path.resolve(results));
+await page.setInputFiles('input[aria-label="Files"]', path.resolve(results));
 await page.waitForSelector("#app:not([aria-busy]) > main.fleet");
 
 const speed = () => page.innerText(".speed");
