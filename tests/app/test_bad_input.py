@@ -71,7 +71,8 @@ class Check(CliTest):
                                       "shove.txt: ok: acceleration, 3 segments, 1.02 s\n")
 
     def test_the_samples_are_good(self):
-        for folder in ("configs/layouts", "configs/accelerations", "bench/layouts", "configs/demo.ini"):
+        for folder in ("configs/layouts", "configs/accelerations", "bench/layouts", "configs/demo.ini",
+                       "configs/free_container.ini", "configs/verdicts.ini"):
             done = self.run_here("check", SOURCE / folder)
             self.assert_exit(done, 0)
             self.assertEqual(done.stderr, "")
