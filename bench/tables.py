@@ -1,4 +1,13 @@
 """Tables of Markdown, and how they get into a page of the documentation."""
+import textwrap
+
+COLUMNS = 120  # of the prose in docs/
+
+
+def wrapped(text):
+    """The text with its lines of prose wrapped; the rows of tables stay whole."""
+    return "\n".join(line if line.startswith("|") else textwrap.fill(line, COLUMNS, break_on_hyphens=False)
+                     for line in text.splitlines())
 
 
 def table_of(title, head, rows):
@@ -16,5 +25,5 @@ def replace_tables(path, tables):
         _, closed, after = rest.partition(end)
         if not found or not closed:
             raise ValueError(f"{path}: no marks '{begin.strip()}' and '{end.strip()}'")
-        page = before + begin + text + end + after
+        page = before + begin + wrapped(text) + end + after
     path.write_text(page, encoding="utf-8")

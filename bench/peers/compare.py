@@ -24,7 +24,7 @@ from peer_runs import (ACCELERATIONS, BENCH, HARSH_LOADS, Runner, asked_loads, f
 from tables import replace_tables, table_of
 
 BASE = "native-screening"
-KINDS = ["holds", "search", "road", "loose", "gentle", "sampled", "harsh", "large"]
+KINDS = ["holds", "search", "road", "loose", "gentle", "sampled", "harsh", "large", "random"]
 SETTINGS = {
     "holds": [BASE, f"{BASE}:StepsPerSecond=30:Iterations=10", "native-standard", "box3d-60x4s", "box3d-60x8ks",
               "box3d-60x16ks", "jolt-60s", "jolt-240s"],
@@ -36,8 +36,10 @@ SETTINGS = {
               "box3d-60x4s", "box3d-60x8ks", "box3d-60x16ks", "box3d-60x32ks", "box3d-240x4s", "box3d-240x4ks", "jolt-60s",
               "jolt-240s", "jolt-480x20x4s", "jolt-480x20x4ps"],
     "large": [BASE, "box3d-60x4s", "box3d-60x16ks", "jolt-60s", "jolt-240ps"],
+    "random": [BASE, "native-standard", "box3d-60x4s", "box3d-60x16ks"],
 }
-REFERENCES = {"road": ["box3d-960x4k", "jolt-960"],
+REFERENCES = {"random": ["box3d-480x4k"],
+              "road": ["box3d-960x4k", "jolt-960"],
               "harsh": [f"{BASE}:StepsPerSecond=960:Iterations=400", "box3d-1920x4k", "jolt-960"]}
 SETTINGS["loose"], REFERENCES["loose"] = SETTINGS["road"], REFERENCES["road"]
 SETTINGS["search"], REFERENCES["holds"], REFERENCES["search"] = SETTINGS["holds"], REFERENCES["road"], REFERENCES["road"]
@@ -48,6 +50,8 @@ TIMES = [0.1, 0.2, 0.5, 0.7, 2.0]  # s, of the harsh loads
 SIZES = [100, 200, 400, 600]  # boxes of the large loads
 GENTLE_REPEATS = 3  # a world takes a few milliseconds, as long as it takes a process to get its first memory
 LARGE_LOADS = 8  # of each size: the time of one may be twice that of another
+FRICTIONS = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]  # of the random loads
+RANDOM_LOADS = 15  # of each friction
 
 
 def number(value):
@@ -97,8 +101,8 @@ class Comparison:
         accelerations = weaker_accelerations(self.arguments.output / "weaker")
         layouts = [load for problem in PROBLEMS
                    for load in asked_loads(self.arguments, problem, accelerations, ASKED_LOADS)]
-        return self.asked("search", "Does it hold? Loads of searches, under 0.6 g to the front and 0.4 g to the other sides",
-                          layouts, accelerations)
+        title = "Does it hold? Loads of searches, with 1 mm of play, under 0.6 g to the front and 0.4 g to the other sides"
+        return self.asked("search", title, loose_loads(self.arguments.output / "loose_asked", layouts), accelerations)
 
     def asked(self, kind, title, layouts, accelerations):
         """The table of layouts that are asked whether they hold all accelerations."""
@@ -183,7 +187,8 @@ class Comparison:
         return table_of(title, ["setting", "CPU, relative", *[f"{time:g} s" for time in TIMES], "root mean square"], rows)
 
     def large(self):
-        loads = {size: generated_loads(self.arguments.output / "large", size, LARGE_LOADS) for size in SIZES}
+        loads = {size: generated_loads(self.arguments.output / "large" / str(size), LARGE_LOADS, "--boxes", size, size)
+                 for size in SIZES}
         tables = []
         for what, file in (("lane change", "lane_change_2ms2.txt"), ("brake, 0.8 g", "road_brake_0g8.txt")):
             parts = []
@@ -199,6 +204,29 @@ class Comparison:
             tables.append(table_of(f"Large, {what}: CPU ms per simulated second, {LARGE_LOADS} layouts of each number of boxes.",
                                    ["setting", *map(str, SIZES), "exponent", f"fell, of {LARGE_LOADS * len(SIZES)}"], rows))
         return "\n\n".join(tables)
+
+    def random(self):
+        """What is let pass among generated loads with gaps, by the whole journey, beside a peer's reference."""
+        accelerations = sorted(ACCELERATIONS.glob("*.txt"))
+        parts = []
+        for seed, friction in enumerate(FRICTIONS, start=1):
+            folder = self.arguments.output / "random" / f"{friction:g}"
+            layouts = generated_loads(folder, RANDOM_LOADS, "--gap", 1, "--seed", seed)
+            name = f"random_{friction:g}"
+            known, _ = self.runner.references(name, layouts, accelerations, self.references("random"), friction=friction)
+            worlds, _ = self.runner.run(name, layouts, accelerations, self.settings("random"), friction=friction)
+            parts += [worlds.assign(friction=friction), known.assign(friction=friction)]
+        every = pd.concat(parts)
+        passed = statistics.accepted(every)
+        truth, standard = passed[self.references("random")[0]], passed["native-standard"]
+        cpu, relative = self.relative(every)
+        rows = [[name, number(relative[name]), str(int(passed[name].sum())), str(int((passed[name] & ~truth).sum())),
+                 str(int((~passed[name] & truth).sum())), str(int((passed[name] != standard).sum()))] for name in cpu.index]
+        title = (f"Random: {len(FRICTIONS) * RANDOM_LOADS} generated loads with gaps of up to 1 cm, {RANDOM_LOADS} for each friction "
+                 f"coefficient from {FRICTIONS[0]} to {FRICTIONS[-1]}, under {len(accelerations)} accelerations: {len(passed)} worlds, of "
+                 f"which {int(truth.sum())} hold in {truth.name}.")
+        return table_of(title, ["setting", "CPU, relative", "let pass", "let pass, does not hold", "rejected, holds",
+                                "other than native-standard"], rows)
 
     def references(self, kind):
         return self.arguments.references or REFERENCES[kind]

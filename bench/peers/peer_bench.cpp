@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,8 @@ struct Request {
   std::string positions;  ///< empty: none
   double interval = 0.1;  ///< s
   int repeats = 1;
-  bool holds = false;  ///< whether layouts hold is all that is asked
+  std::optional<double> friction;  ///< coefficient of every pair of surfaces; without it, that of the default settings
+  bool holds = false;              ///< whether layouts hold is all that is asked
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -147,9 +149,11 @@ class Asker {
 std::string row_of(const WorldRecord& record, const Settings& settings) {
   const internal::WorldVerdict verdict =
       judge_world(record.row, record.end, internal::by_run(recording_plan(settings, false).thresholds));
-  return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), record.row.end_time,
-                     record.row.cpu_seconds, internal::to_string(verdict.verdict), verdict.peak_displacement,
-                     verdict.moved, verdict.fallen, verdict.tilted);
+  const double simulated =
+      settings.screening.settle_seconds + record.row.end_time;  // what is unstable ends before t = 0
+  return fmt::format("{},{:.9g},{:.6f},{},{:.7g},{},{},{}", record.boxes.id.size(), simulated, record.row.cpu_seconds,
+                     internal::to_string(verdict.verdict), verdict.peak_displacement, verdict.moved, verdict.fallen,
+                     verdict.tilted);
 }
 
 /// One line per sample and box, each after the columns in `key`.
@@ -197,6 +201,11 @@ void ask_all(const Request& request, const Settings& settings, const std::vector
 void run_all(const Request& request) {
   Settings settings;
   settings.results_interval = request.interval;
+  if (request.friction) {
+    internal::ContactSettings& contact = settings.contact;
+    contact.friction_model = internal::FrictionModel::pairs;
+    contact.box_box = contact.box_floor = contact.box_wall = *request.friction;
+  }
   std::vector<NamedEngine> engines;
   for (const std::string& name : request.settings) engines.push_back({name, value_or_fail(engine_of(name, settings))});
   std::vector<Acceleration> accelerations;
@@ -246,6 +255,8 @@ int main(int count, char** values) {
   app.add_option("--positions", request.positions, "CSV to write: displacements of all boxes, m")->type_name("FILE");
   app.add_option("--interval", request.interval, "Between two positions of a box, s")->type_name("S");
   app.add_option("--repeats", request.repeats, "How often every world is simulated")->type_name("N");
+  app.add_option("--friction", request.friction, "Coefficient of friction of all pairs of surfaces, in place of 0.5")
+      ->type_name("MU");
   app.add_flag("--holds", request.holds,
                "Ask only whether each layout holds all accelerations: worlds end when they are decided, a layout with "
                "the first acceleration that it does not hold");

@@ -31,12 +31,11 @@ def loose_loads(folder, layouts):
     return [Path(folder) / path.name for path in layouts]
 
 
-def generated_loads(folder, boxes, count):
-    """Generated layouts of that many boxes each, made anew."""
-    target = Path(folder) / str(boxes)
-    subprocess.run([sys.executable, BENCH / "candidates.py", str(count), target, "--boxes", str(boxes), str(boxes)],
+def generated_loads(folder, count, *options):
+    """So many layouts of candidates.py, made anew."""
+    subprocess.run([sys.executable, BENCH / "candidates.py", str(count), folder, *map(str, options)],
                    check=True, stdout=subprocess.DEVNULL)
-    return files_of([target])
+    return files_of([folder])
 
 
 def weaker_accelerations(folder):
@@ -59,6 +58,8 @@ def asked_loads(arguments, problem, accelerations, count):
             sys.exit("--search: where loading_search is, which makes the loads of searches")
         subprocess.run([arguments.search, BENCH / "instances.txt", str(problem), *accelerations, "--generations", "40",
                         "--threads", "1", "--asked", folder], check=True, stdout=subprocess.DEVNULL)
+        for path in folder.glob("*.txt"):  # names of layouts are those of files, and searches count theirs from 1
+            path.rename(path.with_name(f"BR{problem}_{path.name}"))
     files = sorted(folder.glob("*.txt"))
     return [files[i * len(files) // count] for i in range(min(count, len(files)))]
 
@@ -84,13 +85,15 @@ class Runner:
         self.program, self.output = Path(program), Path(output)
         self.output.mkdir(parents=True, exist_ok=True)
 
-    def run(self, name, layouts, accelerations, settings, interval=None, repeats=1):
+    def run(self, name, layouts, accelerations, settings, interval=None, repeats=1, friction=None):
         """The settings, taking turns in one process: (worlds, positions); no positions without an interval."""
         worlds, positions = self.output / f"{name}_worlds.csv", self.output / f"{name}_positions.csv"
         command = [self.program, "--layouts", *layouts, "--accelerations", *accelerations, "--settings", *settings,
                    "--worlds", worlds, "--repeats", str(repeats)]
         if interval:
             command += ["--positions", positions, "--interval", str(interval)]
+        if friction:
+            command += ["--friction", str(friction)]
         subprocess.run([str(word) for word in command], check=True)
         return pd.read_csv(worlds), pd.read_csv(positions) if interval else None
 
@@ -102,14 +105,14 @@ class Runner:
         subprocess.run([str(word) for word in command], check=True)
         return pd.read_csv(answers)
 
-    def references(self, name, layouts, accelerations, settings, interval=None):
+    def references(self, name, layouts, accelerations, settings, interval=None, friction=None):
         """The same for references, one acceleration after the other. Peers' results of the same inputs are kept from
         the last time: only ours change."""
         worlds, positions = [], []
         for setting in settings:
             for acceleration in accelerations:
                 peer = setting.startswith(("box3d-", "jolt-"))
-                part = f"reference_{name}_{signature(layouts, [acceleration], [setting, interval])}"
+                part = f"reference_{name}_{signature(layouts, [acceleration], [setting, interval, friction])}"
                 kept = self.output / f"{part}.done"
                 if peer and kept.exists():
                     worlds.append(pd.read_csv(self.output / f"{part}_worlds.csv"))
@@ -117,7 +120,7 @@ class Runner:
                         positions.append(pd.read_csv(self.output / f"{part}_positions.csv"))
                     continue
                 kept.unlink(missing_ok=True)
-                found, moved = self.run(part, layouts, [acceleration], [setting], interval)
+                found, moved = self.run(part, layouts, [acceleration], [setting], interval, friction=friction)
                 kept.touch()
                 worlds.append(found)
                 positions.append(moved)

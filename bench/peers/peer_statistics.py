@@ -41,6 +41,12 @@ def verdict_errors(worlds, references):
     return pd.DataFrame.from_dict(rows, orient="index"), len(true), len(agreed), apart
 
 
+def accepted(worlds):
+    """Whether no box ever goes beyond a limit, in a world that did not fail: one row per world, one column per setting."""
+    stayed = worlds.assign(accepted=worlds["verdict"] == "stayed")
+    return stayed.pivot(index=["friction", *WORLD], columns="setting", values="accepted")
+
+
 def wrong_answers(answers, references):
     """Which answers to "does it hold?" are wrong: one row per layout, one column per setting.
 
