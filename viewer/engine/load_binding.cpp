@@ -137,6 +137,7 @@ void add_values(const std::string& name, const Values& values) {
 
 /// What the results file has of the boxes of a world, and of its samples.
 void add_record(const WorldRecord& record, const Layout& layout, const Settings& settings) {
+  add_values("worlds/solve_iterations", std::array{record.row.solve_iterations});
   add_values("boxes/mass", record.boxes.mass);
   add_values("boxes/size", record.boxes.size);
   add_values("boxes/initial_position", record.boxes.initial_position);
@@ -306,6 +307,7 @@ EXPORTED int page_load_margins(const holdfast_settings* handle, const char* cont
     add_values("critical_box", margins.critical_box);
     add_values("margin_within_limits", margins.margin_within_limits);
     add_values("critical_box_within_limits", margins.critical_box_within_limits);
+    add_values("trials", std::array{margins.trials});
   });
 }
 

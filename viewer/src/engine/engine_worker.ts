@@ -86,7 +86,7 @@ async function answer(order: Order) {
       return { ...found, seconds: (performance.now() - began) / 1000 };
     }
     case "margins":
-      return engine.loadMargins(order.load, order.settings);
+      return { columns: engine.loadMargins(order.load, order.settings), seconds: (performance.now() - began) / 1000 };
     case "bearing":
       return engine.loadBearing(order.load, order.settings);
   }

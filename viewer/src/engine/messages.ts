@@ -66,6 +66,13 @@ export interface SimulatedWorld {
   seconds: number;
 }
 
+/** Margins that were found: columns of four directions, and how many accelerations were tried. */
+export interface FoundMargins {
+  columns: Columns;
+  /** that the engine took */
+  seconds: number;
+}
+
 /** What page and engine say to each other. */
 export interface Orders {
   version: { ask: object; answer: string };
@@ -84,7 +91,7 @@ export interface Orders {
   };
   preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
   world: { ask: { load: Load; acceleration: number; settings: RunSettings }; answer: SimulatedWorld };
-  margins: { ask: { load: Load; settings: RunSettings }; answer: Columns };
+  margins: { ask: { load: Load; settings: RunSettings }; answer: FoundMargins };
   bearing: { ask: { load: Load; settings: RunSettings }; answer: ReturnType<Engine["loadBearing"]> };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];

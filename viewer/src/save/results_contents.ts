@@ -2,7 +2,7 @@ import type { Load, LoadBox } from "holdfast-engine";
 import { containerOf } from "../data/containers";
 import type { Column, FileContents } from "../data/file_contents";
 import { STOP_REASON_CODES, VERDICT_CODES, WORLD_FIELDS } from "../data/outcome";
-import type { Margins, Segment } from "../data/results";
+import type { Segment } from "../data/results";
 import { FORMAT_VERSION } from "../data/results_datasets";
 import { sha256 } from "../data/sha256";
 import { KEPT_OF_BOXES, type Screened } from "./screened";
@@ -15,7 +15,7 @@ const AXES = ["worlds", "boxes", "samples", "rows", "layouts", "layout_boxes", "
 
 export async function resultsContents(screened: Screened): Promise<FileContents> {
   const { results } = screened;
-  const { thresholds, margins } = results;
+  const { thresholds } = results;
   const worlds = savedWorlds(screened);
   const layouts = [...new Set(worlds.map(({ layout }) => layout))];
   return {
@@ -49,7 +49,7 @@ export async function resultsContents(screened: Screened): Promise<FileContents>
       ...(await accelerationColumns(results.accelerations, results.segments)),
       ...worldColumns(worlds),
       ...boxColumns(screened, worlds),
-      ...(margins ? marginColumns(margins, layouts) : {}),
+      ...(results.margins ? marginColumns(screened, layouts) : {}),
     },
   };
 }
@@ -168,8 +168,8 @@ function joined(parts: readonly Float32Array[]): Float32Array {
   return all;
 }
 
-/** Neither the accelerations that were tried nor the time are counted here. */
-function marginColumns({ inPlace, withinLimits }: Margins, layouts: readonly number[]): Record<string, Column> {
+function marginColumns({ results, margins }: Screened, layouts: readonly number[]): Record<string, Column> {
+  const { inPlace, withinLimits } = results.margins!;
   const ofLayouts = (values: ArrayLike<number>) =>
     layouts.flatMap((layout) => Array.from({ length: 4 }, (_, side) => values[4 * layout + side]));
   return {
@@ -177,7 +177,7 @@ function marginColumns({ inPlace, withinLimits }: Margins, layouts: readonly num
     "/margins/critical_box": ofLayouts(inPlace.criticalBox),
     "/margins/margin_within_limits": ofLayouts(withinLimits!.margin),
     "/margins/critical_box_within_limits": ofLayouts(withinLimits!.criticalBox),
-    "/margins/trials": layouts.map(() => 0),
-    "/margins/cpu_seconds": layouts.map(() => 0),
+    "/margins/trials": layouts.map((layout) => margins[layout]?.columns.trials[0] ?? 0),
+    "/margins/cpu_seconds": layouts.map((layout) => margins[layout]?.seconds ?? 0),
   };
 }

@@ -3,7 +3,7 @@ import type { Screening } from "../screen/screening";
 import { choice, download, element } from "../ui/dom";
 import { resultsContents } from "./results_contents";
 import { type Screened, wholeLoads } from "./screened";
-import { boxesCsv, worldsCsv } from "./tables";
+import { boxesCsv, marginsCsv, worldsCsv } from "./tables";
 
 const table = (text: string) => new Blob([text], { type: "text/csv" });
 
@@ -17,6 +17,7 @@ const KINDS = {
   },
   worlds: { label: "CSV of worlds", ending: "-worlds.csv", content: async (of: Screened) => table(worldsCsv(of)) },
   boxes: { label: "CSV of boxes", ending: "-boxes.csv", content: async (of: Screened) => table(boxesCsv(of)) },
+  margins: { label: "CSV of margins", ending: "-margins.csv", content: async (of: Screened) => table(marginsCsv(of)) },
 };
 type Kind = keyof typeof KINDS;
 

@@ -1,13 +1,14 @@
 import type { WorldOutcome } from "holdfast-engine";
 import { BOX_FIELDS, BOX_VERDICT_FIELDS } from "../data/outcome";
 import type { Results } from "../data/results";
-import type { HashedLoad, SimulatedWorld } from "../engine/messages";
+import type { FoundMargins, HashedLoad, SimulatedWorld } from "../engine/messages";
 
 /** What is kept of a world that was simulated. */
 export interface KeptWorld {
   outcome: WorldOutcome;
   /** one entry per box, by the dataset of the results file */
   boxes: ReadonlyMap<string, Float32Array>;
+  solveIterations: number;
   /** that the engine took */
   seconds: number;
 }
@@ -18,6 +19,8 @@ export interface Screened {
   loads: readonly HashedLoad[];
   /** by world; null: it is not simulated */
   worlds: readonly (KeptWorld | null)[];
+  /** by layout; null: they are not found */
+  margins: readonly (FoundMargins | null)[];
 }
 
 /** The columns that the engine gives of boxes, by their datasets: the judgement has a folder of its own there. */
@@ -34,7 +37,7 @@ export const KEPT_OF_BOXES: readonly string[] = [...BOX_COLUMNS.keys()];
 /** A world without its samples, which are many. */
 export function keptOf({ outcome, columns, seconds }: SimulatedWorld): KeptWorld {
   const boxes = new Map([...BOX_COLUMNS].map(([dataset, name]) => [dataset, Float32Array.from(columns[name])]));
-  return { outcome, boxes, seconds };
+  return { outcome, boxes, solveIterations: columns["worlds/solve_iterations"][0], seconds };
 }
 
 /** The loads that can be told of whole: all of their worlds are simulated, or they cannot be used. */

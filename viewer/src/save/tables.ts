@@ -7,8 +7,9 @@ import {
   WORLD_FIELDS,
 } from "../data/outcome";
 import { NOT_COUNTED } from "../data/results";
+import { DIRECTIONS } from "../fleet/rows";
 import { csvBits, csvContainer, csvNumber, csvText } from "./csv_field";
-import type { Screened } from "./screened";
+import { type Screened, wholeLoads } from "./screened";
 import { savedWorlds } from "./world_rows";
 
 /** The tables of a screening, with the headings and the cells that `holdfast summary --csv` gives them. */
@@ -75,6 +76,23 @@ export function boxesCsv(screened: Screened): string {
     });
   });
   return `${[`world,layout,acceleration,id,name,material,mass_kg,${head.join(",")}`, ...lines].join(BREAK)}${BREAK}`;
+}
+
+const MARGIN_COLUMNS = ["margin_g", "critical_box", "margin_within_limits_g", "critical_box_within_limits"];
+
+/** A line per layout and direction. */
+export function marginsCsv(screened: Screened): string {
+  const { layouts, margins } = screened.results;
+  if (!margins?.withinLimits) throw new Error("No margins were asked for.");
+  const both = [margins.inPlace, margins.withinLimits];
+  const lines = wholeLoads(screened).flatMap((layout) =>
+    DIRECTIONS.map((direction, side) => {
+      const at = 4 * layout + side;
+      const cells = both.flatMap(({ margin, criticalBox }) => [csvNumber(margin[at], false), criticalBox[at]]);
+      return [csvText(layouts[layout]), direction, ...cells].join(",");
+    }),
+  );
+  return `${[`layout,direction,${MARGIN_COLUMNS.join(",")}`, ...lines].join(BREAK)}${BREAK}`;
 }
 
 /** Names of what a world is of. */

@@ -25,7 +25,7 @@ const sentencesOf = (status: number) =>
 
 /**
  * The worlds of all loads that can be told of whole, in the order of the screening. Boxes of a world come after those
- * of the worlds before it. Samples are not saved, and iterations of the solver are not counted here.
+ * of the worlds before it. Samples are not saved.
  */
 export function savedWorlds(screened: Screened): SavedWorld[] {
   const { results, loads, worlds } = screened;
@@ -39,8 +39,10 @@ export function savedWorlds(screened: Screened): SavedWorld[] {
         ? { ...kept.outcome, peakTotalKineticEnergy: kept.outcome.peakKineticEnergy, cpuSeconds: kept.seconds }
         : { ...notSimulated(), peakTotalKineticEnergy: 0 };
       const message = kept ? sentencesOf(kept.outcome.status) : messageOf(loads[layout].errors);
-      const places = { boxBegin, sampleBegin: 0, sampleCount: 0, rowBegin: 0, solveIterations: 0 };
-      const row: WorldRow = { ...found, ...places, layout: index, acceleration, message, engine: results.engine };
+      const places = { boxBegin, sampleBegin: 0, sampleCount: 0, rowBegin: 0 };
+      const solveIterations = kept?.solveIterations ?? 0;
+      const stored = { ...places, solveIterations, layout: index, acceleration, message, engine: results.engine };
+      const row: WorldRow = { ...found, ...stored };
       boxBegin += Number(row.boxes);
       return { row, world, layout };
     }),

@@ -3,7 +3,7 @@ import { loadText } from "../data/load_text";
 import { NOT_COUNTED, PENDING, type Results, type World } from "../data/results";
 import type { ResultsSource } from "../data/results_source";
 import { Cancelled, type EnginePool } from "../engine/engine_pool";
-import type { HashedLoad, SimulatedWorld } from "../engine/messages";
+import type { FoundMargins, HashedLoad, SimulatedWorld } from "../engine/messages";
 import { type KeptWorld, keptOf, type Screened } from "../save/screened";
 import { badWorld, newResults, putMargins, putWorld, worldOf } from "./screened_results";
 
@@ -32,6 +32,8 @@ export class Screening implements ResultsSource {
   private readonly loads: HashedLoad[];
   /** by world; null: it is not simulated */
   private readonly kept: (KeptWorld | null)[];
+  /** by layout; null: they are not found */
+  private readonly foundMargins: (FoundMargins | null)[];
   /** of a load that is mended: what it was before each edit */
   private readonly history = new Map<number, Load[]>();
   private readonly began = performance.now();
@@ -56,6 +58,7 @@ export class Screening implements ResultsSource {
     this.loads = loads.slice();
     this.results = newResults(name, version, facts, loads, withMargins);
     this.kept = Array<null>(this.results.worlds.layout.length).fill(null);
+    this.foundMargins = Array<null>(loads.length).fill(null);
     this.usable = [...loads.keys()].filter((layout) => loads[layout].errors.length === 0);
   }
 
@@ -118,11 +121,11 @@ export class Screening implements ResultsSource {
 
   /** All that is known by now, to be saved. A load that was mended is known by what it is now. */
   async screened(): Promise<Screened> {
-    const { results, kept: worlds } = this;
+    const { results, kept: worlds, foundMargins: margins } = this;
     const loads = await Promise.all(
       this.loads.map((load, layout) => (this.edits(layout) > 0 ? this.hashed(load) : load)),
     );
-    return { results, loads, worlds };
+    return { results, loads, worlds, margins };
   }
 
   /** A load as one of a file that it is saved in. */
@@ -166,7 +169,8 @@ export class Screening implements ResultsSource {
     const worlds = this.results.accelerations.map((_, acceleration) =>
       this.pool.ask("world", { load, acceleration, settings }, true).then(({ outcome }) => outcome),
     );
-    return { worlds: Promise.all(worlds), margins: this.pool.ask("margins", { load, settings }, true) };
+    const margins = this.pool.ask("margins", { load, settings }, true).then(({ columns }) => columns);
+    return { worlds: Promise.all(worlds), margins };
   }
 
   private async replace(world: number, load: Load): Promise<void> {
@@ -184,6 +188,7 @@ export class Screening implements ResultsSource {
       worlds.verdict[of] = PENDING;
       this.kept[of] = null;
     }
+    this.foundMargins[layout] = null;
     results.margins?.inPlace.margin.fill(Number.NaN, 4 * layout, 4 * layout + 4);
     results.margins?.withinLimits?.margin.fill(Number.NaN, 4 * layout, 4 * layout + 4);
     this.put(world, found);
@@ -195,7 +200,7 @@ export class Screening implements ResultsSource {
       });
     if (this.withMargins)
       this.take(pool.ask("margins", { load, settings }, true), (margins) => {
-        if (isLatest()) putMargins(results, layout, margins);
+        if (isLatest()) this.putMargins(layout, margins);
       });
   }
 
@@ -212,6 +217,11 @@ export class Screening implements ResultsSource {
   private put(world: number, found: SimulatedWorld): void {
     putWorld(this.results, world, found.outcome, found.seconds);
     this.kept[world] = keptOf(found);
+  }
+
+  private putMargins(layout: number, found: FoundMargins): void {
+    putMargins(this.results, layout, found.columns);
+    this.foundMargins[layout] = found;
   }
 
   private order(world: number) {
@@ -234,7 +244,7 @@ export class Screening implements ResultsSource {
     const read = this.loads[layout];
     return this.take(this.pool.ask("margins", { load: read.load, settings: this.settings }), (found) => {
       ++this.marginsDone;
-      if (this.loads[layout] === read) putMargins(this.results, layout, found);
+      if (this.loads[layout] === read) this.putMargins(layout, found);
     });
   }
 
