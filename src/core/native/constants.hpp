@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/model/container_sides.hpp"
+
 // The tuned constants of the native engine. Numbers that merely keep rounding out (a divisor that could be zero, a
 // counter that could overflow) stand where they are used; what depends on the accuracy stands in `native_options`.
 //
@@ -17,6 +19,14 @@
 
 namespace holdfast::internal::native {
 
+// --- Rounding ---
+
+/// What is smaller than this, over what it is compared with, is rounding: of a force at the limit of friction or at a
+/// bound, of the length of a quaternion, and of a difference of effective gravities. As a square: the sine between two
+/// edges whose product has no direction, and the length in a plane of an axis that points at it.
+/// @measured 1e-12 for gravities, 1e-10 for edges, 1e-6 for axes: no bit changes.
+inline constexpr double kRounding = 1e-9;  // of what it is compared with
+
 // --- Lengths ---
 
 /// Surfaces this near are in touch, and points this near are one: far above rounding, far below what shows.
@@ -28,7 +38,7 @@ inline constexpr double kTouch = 1e-7;  // m
 /// separate boxes alike to this are equally good, less than `kAxisPreference`, which must decide first. Contacts are
 /// looked for this far away at least, and supports with gaps up to this carry weight when a world starts.
 /// @measured Half and twice: insensitive. Noticed by `box_box`, `clipping`.
-inline constexpr double kContactTolerance = 1e-5;  // m
+inline constexpr double kContactTolerance = kLeastPlay;  // m
 
 /// Boxes that overlap by less than this beside their contact, without what they have sunk, are flush and slide past
 /// each other. More than the 10 µm of a box that tilts within its play to the walls, less than a clearance of 0.1 mm. A
@@ -36,10 +46,6 @@ inline constexpr double kContactTolerance = 1e-5;  // m
 /// @measured Of 300 random loads with flush tops, a box is more than 5 cm off in none at `standard`; half: in one;
 /// twice: in none. Real steps from 60 µm on stop a box.
 inline constexpr double kFlushWidth = 5e-5;  // m
-
-/// Wider contacts are no flush boxes, whatever they have sunk: it bounds what is looked at a second time.
-/// @measured 0.2 to 4 mm: no verdict changes.
-inline constexpr double kNarrowWidth = 2e-3;  // m
 
 /// Gap up to which points of a contact that carried a force in the last step count as touching in a proof of rest:
 /// boxes that come to rest rock by a few micrometres for some steps.
@@ -59,6 +65,10 @@ inline constexpr double kAxisPreference = 2.0 * kContactTolerance;  // m
 /// two steps, which come in the order of the contact's corners, without a look at the others.
 /// @measured Half and twice: insensitive, for each of the two.
 inline constexpr double kSamePoint = 1e-3;  // m
+
+/// Wider contacts are no flush boxes, whatever they have sunk: it bounds what is looked at a second time.
+/// @measured 0.2 to 4 mm: no verdict changes.
+inline constexpr double kNarrowWidth = 2.0 * kSamePoint;  // m
 
 /// Cosine of 11°: faces whose normal is this near to that of a contact of edges are nearly parallel, and add their
 /// points to it.
@@ -138,13 +148,10 @@ inline constexpr double kNearlyAligned = 0.99995;  // cosine
 /// @measured 0.6: case `closing_up_0.9371_s` fails; 1.2: insensitive. Noticed by `native_impacts`.
 inline constexpr double kSpeculation = 2.0;  // of the distance
 
-/// Least margin of a box's surroundings in the broad phase.
+/// Least margin of a box's surroundings in the broad phase. It is doubled where a box leaves them within half of
+/// `kHorizon`.
 /// @measured It changes no bit. Half and twice: insensitive.
 inline constexpr double kLeastSurroundings = 0.01;  // m
-
-/// Largest margin of a box's surroundings in the broad phase.
-/// @measured It changes no bit. Half and twice: insensitive.
-inline constexpr double kMostSurroundings = 0.2;  // m
 
 /// Steps that the engine plans for: a box's surroundings in the broad phase are to last so many at its speed, a
 /// manifold without force stays active for so many solved steps, and twice as many is the longest wait between two

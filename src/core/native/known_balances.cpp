@@ -12,9 +12,6 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// A difference between effective gravities, over their length, that is rounding.
-constexpr double kSameGravity = 1e-12;
-
 constexpr int kMost = static_cast<int>(kKnownBalances);
 
 bool are_same(std::span<const KnownBalances::Contact> a, std::span<const KnownBalances::Contact> b) {
@@ -37,7 +34,7 @@ bool find_weights(const Vec3& gravity, std::span<const Vec3> known, Combination&
     matrix.col(static_cast<Eigen::Index>(k)) << known[combination.of[k]], unit;
   const Eigen::Vector4d wanted(gravity.x(), gravity.y(), gravity.z(), unit);
   combination.weights = matrix.completeOrthogonalDecomposition().solve(wanted);
-  return (matrix * combination.weights - wanted).norm() <= kSameGravity * unit;
+  return (matrix * combination.weights - wanted).norm() <= kRounding * unit;
 }
 
 /// Weights of which none is negative: leaves out the most negative one until none is. None where that ends without,

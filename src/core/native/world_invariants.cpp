@@ -8,10 +8,8 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// Rounding that the norm of a quaternion or a normal may have.
-constexpr double kUnitTolerance = 1e-9;
-
-bool is_unit(double norm) { return std::abs(norm - 1.0) <= kUnitTolerance; }
+/// Of the norm of a quaternion or a normal.
+bool is_unit(double norm) { return std::abs(norm - 1.0) <= kRounding; }
 
 class Inspection {
  public:

@@ -57,7 +57,7 @@ std::span<const IndexPair> BroadPhase::find_pairs(std::span<const Vec3> lower, s
 /// Gives a box new surroundings, larger ones where it left the last ones soon, and looks for its neighbours.
 void BroadPhase::renew(std::uint32_t index, const Vec3& lower, const Vec3& upper) {
   Surroundings& box = boxes_[index];
-  if (box.calls < kHorizon / 2) box.margin = std::min(2.0 * box.margin, kMostSurroundings);
+  if (box.calls < kHorizon / 2) box.margin *= 2.0;
   if (box.calls > 2 * kHorizon) box.margin = std::max(0.5 * box.margin, kLeastSurroundings);
   box.calls = 0;
   box.lower = lower.array() - box.margin;

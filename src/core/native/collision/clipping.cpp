@@ -12,12 +12,6 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// More than what rounding may do to a square.
-constexpr double kSurely = 1.0 + 1e-9;
-
-/// Square of a projected axis' length below which the axis points at the plane, and gives the outline no edge.
-constexpr double kEndOn = 1e-6;
-
 /// The reference face, its box, and the other box in the frame of that box.
 struct Reference {
   const OrientedBox& box;
@@ -68,7 +62,8 @@ bool projections_overlap(const Reference& ref) {
     const double along_u = r(ref.u, j);
     const double along_v = r(ref.v, j);
     const double square = along_u * along_u + along_v * along_v;
-    if (square < kEndOn) continue;
+    // The axis points at the plane, and gives the outline no edge.
+    if (square < kRounding) continue;
     const int j1 = (j + 1) % 3;
     const int j2 = (j + 2) % 3;
     const double radius = h[ref.u] * std::abs(along_v) + h[ref.v] * std::abs(along_u);
@@ -148,7 +143,7 @@ bool is_between(const Corner& corner, const Corner& before, const Corner& after)
   const double square = along_u * along_u + along_v * along_v;
   // Most corners are far from the line, which needs no division.
   const double product = along_u * to_v - along_v * to_u;
-  if (product * product > kSurely * kTouch * kTouch * square) return false;
+  if (product * product > (1.0 + kRounding) * kTouch * kTouch * square) return false;
   const double part = square > 0.0 ? std::clamp((to_u * along_u + to_v * along_v) / square, 0.0, 1.0) : 0.0;
   const double off_u = to_u - part * along_u;
   const double off_v = to_v - part * along_v;

@@ -9,9 +9,6 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// Square of the sine between two edges, below which the direction of their product is rounding.
-constexpr double kParallelEdges = 1e-10;
-
 /// The best axis of a group so far, and the score to beat.
 struct Candidate {
   double score = std::numeric_limits<double>::lowest();
@@ -73,7 +70,7 @@ bool offer_edges(const OrientedBox& a, const OrientedBox& b, const RelativePose&
     for (int j = 0; j < 3; ++j) {
       // The sum of the two other components: 1 - r(i, j)² would cancel where the edges are nearly parallel.
       const double square = r(i1, j) * r(i1, j) + r(i2, j) * r(i2, j);
-      if (square < kParallelEdges) continue;
+      if (square < kRounding) continue;
       const int j1 = (j + 1) % 3;
       const int j2 = (j + 2) % 3;
       const double distance = std::abs(pose.in_a[i2] * r(i1, j) - pose.in_a[i1] * r(i2, j));

@@ -7,7 +7,7 @@ namespace holdfast::internal::native {
 
 SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report) {
   const double unit = terms.effective_gravity.norm() * step;
-  limits.velocity_unit = unit > 0.0 ? unit : 1e-3 * step;
+  limits.velocity_unit = unit > 0.0 ? unit : kNegligible * step;
   const SolveResult result = solve_once(limits, report);
   const bool diverged = !(result.residual < kLarge * limits.velocity_unit);
   const bool may_pass = result.residual <= limits.worst_residual * limits.velocity_unit;

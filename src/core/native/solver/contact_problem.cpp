@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/native/constants.hpp"
 
 namespace holdfast::internal::native {
-
-namespace {
-
-constexpr double kRounding = 1e-9;
-
-}  // namespace
 
 void ContactProblem::reset_warm_start() {
   std::copy(free_velocity.begin(), free_velocity.end(), velocity.begin());
@@ -24,12 +21,12 @@ void ContactProblem::reset_warm_start() {
 
 bool impulses_are_in_cones(const ContactProblem& problem) {
   // Squares of smaller numbers are 0, and are not cut.
-  constexpr double kUnderflow = 1e-150;
+  const double underflow = std::sqrt(std::numeric_limits<double>::min());
   for (const ContactConstraint& constraint : problem.constraints) {
     const auto& y = constraint.impulse.row;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
       const double tangential = std::hypot(y[1][lane], y[2][lane]);
-      if (y[0][lane] < 0.0 || tangential > constraint.friction * y[0][lane] * (1.0 + kRounding) + kUnderflow)
+      if (y[0][lane] < 0.0 || tangential > constraint.friction * y[0][lane] * (1.0 + kRounding) + underflow)
         return false;
     }
   }

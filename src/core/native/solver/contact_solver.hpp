@@ -12,9 +12,9 @@ namespace holdfast::internal::native {
 
 /// How hard a solve tries.
 struct SolveLimits {
-  double tolerance = 1e-3;              ///< of velocities, in units of `velocity_unit`
+  double tolerance = kNegligible;       ///< of velocities, in units of `velocity_unit`
   double velocity_unit = 1.0;           ///< what residuals are measured in, m/s
-  int iterations = 24;                  ///< at most, where what is left may pass
+  int iterations = 2 * kCheckEvery;     ///< at most, where what is left may pass
   int more_iterations = 0;              ///< at most, on top of these, where it may not
   double mean_residual = 0.0;           ///< that may pass: root of the mean square over the points, in those units
   double worst_residual = kNoticeable;  ///< that may pass, likewise

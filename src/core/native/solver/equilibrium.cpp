@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/native/constants.hpp"
 #include "core/native/solver/body_kernels.hpp"
 #include "core/native/solver/contact_kernels.hpp"
 
@@ -44,7 +45,7 @@ bool EquilibriumCheck::refutes_rest(const ContactProblem& problem, double larges
   }
   // Every motion may be the proof: without the bodies that hardly move it is one sooner.
   motion_ = problem.velocity;
-  for (const double share : {0.0, 0.01, 0.1, 0.5}) {
+  for (const double share : {0.0, kSmall, kNoticeable, 0.5}) {
     double power = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       if (speed_[i] < share * fastest)
