@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iostream>
@@ -19,7 +21,9 @@
 #include "core/model/norms.hpp"
 #include "io/input/acceleration_reader.hpp"
 #include "io/input/input_paths.hpp"
+#include "io/input/text_lines.hpp"
 #include "io/loads/load_file.hpp"
+#include "io/loads/table_text.hpp"
 #include "parallel/screening/world_limits.hpp"
 
 namespace holdfast::internal {
@@ -103,10 +107,15 @@ class InputCheck {
         });
         break;
       case InputKind::unknown:
-        finding.errors.push_back(
-            {.file = input.path,
-             .what = "neither layout, acceleration nor config",
-             .accepted = "a layout has 7 columns or a header that names them, an acceleration 5, a config [sections]"});
+        if (const std::string why = why_no_text(file->text); !why.empty())
+          finding.errors.push_back(
+              {.file = input.path, .what = "is " + why, .accepted = "text: save or export it as CSV (UTF-8)"});
+        else
+          finding.errors.push_back(
+              {.file = input.path,
+               .what = "neither layout, acceleration nor config",
+               .accepted =
+                   "a layout has 7 columns or a header that names them, an acceleration 5, a config [sections]"});
     }
     return finding;
   }
@@ -146,9 +155,20 @@ class InputCheck {
       finding.warnings.insert(finding.warnings.end(), load.warnings.begin(), load.warnings.end());
       if (load.errors.empty()) take_bearing(finding, path, load.layout);
     }
-    finding.description =
-        fmt::format("{}{} boxes{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
-                    mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : "");
+    finding.description = fmt::format(
+        "{}{} boxes{}{}{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
+        mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : "", container_text(loads),
+        loads.ignored.empty() ? "" : "; not used: " + shown(fmt::format("{}", fmt::join(loads.ignored, ", "))));
+  }
+
+  /// The container of a file's only load, or of all its loads where they have none of their own. A text never has one.
+  std::string container_text(const LoadsOfFile& loads) const {
+    const bool has_own = std::any_of(loads.loads.begin(), loads.loads.end(),
+                                     [](const ReadLoad& load) { return load.layout.container.has_value(); });
+    if (loads.form.starts_with("text") || loads.loads.empty() || (has_own && loads.loads.size() > 1)) return "";
+    const ContainerSettings container = container_of(settings_, loads.loads.front().layout);
+    if (!container.type.empty()) return ", container " + container.type;
+    return fmt::format(", container {:g} x {:g} x {:g} m", container.size.x(), container.size.y(), container.size.z());
   }
 
   void take_bearing(Finding& finding, const std::string& path, const Layout& layout) const {

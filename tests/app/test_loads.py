@@ -51,7 +51,7 @@ class Loads(CliTest):
             self.assertIn(f": ok: layout ({form}), ", run("check", file, *OPTIONS.get(file.name, [])).stdout)
         lines = self.folder / "lines.jsonl"
         run("convert", TRAILER, "-o", lines)
-        self.assertEqual(run("check", lines).stdout.splitlines()[0], f"{lines}: ok: layout (JSON, one load per line), 20 boxes, 12690 kg")
+        self.assertEqual(run("check", lines).stdout.splitlines()[0], f"{lines}: ok: layout (JSON, one load per line), 20 boxes, 12690 kg, container trailer-curtain")
         self.write("sheet.txt", "Artikel Ort Maße\nKiste 0 0 0 80 60 50 4\n")
         self.assertIn("bad: layout (text, since no line names the places and sizes of boxes), ", self.run_here("check", "sheet.txt").stdout)
 
@@ -214,10 +214,21 @@ class Loads(CliTest):
         path.write_bytes(b"PK\x03\x04 and so on")
         done = run("check", path)
         self.assertEqual(done.returncode, 2)
-        path = self.folder / "load16.csv"
-        path.write_bytes("x,y,z\n1,2,3\n".encode("utf-16"))
-        done = run("screen", "--layouts", path, "--norm", "road", "-o", self.folder / "none.h5")
-        self.assertIn("UTF-16", done.stderr)
+        self.assertIn("is a spreadsheet file (.xlsx or .ods); text: save or export it as CSV (UTF-8)", done.stderr)
+
+    def test_encodings_of_spreadsheets_are_read(self):
+        table = "Größe;x;y;z;Länge;Breite;Höhe;Gewicht\nKühlgerät;0;0;0;80;60;98,5;41\n"
+        for encoding, note in (("utf-8", ""), ("utf-8-sig", ""), ("utf-16", ""), ("utf-16-be", ""),
+                               ("windows-1252", "is not UTF-8, and taken as Windows-1252; save it as CSV (UTF-8) if letters of names are wrong")):
+            path = self.folder / f"{encoding}.csv"
+            path.write_bytes(table.encode(encoding))
+            done = run("check", path)
+            self.assertEqual(done.stdout, f"{path}: ok: layout (semicolon-separated table), 1 boxes, 41 kg, "
+                                          "container 5.87 x 2.33 x 2.2 m; not used: Größe\n", encoding)
+            self.assertEqual(done.stderr, f"warning: {path}: {note}\n" if note else "", encoding)
+            run("screen", "--layouts", path, "--norm", "road", "--no-series", "--quiet", "--overwrite", "-o", self.folder / "r.h5")
+            with h5py.File(self.folder / "r.h5") as file:
+                self.assertEqual(file["worlds/status"][:].tolist(), [0] * 4)
 
     def test_names_of_hostile_length_and_signs_stay_names(self):
         table = self.folder / "names.csv"

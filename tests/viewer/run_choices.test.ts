@@ -3,6 +3,7 @@ import { existsSync } from "node:fs";
 import { test } from "node:test";
 import type { Engine } from "holdfast-engine";
 import {
+  advicesOf,
   fromText,
   NORM_SIZES,
   normChoice,
@@ -44,4 +45,25 @@ test("the page asks for the sizes of a norm that the program takes, and for none
       assert.throws(() => runs(normSize), /K g, from 0\.01 to 2/);
     }
   }
+});
+
+test("what would help is offered for each end that a file may count from", () => {
+  const said = (accepted: string) => advicesOf(accepted).map(({ text, change }) => [text, change]);
+  assert.deepEqual(said('everything fits with --axes "x -z y", which are length, width and height'), [
+    ["Take the axes x -z y as length, width, height", { axes: "x -z y", format: "" }],
+  ]);
+  assert.deepEqual(
+    said('everything fits with --axes "z x y" where it counts from the front, --axes "-z x y" from the rear'),
+    [
+      ["Take the axes z x y, counted from the front", { axes: "z x y", format: "" }],
+      ["Take the axes -z x y, counted from the rear", { axes: "-z x y", format: "" }],
+    ],
+  );
+  assert.deepEqual(said("everything fits another one if the lengths are mm: --unit mm --container 40hc"), [
+    ["Take lengths as mm and the container 40hc", { unit: "mm", container: "40hc" }],
+  ]);
+  assert.deepEqual(said("everything fits with --format py3dbp"), [
+    ["Read it as a file of py3dbp", { format: "py3dbp", axes: "" }],
+  ]);
+  assert.deepEqual(said("--unit says another"), []);
 });

@@ -42,7 +42,8 @@ std::string kept_name(std::string_view text) {
     if (end + length > kMost) break;
     end += length;
   }
-  return name.substr(0, end);
+  // White space where it was cut goes, as at its ends.
+  return name.substr(0, std::string_view(name).substr(0, end).find_last_not_of(kWhite) + 1);
 }
 
 }  // namespace holdfast::internal

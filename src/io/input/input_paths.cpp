@@ -19,6 +19,7 @@
 #include "io/input/text_lines.hpp"
 #include "io/loads/json_loads.hpp"
 #include "io/loads/load_file.hpp"
+#include "io/loads/table_text.hpp"
 
 namespace holdfast::internal {
 
@@ -157,6 +158,8 @@ struct Look {
 };
 
 Look look_at(std::string_view text) {
+  if (const auto utf8 = decoded(text); utf8 && text.find('\0') != std::string_view::npos)
+    return utf8->text.find('\0') == std::string::npos ? look_at(utf8->text) : Look{InputKind::unknown, true};
   if (text.find('\0') != std::string_view::npos) return {InputKind::unknown, true};
   if (looks_like_json(text)) return {InputKind::layout, true};
   if (text.find('\n') != std::string_view::npos && load_syntax(text) == LoadSyntax::table)

@@ -63,7 +63,17 @@ class WholeLook {
     if (count == 0) return all_tiny();
     constexpr std::size_t kWhole = 3;  // fewer are told one by one
     if (auto error = count < kWhole ? std::nullopt : another_container(count)) return error;
-    return another_unit();
+    if (auto error = another_unit()) return error;
+    return count < kWhole ? std::nullopt : another_unit_and_container();
+  }
+
+  /// The same where the file, or the user, says the unit.
+  std::optional<Error> tiny_in_stated_unit() const {
+    if (guessed_unit_ > 0.0 || layout_.boxes.empty() || !has_no_large_box()) return std::nullopt;
+    return Error{.file = path_,
+                 .what = "all boxes are shorter than 5 cm",
+                 .value = "all lie within " + size_text(reach()),
+                 .accepted = "if the unit, or a mark of thousands, is another one: --unit, and numbers without marks"};
   }
 
   /// Boxes that are outside the container, fixed ones left out.
@@ -90,14 +100,23 @@ class WholeLook {
     return most;
   }
 
-  /// A load in metres that is read as centimetres lies within a hundredth of the container.
+  /// A load in metres that is read as centimetres has no box longer than a few centimetres, near a corner.
   std::optional<Error> all_tiny() const {
-    constexpr double kHundredth = 0.0101;
-    if (guessed_unit_ == 0.0 || (reach().array() > kHundredth * container_.size.array()).any()) return std::nullopt;
+    if (guessed_unit_ == 0.0 || !has_no_large_box()) return std::nullopt;
     return Error{.file = path_,
-                 .what = "all boxes lie within a hundredth of the container",
-                 .value = "up to " + size_text(reach()),
+                 .what = "all boxes are shorter than 5 cm",
+                 .value = "all lie within " + size_text(reach()),
                  .accepted = "if the lengths are metres: --unit m; --unit cm says that they are meant"};
+  }
+
+  /// Whether all boxes are shorter than 5 cm, and all lie within a tenth of the container.
+  bool has_no_large_box() const {
+    constexpr double kLongest = 0.05;  // m
+    constexpr double kTenth = 0.1;
+    const bool has_large = std::any_of(layout_.boxes.begin(), layout_.boxes.end(), [](const Box& box) {
+      return (box.corner_max - box.corner_min).maxCoeff() >= kLongest;
+    });
+    return !has_large && (reach().array() <= kTenth * container_.size.array()).all();
   }
 
   std::optional<Error> another_unit() const {
@@ -122,6 +141,30 @@ class WholeLook {
     return std::nullopt;
   }
 
+  /// The same in a container of the catalogue.
+  std::optional<Error> another_unit_and_container() const {
+    if (guessed_unit_ == 0.0) return std::nullopt;
+    for (const double unit : {0.001, 0.0254}) {
+      const double factor = unit / guessed_unit_;
+      if (factor > 0.9) continue;
+      const auto in_unit = [&](const Box& box) {
+        return std::pair<Vec3, Vec3>(factor * box.corner_min, factor * box.corner_max);
+      };
+      const ContainerType* const type = holding_type(in_unit);
+      // Not a load that is merely much smaller than the container.
+      constexpr double kLeastShare = 0.4;
+      const Vec3 reached = factor * reach();
+      if (type == nullptr || (reached.array() >= kLeastShare * type->shape().size.array()).count() < 2) continue;
+      const std::string name = length_unit_name(unit);
+      return Error{.file = path_,
+                   .what = "the boxes do not fit the container in " + length_unit_name(guessed_unit_),
+                   .value = "up to " + size_text(reach()),
+                   .accepted = "everything fits another one if the lengths are " + name + ": --unit " + name +
+                               " --container " + std::string(type->name)};
+    }
+    return std::nullopt;
+  }
+
   /// Numbers of a place and a size, read as two corners.
   std::optional<Error> sizes_as_corners() const {
     std::size_t impossible = 0;
@@ -141,21 +184,30 @@ class WholeLook {
   }
 
   std::optional<Error> another_container(std::size_t outside) const {
-    // The first one: the catalogue begins with what is most common.
-    const std::span<const ContainerType> types = container_catalogue();
-    const auto found = std::find_if(types.begin(), types.end(), [&](const ContainerType& type) {
-      ContainerSettings container;
-      static_cast<ContainerShape&>(container) = type.shape();
-      return container.open_sides.empty() &&
-             std::all_of(layout_.boxes.begin(), layout_.boxes.end(),
-                         [&](const Box& box) { return is_inside(container, box.corner_min, box.corner_max); });
-    });
-    if (found == types.end()) return std::nullopt;
+    const ContainerType* const found =
+        holding_type([](const Box& box) { return std::pair<Vec3, Vec3>(box.corner_min, box.corner_max); });
+    if (found == nullptr) return std::nullopt;
     return Error{.file = path_,
                  .what = std::to_string(outside) + " of " + std::to_string(layout_.boxes.size()) +
                          " boxes are outside the container of " + size_text(container_.size),
                  .value = "up to " + size_text(reach()),
                  .accepted = "--container " + std::string(found->name) + " holds them"};
+  }
+
+  /// The first closed type that holds all boxes: the catalogue begins with what is most common. Null where none does.
+  template <class Corners>
+  const ContainerType* holding_type(Corners corners) const {
+    const std::span<const ContainerType> types = container_catalogue();
+    const auto found = std::find_if(types.begin(), types.end(), [&](const ContainerType& type) {
+      ContainerSettings container;
+      static_cast<ContainerShape&>(container) = type.shape();
+      return container.open_sides.empty() &&
+             std::all_of(layout_.boxes.begin(), layout_.boxes.end(), [&](const Box& box) {
+               const auto [low, high] = corners(box);
+               return is_inside(container, low, high);
+             });
+    });
+    return found == types.end() ? nullptr : &*found;
   }
 
   const Layout& layout_;
@@ -185,6 +237,45 @@ void warn_of_materials(const Layout& layout, const std::string& path, const Sett
        .accepted = "the common keys hold; [Material " + *unknown.begin() + "] describes it"});
 }
 
+/// Weights that loads do not have, and boxes of which the file says none though it does of others.
+void warn_of_weights(const Layout& layout, const std::string& path, const Settings& settings,
+                     std::vector<Error>& warnings) {
+  std::size_t weighed = 0;
+  std::size_t cargo = 0;
+  double mass = 0.0;
+  double volume = 0.0;
+  for (const Box& box : layout.boxes) {
+    if (properties_of(settings, box).fixed) continue;
+    ++cargo;
+    if (!box.mass) continue;
+    ++weighed;
+    mass += *box.mass;
+    volume += (box.corner_max - box.corner_min).prod();
+  }
+  if (weighed == 0) return;
+  if (weighed < cargo)
+    warnings.push_back(
+        {.file = path,
+         .what = std::to_string(cargo - weighed) + " of " + std::to_string(cargo) + " boxes have no weight",
+         .accepted = "that of their material or of their volume is taken"});
+  // Foam and lead: no average of a load is beyond them.
+  constexpr double kLightest = 1.0;     // kg/m³
+  constexpr double kHeaviest = 8000.0;  // kg/m³
+  if (mass < kLightest * volume || mass > kHeaviest * volume)
+    warnings.push_back({.file = path,
+                        .what = "boxes of " + rounded_text(mass / volume) + " kg/m³ on the average",
+                        .value = rounded_text(mass) + " kg in " + rounded_text(volume) + " m³",
+                        .accepted = "if a unit is another one: --unit for lengths, and for weights a choice such as "
+                                    "--columns \"Weight = weight (t)\""});
+  const ContainerSettings container = container_of(settings, layout);
+  const ContainerType* const type = find_container(container.type);
+  if (type != nullptr && type->payload > 0.0 && mass > type->payload)
+    warnings.push_back({.file = path,
+                        .what = "the load weighs " + rounded_text(mass) + " kg",
+                        .accepted = "a container of type " + std::string(type->name) + " carries " +
+                                    rounded_text(type->payload) + " kg"});
+}
+
 }  // namespace
 
 void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
@@ -197,6 +288,7 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
     return;
   }
   load.outside = look.outside_count();
+  if (const auto warning = look.tiny_in_stated_unit()) load.warnings.push_back(*warning);
   const Trimmed trimmed = trim_overlaps(layout, settings, tolerance);
   load.errors = check_layout(layout, settings, path, load.warnings);
   if (!load.errors.empty()) return;
@@ -209,6 +301,7 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
                                       " by " + millimetres(trimmed.largest),
                              .accepted = "up to " + millimetres(tolerance) + " by [Loads] OverlapTolerance"});
   warn_of_materials(layout, path, settings, load.warnings);
+  warn_of_weights(layout, path, settings, load.warnings);
 }
 
 }  // namespace holdfast::internal

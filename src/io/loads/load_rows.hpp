@@ -32,11 +32,11 @@ class LoadRows {
   /// Line of the row in the file, from 1; 0 where it has none.
   virtual long line() const = 0;
 
+  /// Whether numbers are written in one way only, as JSON has them.
+  virtual bool has_exact_numbers() const { return false; }
+
   /// What keeps the table from being read on; `what` is empty where nothing does.
   virtual Error mistake() const { return {}; }
-
-  /// Whether a comma may be the decimal mark.
-  virtual bool may_have_decimal_commas() const { return false; }
 };
 
 }  // namespace holdfast::internal

@@ -26,7 +26,9 @@ struct ReadLoad {
 struct LoadsOfFile {
   std::string form;  ///< what the file was taken for, in words: `JSON, one load per line`
   std::vector<ReadLoad> loads;
-  std::vector<Error> notes;  ///< of the file as a whole: how it was taken, and what was left out
+  std::vector<Error> notes;                ///< of the file as a whole: how it was taken, and what was left out
+  std::vector<std::string> ignored;        ///< headers of columns that mean nothing
+  std::vector<std::string> place_headers;  ///< three columns that are taken for corners and may be middles; or none
 };
 
 }  // namespace holdfast::internal

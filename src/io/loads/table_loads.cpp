@@ -16,7 +16,9 @@
 #include "core/model/overlap_trim.hpp"
 #include "io/input/layout_reader.hpp"
 #include "io/input/text_lines.hpp"
+#include "io/loads/cell_numbers.hpp"
 #include "io/loads/known_formats.hpp"
+#include "io/loads/load_parts.hpp"
 
 namespace holdfast::internal {
 
@@ -26,16 +28,9 @@ namespace {
 constexpr double kShortestContainer = 0.8;
 constexpr double kLongestContainer = 25.0;
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& letter : result)
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  return result;
-}
-
 template <class Words>
 bool is_one_of(std::string_view text, const Words& words) {
-  const std::string word = lower(text);
+  const std::string word = lower_case(text);
   return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
     return word.starts_with(known) && (word.size() == known.size() || word.substr(known.size()) == "s");
   });
@@ -65,12 +60,19 @@ class TableReader {
  public:
   TableReader(LoadRows& rows, const ColumnPlan& plan, const TableContext& context, const TableChoices& choices,
               const Settings& settings)
-      : rows_(rows), plan_(plan), context_(context), choices_(choices), settings_(settings) {
+      : rows_(rows),
+        plan_(plan),
+        context_(context),
+        choices_(choices),
+        settings_(settings),
+        numbers_(rows, plan_, choices.unit.value_or(context.unit)) {
     axes_ = choices.axes.value_or(axes_of(settings));
   }
 
   LoadsOfFile read() {
     choose_load_column();
+    numbers_.look_at_cells();
+    find_units_of_groups();
     while (rows_.next()) read_row();
     if (Error mistake = rows_.mistake(); !mistake.what.empty()) {
       // What the rest of the table holds is not known: no load of it can be trusted.
@@ -82,23 +84,47 @@ class TableReader {
     find_unit();
     found_.loads.reserve(loads_.size());
     for (Growing& growing : loads_) finish(growing);
+    if (!plan_.load && load_column()) join_parts(found_.loads, context_.name);
+    if (!plan_.load && load_column() && found_.loads.size() > 1)
+      found_.notes.push_back({.file = context_.path,
+                              .what = "a column is taken for names of loads, since their boxes overlap",
+                              .value = shown(rows_.headers()[static_cast<std::size_t>(load_column().index)]),
+                              .accepted = "--columns \"" +
+                                          shown(rows_.headers()[static_cast<std::size_t>(load_column().index)]) +
+                                          " = -\" leaves it out"});
     note_rows();
+    found_.ignored = plan_.ignored;
+    if (plan_.low[0] && plan_.low[1] && plan_.low[2])
+      for (const UsedColumn& column : plan_.low)
+        found_.place_headers.push_back(rows_.headers()[static_cast<std::size_t>(column.index)]);
     return std::move(found_);
   }
 
  private:
   void choose_load_column() {
-    if (plan_.load) return;
-    if (!plan_.order_or_load) return;
+    if (plan_.load || plan_.group || !plan_.order_or_group) return;
     // The loads of `order` come one after the other, and their names repeat; places in a loading order do not.
     std::map<std::string, int, std::less<>> seen;
     bool repeats = false;
     while (!repeats && rows_.next()) {
-      const std::string_view value = rows_.cell(plan_.order_or_load.index);
+      const std::string_view value = rows_.cell(plan_.order_or_group.index);
       repeats = !value.empty() && ++seen[std::string(value)] > 1;
     }
     rows_.restart();
     order_is_load_ = repeats;
+  }
+
+  /// A column `unit` may tell those of lengths: where all of its values are such.
+  void find_units_of_groups() {
+    bool any = false;
+    bool all = true;
+    for (int i = 0; i < CellNumbers::kRowsLookedAt && plan_.group && all && rows_.next(); ++i) {
+      const std::string value = lower_case(text(plan_.group));
+      any = any || !value.empty();
+      all = value.empty() || length_unit(value) || mass_unit(value);
+    }
+    group_is_unit_ = any && all;
+    rows_.restart();
   }
 
   std::string_view text(const UsedColumn& column) const {
@@ -109,10 +135,10 @@ class TableReader {
     const std::string_view type = text(plan_.type);
     if (type_ == TypeColumn::unknown && !type.empty()) {
       type_ = is_one_of(type, kContainerWords) || is_one_of(type, kBoxWords) ? TypeColumn::rows
-              : find_container(type) != nullptr                              ? TypeColumn::containers
+              : is_container_name(type)                                      ? TypeColumn::containers
                                                                              : TypeColumn::materials;
     }
-    if (type_ == TypeColumn::rows && is_one_of(type, kContainerWords) && !is_one_of(type, kBoxWords))
+    if (type_ == TypeColumn::rows && is_one_of(type, kContainerWords) && !is_one_of(type, kBoxWords) && !is_cargo())
       return read_container_row();
     if (is_unplaced()) {
       ++unplaced_;
@@ -122,15 +148,46 @@ class TableReader {
     read_box();
   }
 
+  /// Whether a row of a word for containers is one of cargo: a pallet with a place.
+  bool is_cargo() const { return lower_case(text(plan_.type)).starts_with("pallet") && !is_unplaced(); }
+
+  bool is_sum() const {
+    constexpr std::size_t kLongest = 12;  // bytes, of the words and a colon
+    const std::string_view name = text(plan_.name);
+    if (name.empty() || name.size() > kLongest) return false;
+    const std::string word = lower_case(name.substr(0, name.find(':')));
+    return std::find(kSumWords.begin(), kSumWords.end(), word) != kSumWords.end();
+  }
+
+  bool has_unplaced_status() const {
+    if (!plan_.status) return false;
+    std::string status = lower_case(text(plan_.status));
+    std::erase_if(status, [](char letter) { return letter == ' ' || letter == '-' || letter == '_'; });
+    return std::find(kUnplacedWords.begin(), kUnplacedWords.end(), status) != kUnplacedWords.end();
+  }
+
   bool is_unplaced() const {
+    if (is_sum() || has_unplaced_status()) return true;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!text(plan_.low.at(axis)).empty() || !text(plan_.middle.at(axis)).empty()) return false;
     return true;
   }
 
-  std::string_view load_name() const {
-    const UsedColumn& column = plan_.load ? plan_.load : order_is_load_ ? plan_.order_or_load : UsedColumn{};
-    return column ? rows_.cell(column.index) : std::string_view(context_.load);
+  UsedColumn load_column() const {
+    if (plan_.load) return plan_.load;
+    if (plan_.group) return group_is_unit_ ? UsedColumn{} : plan_.group;
+    return order_is_load_ ? plan_.order_or_group : UsedColumn{};
+  }
+
+  std::string_view load_name() {
+    const UsedColumn column = load_column();
+    if (!column) return context_.load;
+    const std::string_view name = rows_.cell(column.index);
+    if (!plan_.load) return name;
+    // Of merged cells only the first has the name.
+    if (name.empty()) return last_load_;
+    if (last_load_ != name) last_load_ = name;
+    return name;
   }
 
   Growing& load_named(std::string_view name) {
@@ -146,7 +203,9 @@ class TableReader {
       const std::string shown_name = kept_name(name);
       growing.load.layout.name = context_.name + (shown_name.empty() ? "" : '#' + shown_name);
       growing.size = context_.container_size;
+      growing.size_unit = context_.container_unit;
       growing.type = context_.container;
+      if (growing.type.empty() && is_container_name(name)) growing.type = name;
     }
     return loads_[last_place_->second];
   }
@@ -192,48 +251,81 @@ class TableReader {
   /// False when the corners are not known.
   bool read_corners(Growing& growing, Box& box, Growing::OfBox& of_box) {
     std::array<std::optional<double>, 3> size = read_size(growing);
+    of_box.unit = unit_of_lengths();
+    if (of_box.unit == 0.0 && group_is_unit_) of_box.unit = length_unit(lower_case(text(plan_.group))).value_or(0.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<Eigen::Index>(axis);
       const UsedColumn& low = plan_.low.at(axis);
       const UsedColumn& middle = plan_.middle.at(axis);
       const UsedColumn& high = plan_.high.at(axis);
-      const auto place = read_number(growing, low ? low : middle, low ? "the place" : "the middle");
+      const auto place = read_length(growing, low ? low : middle, low ? "the place" : "the middle");
       std::optional<double> end;
       if (high && low && !size.at(axis)) {
-        end = read_number(growing, high, "the second corner");
+        end = read_length(growing, high, "the second corner");
         if (place && end) size.at(axis) = *end - *place;
       }
       if (!place || !size.at(axis)) return false;
       box.corner_min[k] = low ? *place : *place - 0.5 * *size.at(axis);
       box.corner_max[k] = end ? *end : box.corner_min[k] + *size.at(axis);
-      for (const UsedColumn& column : {low, middle, high, plan_.extent.at(axis), plan_.length})
-        if (column && column.unit > 0.0) of_box.unit = column.unit;
     }
     return true;
+  }
+
+  /// The unit of the first column of lengths that says one, m; 0: none does.
+  double unit_of_lengths() const {
+    for (const auto& columns :
+         {plan_.low, plan_.middle, plan_.high, plan_.extent, std::array{plan_.length, plan_.width, plan_.height}})
+      for (const UsedColumn& column : columns)
+        if (column && column.unit > 0.0) return column.unit;
+    return 0.0;
+  }
+
+  /// A length of a column, in the unit of lengths: another one in that of its own.
+  std::optional<double> read_length(Growing& growing, const UsedColumn& column, const char* what) {
+    std::optional<double> number = read_number(growing, column, what);
+    const double unit = unit_of_lengths();
+    if (number && column.unit > 0.0 && column.unit != unit) *number *= column.unit / unit;
+    return number;
   }
 
   /// Extents along the axes of the file, as placed; nothing along axes whose corners tell.
   std::array<std::optional<double>, 3> read_size(Growing& growing) {
     std::array<std::optional<double>, 3> size;
     if (plan_.length && plan_.width && plan_.height && !(plan_.extent[0] && plan_.extent[1] && plan_.extent[2])) {
-      std::array<std::optional<double>, 3> own = {read_number(growing, plan_.length, "the length"),
-                                                  read_number(growing, plan_.width, "the width"),
-                                                  read_number(growing, plan_.height, "the height")};
+      std::array<std::optional<double>, 3> own = {read_length(growing, plan_.length, "the length"),
+                                                  read_length(growing, plan_.width, "the width"),
+                                                  read_length(growing, plan_.height, "the height")};
       if (!turn(growing, own)) return {};
       for (std::size_t axis = 0; axis < 3; ++axis) size.at(axes_.axes.at(axis).of_file) = own.at(axis);
       return size;
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const UsedColumn& column = plan_.extent.at(axis)) size.at(axis) = read_number(growing, column, "the size");
+      if (const UsedColumn& column = plan_.extent.at(axis)) size.at(axis) = read_length(growing, column, "the size");
+    if (!choices_.turns.empty() && !text(plan_.orientation).empty() && !turn_of_format(growing, size)) return {};
     return size;
+  }
+
+  /// Turns the sizes of an item along the axes of the file as its code says in the known format.
+  bool turn_of_format(Growing& growing, std::array<std::optional<double>, 3>& size) {
+    constexpr std::size_t kLetters = 4;  // of a code, with the blank after it
+    const std::optional<long> code = parse_integer(text(plan_.orientation));
+    const auto at = static_cast<std::size_t>(code.value_or(-1)) * kLetters;
+    if (!code || *code < 0 || at >= choices_.turns.size()) {
+      add_wrong(growing, plan_.orientation, "an orientation that the format does not have", "such as 0");
+      return false;
+    }
+    const std::string_view letters = choices_.turns.substr(at, 3);
+    const std::array own = size;
+    for (std::size_t axis = 0; axis < 3; ++axis) size.at(axis) = own.at(static_cast<std::size_t>(letters[axis] - 'x'));
+    return true;
   }
 
   /// Turns the sizes of an item as its orientation says: from its own length, width and height to those of the
   /// container.
   bool turn(Growing& growing, std::array<std::optional<double>, 3>& size) {
-    const std::string code = lower(text(plan_.orientation));
-    if (code.empty() || code == "0" || code == "false" || code == "xyz" || code == "lwh") return true;
-    if (code == "1" || code == "true" || code == "90") {
+    const std::string code = lower_case(text(plan_.orientation));
+    if (code.empty() || code == "0" || code == "180" || code == "false" || code == "xyz" || code == "lwh") return true;
+    if (code == "1" || code == "true" || code == "90" || code == "270") {
       std::swap(size[0], size[1]);
       return true;
     }
@@ -261,7 +353,9 @@ class TableReader {
     const auto positive = [&](const UsedColumn& column, const char* what, double least) -> std::optional<double> {
       const auto number = optional(column, what);
       if (!number) return std::nullopt;
-      const double value = column.unit > 0.0 ? *number * column.unit : *number;
+      double unit = column.unit > 0.0 || &column != &plan_.mass ? column.unit : context_.mass_unit;
+      if (&column == &plan_.mass && plan_.mass_unit) unit = mass_unit(lower_case(text(plan_.mass_unit))).value_or(unit);
+      const double value = unit > 0.0 ? *number * unit : *number;
       if (value >= least && value <= kMostOfLoad) return value;
       Error error = rows_.at(column.index, std::string(what) + " is not possible");
       error.value = shown(text(column));
@@ -269,24 +363,37 @@ class TableReader {
       growing.errors.add(std::move(error));
       return std::nullopt;
     };
-    box.mass = positive(plan_.mass, "the mass", kLeastMass);
-    box.mat = positive(plan_.mat, "the friction of the mat", 0.0);
+    box.mass = says_none(text(plan_.mass)) ? std::nullopt : positive(plan_.mass, "the mass", kLeastMass);
+    if (const std::string mat = lower_case(text(plan_.mat)); mat.empty())
+      box.mat.reset();
+    else if (is_yes(mat))
+      box.mat = kAntislipFriction;
+    else if (!is_no(mat))
+      box.mat = positive(plan_.mat, "the friction of the mat", 0.0);
+    if (box.mat && text(plan_.mat).ends_with('%')) *box.mat /= 100.0;
     box.bearing_limit = positive(plan_.bearing_limit, "the bearing limit", 0.0);
     of_box.nesting = optional(plan_.nesting, "the nesting").value_or(0.0);
     if (plan_.nesting.unit > 0.0) of_box.nesting = in_metres(of_box.nesting, plan_.nesting.unit);
-    const UsedColumn& order = plan_.order ? plan_.order : order_is_load_ ? UsedColumn{} : plan_.order_or_load;
+    const UsedColumn& order = plan_.order ? plan_.order : plan_.order_or_group;
     if (const std::string_view value = text(order); !value.empty()) {
       box.order = parse_integer(value);
-      if (!box.order) add_wrong(growing, order, "the loading order is not a whole number", "such as 1");
+      if (!box.order && (plan_.order || !order_is_load_))
+        add_wrong(growing, order, "the loading order is not a whole number", "such as 1");
     }
     std::string_view material = text(plan_.material);
     if (material.empty() && type_ == TypeColumn::materials) material = text(plan_.type);
     if (!material.empty()) box.material = MaterialName(kept_name(material));
     if (const std::string_view value = text(plan_.fixed); !value.empty()) {
-      const std::string word = lower(value);
-      box.fixed = word == "1" || word == "yes" || word == "true" || word == "x";
-      if (!box.fixed && word != "0" && word != "no" && word != "false")
-        add_wrong(growing, plan_.fixed, "neither yes nor no", "yes or no");
+      const std::string word = lower_case(value);
+      box.fixed = word == "1" || is_yes(word);
+      if (!box.fixed && word != "0" && !is_no(word)) add_wrong(growing, plan_.fixed, "neither yes nor no", "yes or no");
+    }
+    if (const std::string_view value = text(plan_.quantity); !value.empty()) {
+      const std::optional<double> quantity = parse_number(value);
+      if (quantity && *quantity > 1.0) {
+        ++several_;
+        if (several_line_ == 0) several_line_ = rows_.line();
+      }
     }
     std::string_view type = text(plan_.container);
     if (type.empty() && type_ == TypeColumn::containers) type = text(plan_.type);
@@ -295,6 +402,22 @@ class TableReader {
     if (growing.type != type)
       add_wrong(growing, plan_.container ? plan_.container : plan_.type, "a second type of container",
                 "one type per load");
+  }
+
+  /// Friction of an anti-slip mat of which a table says no more than that it is there: that of EN 12195-1.
+  static constexpr double kAntislipFriction = 0.6;
+
+  static bool is_yes(std::string_view word) {
+    return word == "yes" || word == "true" || word == "x" || word == "ja" || word == "y";
+  }
+  static bool is_no(std::string_view word) {
+    return word == "no" || word == "false" || word == "-" || word == "nein" || word == "n";
+  }
+
+  /// Whether the cell of a mass says that it is not known.
+  static bool says_none(std::string_view cell) {
+    const std::string word = lower_case(cell);
+    return word == "-" || word == "n/a" || word == "na" || parse_number(word) == 0.0;
   }
 
   void add_wrong(Growing& growing, const UsedColumn& column, const char* what, const char* accepted) {
@@ -307,39 +430,28 @@ class TableReader {
 
   /// The number of a cell; nothing, and an error, where there is none.
   std::optional<double> read_number(Growing& growing, const UsedColumn& column, const char* what) {
-    const std::string_view written = text(column);
-    std::optional<double> number = parse_number(written);
-    if (rows_.may_have_decimal_commas()) {
-      const bool has_comma = written.find(',') != std::string_view::npos;
-      const bool has_point = written.find('.') != std::string_view::npos;
-      if (has_comma && !has_point) {
-        std::string with_point(written);
-        with_point[with_point.find(',')] = '.';
-        number = parse_number(with_point);
-      }
-      if (number && (has_comma || has_point)) {
-        if (decimal_mark_ == 0) decimal_mark_ = has_comma ? ',' : '.';
-        if (decimal_mark_ != (has_comma ? ',' : '.')) number.reset();
-      }
-    }
-    constexpr double kFarthest = 1e9;
-    if (number && std::abs(*number) <= kFarthest) return number;
+    const std::string_view cell = text(column);
+    const auto [number, lacks_unit] = numbers_.read(column, cell);
+    if (number) return number;
     if (growing.errors.full()) {
       growing.errors.count_more();
       return std::nullopt;
     }
-    Error error = rows_.at(column.index, std::string(what) + (written.empty() ? " is missing" : " is not a number"));
-    error.value = shown(written);
-    error.accepted = decimal_mark_ == ',' ? "a number such as 80 or 12,5; the table has decimal commas"
-                                          : "a number such as 80 or 12.5";
+    Error error =
+        rows_.at(column.index, std::string(what) + (cell.empty() ? " is missing"
+                                                    : lacks_unit ? " has no unit, as other cells of its column have"
+                                                                 : " is not a number"));
+    error.value = shown(cell);
+    error.accepted = numbers_.has_decimal_commas() ? "a number such as 80 or 12,5; the table has decimal commas"
+                                                   : "a number such as 80 or 12.5";
     growing.errors.add(std::move(error));
     return std::nullopt;
   }
 
   /// The unit of numbers whose header has none: the user's; that in which a container in the file is one; else cm.
   void find_unit() {
-    unit_ = choices_.unit.value_or(0.01);
-    if (choices_.unit) return;
+    unit_ = choices_.unit.value_or(context_.unit > 0.0 ? context_.unit : 0.01);
+    if (choices_.unit || context_.unit > 0.0) return;
     for (const Growing& growing : loads_) {
       if (growing.size_unit > 0.0 || !growing.size[0] || !growing.size[1]) continue;
       std::optional<double> only;
@@ -372,7 +484,7 @@ class TableReader {
     std::vector<double> nesting;
     const bool knows_units = std::all_of(growing.of_boxes.begin(), growing.of_boxes.end(),
                                          [](const Growing::OfBox& of_box) { return of_box.unit > 0.0; });
-    growing.load.guessed_unit = choices_.unit || knows_units ? 0.0 : unit_;
+    growing.load.guessed_unit = choices_.unit || context_.unit > 0.0 || knows_units ? 0.0 : unit_;
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
       Box& box = layout.boxes[i];
       const Growing::OfBox& of_box = growing.of_boxes[i];
@@ -386,6 +498,12 @@ class TableReader {
     if (growing.load.errors.empty() && layout.boxes.empty())
       growing.load.errors.push_back({.file = context_.path, .what = "has no boxes", .value = layout.name});
     if (growing.load.errors.empty() && plan_.nesting) nest_boxes(layout, nesting, settings_);
+    if (plan_.mass && growing.load.errors.empty() &&
+        std::none_of(layout.boxes.begin(), layout.boxes.end(), [](const Box& box) { return box.mass; }))
+      growing.load.warnings.push_back({.file = context_.path,
+                                       .what = "no box has a weight, though there is a column for it",
+                                       .value = shown(rows_.headers()[static_cast<std::size_t>(plan_.mass.index)]),
+                                       .accepted = "those of their material or of their volume are taken"});
     found_.loads.push_back(std::move(growing.load));
   }
 
@@ -422,6 +540,12 @@ class TableReader {
   }
 
   void note_rows() {
+    if (several_ > 0)
+      found_.notes.push_back({.file = context_.path,
+                              .line = several_line_,
+                              .what = std::to_string(several_) + (several_ == 1 ? " row is" : " rows are") +
+                                      " of more than one box, and taken as one",
+                              .accepted = "a row with a place of its own for each box"});
     if (unplaced_ > 0) {
       std::string names;
       for (const std::string& name : unplaced_names_) names += (names.empty() ? "" : ", ") + shown(name);
@@ -434,15 +558,19 @@ class TableReader {
   }
 
   LoadRows& rows_;
-  const ColumnPlan& plan_;
+  ColumnPlan plan_;
   const TableContext& context_;
   const TableChoices& choices_;
   const Settings& settings_;
+  CellNumbers numbers_;
   FileAxes axes_;
   double unit_ = 0.01;  ///< of numbers whose header has none, m
   bool order_is_load_ = false;
   TypeColumn type_ = TypeColumn::unknown;
-  char decimal_mark_ = 0;  ///< that has been seen; 0: none yet
+  bool group_is_unit_ = false;  ///< the column of groups tells units of lengths
+  std::string last_load_;       ///< name of the load of the row before
+  std::size_t several_ = 0;     ///< rows of more than one box
+  long several_line_ = 0;       ///< of the first of them
   std::deque<Growing> loads_;
   std::map<std::string, std::size_t, std::less<>> places_;  ///< of loads, by their names in the table
   std::map<std::string, std::size_t, std::less<>>::iterator last_place_ = places_.end();
@@ -452,6 +580,14 @@ class TableReader {
 };
 
 }  // namespace
+
+bool is_container_name(std::string_view name) {
+  const bool has_letter = std::any_of(name.begin(), name.end(),
+                                      [](char letter) { return (letter | 0x20) >= 'a' && (letter | 0x20) <= 'z'; });
+  const ContainerType* const type = find_container(name);
+  if (!has_letter || type == nullptr || type->name.starts_with("pallet")) return false;
+  return lower_case(name) == type->name || (name.front() >= '0' && name.front() <= '9');
+}
 
 Result<TableChoices> TableChoices::of(const Settings& settings) {
   TableChoices choices;
@@ -468,6 +604,7 @@ Result<TableChoices> TableChoices::of(const Settings& settings) {
           .what = "unknown format of tables", .value = settings.loads.format, .accepted = "accepted are " + names};
     }
     columns = known->columns;
+    choices.turns = known->turns;
     if (!choices.axes && !known->axes.empty()) choices.axes = parse_axes(known->axes);
     if (!choices.unit && !known->unit.empty()) choices.unit = length_unit(known->unit);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/utf8.hpp"
 #include "io/input/text_lines.hpp"
 
 namespace holdfast::internal {
@@ -43,7 +44,7 @@ bool TableText::read_row() {
   row_.clear();
   unquoted_.clear();
   skip_blanks();
-  if (at_ < text_.size() && text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size());
+  if (is_comment()) at_ = std::min(text_.find('\n', at_), text_.size());
   while (true) {
     if (at_line_end() && (row_.empty() || separator_ == ' ')) break;
     if (row_.size() == kMostCells) return fail("a row has more than 1000 cells");
@@ -64,6 +65,16 @@ bool TableText::read_row() {
     line_begin_ = at_;
   }
   return true;
+}
+
+/// Whether a line that begins with # is none of the table. A row may begin with `#` or `#12` alone in its first cell.
+bool TableText::is_comment() const {
+  if (at_ == text_.size() || text_[at_] != '#') return false;
+  constexpr std::ptrdiff_t kFewestSeparators = 5;
+  const std::string_view line = text_.substr(at_ + 1, text_.find('\n', at_) - at_ - 1);
+  const std::string_view first = trimmed(line.substr(0, line.find(separator_)));
+  const bool is_number = first.find_first_not_of("0123456789") == std::string_view::npos;
+  return separator_ == ' ' || !is_number || std::count(line.begin(), line.end(), separator_) < kFewestSeparators;
 }
 
 bool TableText::read_cell() {
@@ -132,7 +143,7 @@ char separator_of(std::string_view text) {
   constexpr std::size_t kLook = 4096;
   text = without_mark(text);
   text = text.substr(0, std::min(text.size(), kLook));
-  constexpr std::array kSeparators = {';', '\t', ','};
+  constexpr std::array kSeparators = {';', '\t', '|', ','};
   std::array<std::size_t, kSeparators.size()> counts{};
   bool quoted = false;
   for (const char letter : text) {
@@ -146,12 +157,93 @@ char separator_of(std::string_view text) {
   return ' ';
 }
 
-std::string encoding_mistake(std::string_view text) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
-  const std::size_t zeros = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0'));
-  if (zeros * 3 > text.size() && text.size() > 3) return "UTF-16";
-  if (text.starts_with("PK\x03\x04")) return "a spreadsheet file (.xlsx or .ods)";
+std::string why_no_text(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) return "a spreadsheet file (.xlsx or .ods)";
+  if (bytes.starts_with("\xD0\xCF\x11\xE0")) return "a spreadsheet file of an old kind (.xls)";
+  constexpr std::size_t kLook = 512;
+  const std::string_view begin = bytes.substr(0, kLook);
+  if (begin.find("<html") != std::string_view::npos || begin.find("<table") != std::string_view::npos) return "HTML";
   return {};
+}
+
+namespace {
+
+void add_utf8(char32_t letter, std::string& text) {
+  const auto add = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (letter < 0x80U) return add(letter);
+  if (letter < 0x800U) {
+    add(0xC0U | letter >> 6U);
+  } else {
+    if (letter < 0x10000U) {
+      add(0xE0U | letter >> 12U);
+    } else {
+      add(0xF0U | letter >> 18U);
+      add(0x80U | (letter >> 12U & 0x3FU));
+    }
+    add(0x80U | (letter >> 6U & 0x3FU));
+  }
+  add(0x80U | (letter & 0x3FU));
+}
+
+/// The text of UTF-16. Halves of a pair without the other become U+FFFD.
+/// @param low index of the low byte of each two
+std::string from_utf16(std::string_view bytes, std::size_t low) {
+  std::string text;
+  const auto unit = [&](std::size_t i) {
+    return static_cast<char32_t>(static_cast<unsigned char>(bytes[i + low])) |
+           static_cast<char32_t>(static_cast<unsigned char>(bytes[i + 1 - low])) << 8U;
+  };
+  const auto is_first = [](char32_t half) { return half >= 0xD800U && half < 0xDC00U; };
+  const auto is_second = [](char32_t half) { return half >= 0xDC00U && half < 0xE000U; };
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    char32_t letter = unit(i);
+    if (is_first(letter) && i + 3 < bytes.size() && is_second(unit(i + 2))) {
+      letter = 0x10000U + ((letter - 0xD800U) << 10U) + (unit(i + 2) - 0xDC00U);
+      i += 2;
+    } else if (is_first(letter) || is_second(letter)) {
+      letter = 0xFFFDU;
+    }
+    if (letter != 0xFEFFU) add_utf8(letter, text);
+  }
+  return text;
+}
+
+/// The text of Windows-1252, in which Western European Windows saves what is not UTF-8.
+std::string from_windows_1252(std::string_view bytes) {
+  constexpr std::array<char32_t, 32> kMiddle = {0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+                                                0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+  std::string text;
+  for (const char byte : bytes) {
+    const auto letter = static_cast<unsigned char>(byte);
+    const bool is_middle = letter >= 0x80U && letter < 0x80U + kMiddle.size();
+    add_utf8(is_middle ? kMiddle.at(letter - 0x80U) : static_cast<char32_t>(letter), text);
+  }
+  return text;
+}
+
+bool is_utf8(std::string_view text) {
+  const auto is_other = [](char byte) { return static_cast<unsigned char>(byte) >= 0x80U; };
+  for (auto at = std::find_if(text.begin(), text.end(), is_other); at != text.end();
+       at = std::find_if(text.begin(), text.end(), is_other)) {
+    text.remove_prefix(static_cast<std::size_t>(at - text.begin()));
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<DecodedText> decoded(std::string_view text) {
+  const std::size_t zeros = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0'));
+  const bool is_big = text.starts_with("\xFE\xFF") || (text.size() > 1 && text[0] == '\0' && text[1] != '\0');
+  if (text.starts_with("\xFF\xFE") || is_big || (zeros * 3 > text.size() && text.size() > 3))
+    return DecodedText{from_utf16(text, is_big ? 1 : 0), "UTF-16"};
+  if (is_utf8(text)) return std::nullopt;
+  return DecodedText{from_windows_1252(text), "Windows-1252"};
 }
 
 }  // namespace holdfast::internal

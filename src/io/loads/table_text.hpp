@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ struct TableCell {
 
 /// Reads the rows of a text one after the other: cells between separators, in quotes where they have separators, line
 /// ends or quotes (twice) inside, as RFC 4180 describes it. Lines end with LF or CRLF; a byte order mark, blank lines
-/// and lines that begin with `#` are left out. White space around cells is no part of them.
+/// and comments are left out: lines that begin with `#`, but for rows with `#` or `#12` as first cell. White space
+/// around cells is no part of them.
 class TableText {
  public:
   /// @param separator `,`, `;`, a tab, or a blank, which stands for any number of blanks and tabs
@@ -44,11 +46,15 @@ class TableText {
 
  private:
   bool read_row();
+  bool is_comment() const;
   bool read_cell();
   bool read_quoted(TableCell& cell);
   void skip_blanks();
   bool fail(const char* what);
-  bool at_line_end() const { return at_ == text_.size() || text_[at_] == '\n' || text_.substr(at_, 2) == "\r\n"; }
+  bool at_line_end() const {
+    if (at_ == text_.size() || text_[at_] == '\n') return true;
+    return text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n';
+  }
   long column() const { return static_cast<long>(at_ - line_begin_) + 1; }
 
   std::string_view text_;
@@ -65,7 +71,17 @@ class TableText {
 /// quotes; a blank where they have none of them.
 char separator_of(std::string_view text);
 
-/// What keeps a text from being read as UTF-8: UTF-16, or bytes of another encoding are told by name; empty if nothing.
-std::string encoding_mistake(std::string_view text);
+/// What a file is instead of a text, in words; empty if it may be one.
+std::string why_no_text(std::string_view bytes);
+
+/// A text as UTF-8, and the encoding that it was in.
+struct DecodedText {
+  std::string text;
+  const char* encoding;
+};
+
+/// The text of a file that is not UTF-8: UTF-16 is told by its zeros, anything else is taken as Windows-1252. Nothing
+/// where it is UTF-8.
+std::optional<DecodedText> decoded(std::string_view text);
 
 }  // namespace holdfast::internal

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/input/memory_file.hpp"
 #include "io/loads/load_json.hpp"
@@ -219,14 +220,14 @@ TEST_CASE("load_file: what cannot be read is named by line, column and header", 
   CHECK(all_errors("x,y,z,length,width,height,weight\n0,0,0,80,60,50,-4\n") ==
         Messages{"a.csv:2:16: the mass is not possible (column weight): -4; a number above 0"});
   CHECK(all_errors("x,y,z,length,width,height\n0,0,0,80,\"60,50\n") == Messages{"a.csv:2: a quote is never closed"});
-  CHECK(all_errors(std::string("x\0,\0y\0", 6)) ==
-        Messages{"a.csv: is UTF-16; text as UTF-8: save or export it as CSV (UTF-8)"});
+  CHECK(all_errors("PK\x03\x04") ==
+        Messages{"a.csv: is a spreadsheet file (.xlsx or .ods); text: save or export it as CSV (UTF-8)"});
   CHECK(all_errors("{\"a\": [1, }", {}, "a.json")[0].starts_with("a.json:1:11: the text is not JSON"));
   CHECK(
       all_errors("{\"items\": [{\"x\": 1, \"y\": 2, \"z\": 0}]}", {}, "a.json") ==
-      Messages{"a.json: no list of boxes with places and sizes is found: the list /items lacks the length, the width, "
-               "the height; a list of objects with keys such as x, y, z, length, width, height, or --columns; JSON of "
-               "holdfast has the key 'holdfast'"});
+      Messages{"a.json: no list of boxes with places and sizes is found: the list /items of x, y, z lacks the "
+               "length, the width, the height; a list of objects with keys such as x, y, z, length, width, height; or "
+               "--columns \"KEY = x, ...\"; JSON of holdfast has the key 'holdfast'"});
 }
 
 TEST_CASE("load_file: mistakes of one load leave the others", "[io][loads]") {
@@ -355,7 +356,7 @@ TEST_CASE("load_file: boxes that float, and would stand along other axes, are to
   REQUIRE(loads.loads[0].errors.empty());
   CHECK(said_of(loads) ==
         "a.txt: nothing is beneath 12 of 12 boxes, as in a file whose height is another axis; all boxes stand with "
-        "--axes \"x -z y\", which are length, width and height\n");
+        "--axes \"x -z y\" where it counts from the right, --axes \"x z y\" from the left\n");
   Settings settings;
   settings.loads.axes = parse_axes("x y z");  // which says that it is meant
   CHECK(said_of(loads_of(text, settings, "a.txt")).empty());
@@ -395,6 +396,201 @@ TEST_CASE("load_file: named materials that nothing describes are said where othe
   CHECK(said_of(loads_of(text, settings)).empty());
   settings.materials[MaterialName("carton")].friction = 0.4;
   CHECK(said_of(loads_of(text, settings)).find("not described: steel") != std::string::npos);
+}
+
+namespace {
+
+/// What is read of a file: loads, boxes, kilograms, and where the first box ends, m.
+std::string summary_of(const std::string& text, const Settings& settings = {}, const std::string& path = "a.csv") {
+  const Result<LoadsOfFile> read = read_loads(memory_file(text, path), settings);
+  if (!read) return read.error().message();
+  std::size_t boxes = 0;
+  double mass = 0.0;
+  for (const ReadLoad& load : read->loads) {
+    if (!load.errors.empty()) return load.errors[0].message();
+    boxes += load.layout.boxes.size();
+    for (const Box& box : load.layout.boxes) mass += box.mass.value_or(0.0);
+  }
+  std::ostringstream summary;
+  const Vec3 end = read->loads.front().layout.boxes.front().corner_max;
+  summary << read->loads.size() << " loads, " << boxes << " boxes, " << mass << " kg, first to " << end.x() << ' '
+          << end.y() << ' ' << end.z();
+  return summary.str();
+}
+
+/// A box of 1.2 m x 0.8 m x 1 m, 300 kg, at the origin.
+const std::string kOneBox = "1 loads, 1 boxes, 300 kg, first to 1.2 0.8 1";
+
+std::string container_type_of(const std::string& text, const std::string& path) {
+  return loads_of(text, {}, path).loads[0].layout.container.value_or(ContainerShape()).type;
+}
+
+}  // namespace
+
+TEST_CASE("load_file: units stand in headers, cells, a row of their own, titles and keys", "[io][loads]") {
+  const std::string row = "\n0,0,0,120,80,100,300\n";
+  CHECK(summary_of("x,y,z,length,width,height,weight" + row) == kOneBox);
+  CHECK(summary_of("x,y,z,length,width,height,weight\ncm,cm,cm,cm,cm,cm,kg" + row) == kOneBox);
+  CHECK(summary_of("x,y,z,length,width,height,weight\n0,0,0,120 cm,80 cm,100 cm,300 kg\n") == kOneBox);
+  CHECK(summary_of("x,y,z,length (mm),width (mm),height (cm),weight (kgs)\n0,0,0,1200,800,100,300\n") == kOneBox);
+  CHECK(summary_of("x (m),y (m),z (m),length (cm),width (cm),height (cm),kg" + row) == kOneBox);
+  CHECK(summary_of("x (\"),y (\"),z (\"),length (\"),width (\"),height (\"),weight (lbs)\n0,0,0,10,20,30,100\n") ==
+        "1 loads, 1 boxes, 45.3592 kg, first to 0.254 0.508 0.762");
+  CHECK(
+      summary_of("All dimensions in inches; weights in lbs\nx,y,z,length,width,height,weight\n0,0,0,10,20,30,100\n") ==
+      "1 loads, 1 boxes, 45.3592 kg, first to 0.254 0.508 0.762");
+  // None of these titles says the unit of the table.
+  for (const std::string title : {"Date (MM/DD/YYYY)", "Printed with 20 mm margins", "53 ft trailer", "Pound Lane 5"}) {
+    INFO(title);
+    CHECK(summary_of(title + "\nx,y,z,length,width,height,weight" + row) == kOneBox);
+  }
+  CHECK(summary_of("x,y,z,length,width,height,weight\n0,0,0,120,80,100,300 kg\n120,0,0,120,80,100,0.2 t\n") ==
+        "1 loads, 2 boxes, 500 kg, first to 1.2 0.8 1");
+  CHECK(summary_of("x,y,z,length,width,height,weight\n0,0,0,120,80,100,300 kg\n120,0,0,120,80,100,200\n")
+            .find("has no unit") != std::string::npos);
+  CHECK(summary_of(R"({"unit": "mm", "weightUnit": "t", "items": [{"x": 0, "y": 0, "z": 0, "length": 1200, "width": 800,
+                       "height": 1000, "weight": 0.3}]})",
+                   {}, "a.json") == kOneBox);
+  CHECK(summary_of(R"([{"posXMm": 0, "posYMm": 0, "posZMm": 0, "lengthMm": 1200, "widthMm": 800, "heightMm": 1000,
+                        "weight": {"value": 300, "unit": "kg"}}])",
+                   {}, "a.json") == kOneBox);
+}
+
+TEST_CASE("load_file: headers of other languages, and masses by a part of their header", "[io][loads]") {
+  const std::string row = "\n0;0;0;120;80;100;300\n";
+  for (const std::string words : {"Länge;Breite;Höhe;Bruttogewicht (kg)", "Longueur;Largeur;Hauteur;Poids brut",
+                                  "Długość;Szerokość;Wysokość;Waga [kg]", "ДЛИНА, см;Ширина, см;Высота, см;Вес, кг",
+                                  "长(cm);宽（cm）;高(cm);毛重(kg)", "L;B;H;kg", "largo;ancho;alto;G.W. (kg)"}) {
+    INFO(words);
+    CHECK(summary_of("X;Y;Z;" + words + row) == kOneBox);
+  }
+  // None of these is the mass of a box.
+  for (const std::string word :
+       {"max. weight on top", "tare weight", "weight limit", "Tragfähigkeit (kg)", "Max. weight (kg)", "Value (pounds)",
+        "Weight class", "kg/m3", "Zone T", "Großkunde", "CO2 (kg)"}) {
+    INFO(word);
+    CHECK(summary_of("x;y;z;l;w;h;" + word + row) == "1 loads, 1 boxes, 0 kg, first to 1.2 0.8 1");
+  }
+  CHECK(summary_of("x;y;z;l;w;h;Netto (kg);Tara (kg);Brutto (kg)\n0;0;0;120;80;100;270;30;300\n") == kOneBox);
+  CHECK(summary_of("x;y;z;l;w;h;weight;weight unit\n0;0;0;120;80;100;0.3;t\n") == kOneBox);
+  Settings settings;
+  settings.loads.columns = "Länge, außen = length, 重量 = mass";
+  CHECK(summary_of("x;y;z;Länge, außen;w;h;重量" + row, settings) == kOneBox);
+}
+
+TEST_CASE("load_file: marks of thousands are told from those of decimals", "[io][loads]") {
+  CHECK(summary_of("x;y;z;l (mm);w (mm);h (mm);kg\n0;0;0;1.200;800;1.000;300,00\n") == kOneBox);
+  CHECK(summary_of("x;y;z;l;w;h;kg\n0;0;0;1'200;8'00;1'000;300\n", [] {
+          Settings settings;
+          settings.loads.unit = 0.001;
+          return settings;
+        }()) == kOneBox);
+  const std::string masses =
+      "x,y,z,l,w,h,kg\n0,0,0,120,80,100,\"1,300\"\n120,0,0,120,80,100,\"1,049\"\n240,0,0,120,80,100,";
+  CHECK(summary_of(masses + "751\n") == "1 loads, 3 boxes, 3100 kg, first to 1.2 0.8 1");
+  CHECK(summary_of(masses + "7510\n") == "1 loads, 3 boxes, 7512.35 kg, first to 1.2 0.8 1");
+  CHECK(summary_of(masses + "7,5\n").starts_with("1 loads, 3 boxes"));
+  CHECK(
+      summary_of(
+          "x;y;z;l;w;h;kg;mu\n0;0;0;120;80;100;1.250;0.35\n120;0;0;120;80;100;1.100;0.35\n240;0;0;120;80;100;800;0.3\n") ==
+      "1 loads, 3 boxes, 802.35 kg, first to 1.2 0.8 1");
+  CHECK(summary_of("x,y,z,l,w,h,kg\n0,0,0,\"120,0\",80,100,300\n") == kOneBox);
+  // Three decimals of metres stay decimals.
+  CHECK(summary_of("x;y;z;l (m);w (m);h (m);kg\n0;0;0;1,200;0,800;1,000;300\n") == kOneBox);
+}
+
+TEST_CASE("load_file: parts of a load are one load unless their boxes overlap", "[io][loads]") {
+  const auto two = [](const std::string& place) {
+    return "pallet,x,y,z,l,w,h,kg\nA,0,0,0,120,80,100,150\nB," + place + ",120,80,100,150\n";
+  };
+  CHECK(summary_of(two("120,0,0")) == "1 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+  CHECK(summary_of(two("0,0,0")) == "2 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+  const auto item = [](int x) {
+    return R"([{"x": )" + std::to_string(x) + R"(, "y": 0, "z": 0, "l": 120, "w": 80, "h": 100, "kg": 150}])";
+  };
+  CHECK(summary_of(R"({"layers": [{"boxes": )" + item(0) + R"(}, {"boxes": )" + item(120) + "}]}", {}, "a.json") ==
+        "1 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+  CHECK(summary_of(R"({"bins": [{"boxes": )" + item(0) + R"(}, {"boxes": )" + item(0) + "}]}", {}, "a.json") ==
+        "2 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+  // Trucks are loads, wherever their boxes are; a box at the place of another is a mistake, and no other load.
+  CHECK(summary_of(R"({"trucks": [{"boxes": )" + item(0) + R"(}, {"boxes": )" + item(120) + "}]}", {}, "a.json") ==
+        "2 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+  const std::string row =
+      "pallet,x,y,z,l,w,h,kg\nA,0,0,0,120,80,100,150\nA,120,0,0,120,80,100,150\nA,240,0,0,120,80,100,150\n";
+  CHECK(summary_of(row + "A,360,0,0,120,80,100,150\nB,0,0,0,120,80,100,150\n").find("box 5 overlaps box 1") !=
+        std::string::npos);
+  // Of merged cells only the first has the name of the load.
+  CHECK(summary_of("truck,x,y,z,l,w,h\nA,0,0,0,120,80,100\n,120,0,0,120,80,100\nB,0,0,0,120,80,100\n") ==
+        "2 loads, 3 boxes, 0 kg, first to 1.2 0.8 1");
+  // A pallet with a weight is cargo, and not a container.
+  CHECK(summary_of("type,x,y,z,l,w,h,kg\nPallet,0,0,0,120,80,100,150\nBox,120,0,0,120,80,100,150\n") ==
+        "1 loads, 2 boxes, 300 kg, first to 1.2 0.8 1");
+}
+
+TEST_CASE("load_file: containers are told by their names, sizes and titles", "[io][loads]") {
+  const std::string table = "x,y,z,l,w,h\n0,0,0,120,80,100\n";
+  CHECK(container_type_of("Container: 40' HC\n" + table, "a.csv") == "40hc");
+  CHECK(container_type_of("container,x,y,z,l,w,h\n40HC,0,0,0,120,80,100\n", "a.csv") == "40hc");
+  CHECK(container_type_of("container,x,y,z,l,w,h\n40,0,0,0,120,80,100\n", "a.csv").empty());
+  const std::string items = R"("items": [{"x": 0, "y": 0, "z": 0, "l": 120, "w": 80, "h": 100}]})";
+  CHECK(container_type_of(R"({"container": "40HC", )" + items, "a.json") == "40hc");
+  CHECK(container_type_of(R"({"truck": {"name": "20GP"}, )" + items, "a.json") == "20");
+  for (const std::string container :
+       {R"("container": [1200, 235, 269])", R"("container": {"L": 1200, "W": 235, "H": 269})",
+        R"("container": {"innerLength": 1200, "innerWidth": 235, "innerHeight": 269})",
+        R"("bin": {"width": 235, "height": 269, "depth": 1200})"}) {
+    INFO(container);
+    check_vector({12.0, 2.35, 2.69},
+                 loads_of('{' + container + ", " + items, {}, "a.json").loads[0].layout.container->size);
+  }
+}
+
+TEST_CASE("load_file: rows that are no boxes, and rows of several", "[io][loads]") {
+  const std::string head = "no,x,y,z,l,w,h,kg,status,quantity\n";
+  const std::string box = "#1,0,0,0,120,80,100,300,placed,1\n";
+  CHECK(summary_of("Plan 7,,,,,,,,,\nGross,17,kg,,,,,,,\n" + head + box) == kOneBox);
+  CHECK(summary_of(head + box + head + "2,0,0,0,120,80,100,300,Not placed,1\n# no row\n") == kOneBox);
+  CHECK(summary_of(head + box + "Total,0,0,0,0,0,0,300,,1\n") == kOneBox);
+  const LoadsOfFile mats =
+      loads_of("x,y,z,l,w,h,mat\n0,0,0,120,80,100,x\n120,0,0,120,80,100,no\n240,0,0,120,80,100,55%\n");
+  CHECK(mats.loads[0].layout.boxes[0].mat == 0.6);
+  CHECK_FALSE(mats.loads[0].layout.boxes[1].mat);
+  CHECK(*mats.loads[0].layout.boxes[2].mat == Approx(0.55));
+  CHECK(said_of(loads_of(head + "1,0,0,0,120,80,100,300,placed,4\n")).find("1 row is of more than one box") !=
+        std::string::npos);
+}
+
+TEST_CASE("load_file: what is probably not meant is said", "[io][loads]") {
+  const auto said = [](const std::string& rows) { return said_of(loads_of("x,y,z,l,w,h,weight\n" + rows)); };
+  CHECK(said("0,0,0,120,80,100,300\n").empty());
+  CHECK(said("0,0,0,120,80,100,0.3\n").find("0.3125 kg/m³ on the average") != std::string::npos);
+  CHECK(said("0,0,0,120,80,100,300000\n").find("3.125e+05 kg/m³ on the average") != std::string::npos);
+  CHECK(said("0,0,0,120,80,100,300\n120,0,0,120,80,100,0\n").find("1 of 2 boxes have no weight") != std::string::npos);
+  CHECK(said("0,0,0,120,80,100,n/a\n").find("no box has a weight") != std::string::npos);
+  CHECK(said_of(loads_of("container,x,y,z,l,w,h,kg\n20GP,0,0,0,580,230,230,60000\n")).find("type 20 carries") !=
+        std::string::npos);
+  CHECK(summary_of("x,y,z,l,w,h\n0,0,0,1.2,0.8,1\n11,0,0,0.8,0.6,0.5\n").find("all boxes are shorter than 5 cm") !=
+        std::string::npos);
+  CHECK(summary_of("x,y,z,l,w,h\n0,0,0,1200,800,1000\n9000,0,0,1200,800,1000\n9000,1000,0,1200,800,1000\n")
+            .find("--unit mm --container 40") != std::string::npos);
+  // Middles that are called corners: in the container, and partly beyond its wall.
+  CHECK(said("60,40,50,120,80,100,300\n").find("--columns \"x = cx, y = cy, z = cz\"") != std::string::npos);
+}
+
+TEST_CASE("load_file: py3dbp is told by its key, and its codes turn items", "[io][loads]") {
+  const std::string item =
+      R"({"name": "A", "width": 80, "height": 100, "depth": 120, "position": [0, 0, %], "rotation_type": 3})";
+  std::string bins = R"({"width": 235, "height": 239, "depth": 590, "items": [)";
+  for (const char* const place : {"0", "80", "160"}) {
+    std::string row = item;
+    row.replace(row.find('%'), 1, place);
+    bins += row + (std::string_view(place) == "160" ? "]}" : ", ");
+  }
+  CHECK(summary_of(bins, {}, "a.json").find("--format py3dbp") != std::string::npos);
+  Settings settings;
+  settings.loads.format = "py3dbp";
+  // Code 3 lays the depth along the width, the height upwards and the width along the length.
+  CHECK(summary_of(bins, settings, "a.json") == "1 loads, 3 boxes, 0 kg, first to 0.8 1.2 1");
 }
 
 }  // namespace load_file_test

@@ -118,20 +118,39 @@ export const readChoices = (choices: RunChoices): GivenSettings & ReadChoices =>
 export type FileChoices = Partial<Pick<RunChoices, "container" | "unit" | "format" | "axes">>;
 
 /** The same in words. */
-export const fileChoicesText = ({ container, unit, axes }: FileChoices): string =>
-  [container && `the container ${container}`, unit && `lengths in ${unit}`, axes && `the axes ${axes}`]
+export const fileChoicesText = ({ container, unit, format, axes }: FileChoices): string =>
+  [
+    container && `the container ${container}`,
+    unit && `lengths in ${unit}`,
+    format && `a file of ${format}`,
+    axes && `the axes ${axes}`,
+  ]
     .filter(Boolean)
     .join(", ");
 
-/** A choice that a message of a reader names as what would help, as options of the program: null: none. */
-export function adviceOf(accepted: string): { text: string; change: FileChoices } | null {
-  const container = /--container (\S+) holds/.exec(accepted)?.[1];
-  if (container) return { text: `Take the container ${container}, which holds them`, change: { container } };
+/** A choice that would help, and what a button says of it. */
+export interface Advice {
+  text: string;
+  change: FileChoices;
+}
+
+/** What a message of a reader names as options of the program that would help. */
+export function advicesOf(accepted: string): Advice[] {
   const unit = /--unit (mm|cm|m|in|ft)\b/.exec(accepted)?.[1];
-  if (unit) return { text: `Take lengths as ${unit}`, change: { unit } };
-  const axes = /--axes "([-xyz ]+)"/.exec(accepted)?.[1];
-  if (axes) return { text: `Take the axes ${axes} as length, width, height`, change: { axes, format: "" } };
-  return null;
+  const container = /--container (\S+)/.exec(accepted)?.[1];
+  if (unit && container)
+    return [{ text: `Take lengths as ${unit} and the container ${container}`, change: { unit, container } }];
+  if (container) return [{ text: `Take the container ${container}, which holds them`, change: { container } }];
+  if (unit) return [{ text: `Take lengths as ${unit}`, change: { unit } }];
+  const format = /--format (\S+)/.exec(accepted)?.[1];
+  if (format) return [{ text: `Read it as a file of ${format}`, change: { format, axes: "" } }];
+  // Where a file may count from two ends or sides, each has its axes.
+  return [...accepted.matchAll(/--axes "([-xyz ]+)"(?: where it counts)?(?: from the (\w+))?/g)].map(
+    ([, axes, from]) => ({
+      text: `Take the axes ${axes}${from ? `, counted from the ${from}` : " as length, width, height"}`,
+      change: { axes, format: "" },
+    }),
+  );
 }
 
 /** The same choices in an address: those that are not usual. */

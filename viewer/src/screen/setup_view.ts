@@ -3,7 +3,7 @@ import { element } from "../ui/dom";
 import { count, plural } from "../ui/text";
 import { columnsOption, MEANINGS, type Puzzle } from "./column_choices";
 import {
-  adviceOf,
+  advicesOf,
   type FileChoices,
   fileChoicesText,
   NORM_SIZES,
@@ -379,22 +379,24 @@ export class SetupView {
     return [row, element("tr", { class: "said" }, element("td", { colspan: 4 }, ...messages))];
   }
 
-  /** What is said, with a button for what would help. */
+  /** What is said, with buttons for what would help. */
   private messages(problems: readonly Problem[], kind: "problem" | "notable", of: Of): HTMLElement[] {
     const shown = problems.slice(0, MOST_MESSAGES).map((problem) => {
-      const advice = adviceOf(problem.accepted);
+      const advices = advicesOf(problem.accepted);
       const text = messageText(problem, of.isSheet);
-      if (!advice) return element("p", { class: kind }, text);
-      // The button stands for the option of the program.
+      if (advices.length === 0) return element("p", { class: kind }, text);
+      // The buttons stand for the options of the program.
       const rest = `; ${problem.accepted}`;
       return element(
         "p",
         { class: kind },
         text.endsWith(rest) ? `${text.slice(0, -rest.length)}. ` : text,
-        element(
-          "button",
-          { class: "advice", type: "button", onclick: () => this.setup.changeFile(of.name, advice.change) },
-          advice.text,
+        ...advices.map(({ text: said, change }) =>
+          element(
+            "button",
+            { class: "advice", type: "button", onclick: () => this.setup.changeFile(of.name, change) },
+            said,
+          ),
         ),
       );
     });
