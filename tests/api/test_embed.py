@@ -96,6 +96,13 @@ class InstalledTest(unittest.TestCase):
              f"-Wl,-rpath,{self.library}", "-o", plain)
         self.check_plain(plain)
 
+    def test_the_packages_have_all_that_the_program_shares(self):
+        patterns = [line for file in (SOURCE / "debian").glob("*.install") for line in file.read_text().split()]
+        shared = sorted((self.prefix / "share/holdfast").iterdir())
+        self.assertIn("load_report.css", [path.name for path in shared])
+        for path in shared:
+            self.assertTrue(any(pathlib.PurePath("usr/share/holdfast", path.name).match(pattern) for pattern in patterns), path)
+
     def test_pkg_config_finds_the_package_wherever_it_lies(self):
         stage = self.folder / "stage"
         done("cmake", "--install", BUILD, "--prefix", "/usr", env={**os.environ, "DESTDIR": str(stage)})
