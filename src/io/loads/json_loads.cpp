@@ -26,8 +26,6 @@ class JsonRows final : public LoadRows {
  public:
   JsonRows(const std::string& path, std::string pointer) : path_(path), pointer_(std::move(pointer)) {}
 
-  /// What stands above all rows.
-  void add_above(const std::string& key, const std::string& value) { above_.emplace_back(key, value); }
   /// @param key_of_row its index or its name
   void add_row(const Json& object, std::string key_of_row) {
     std::vector<std::pair<std::string, std::string>> values;
@@ -104,7 +102,6 @@ class JsonRows final : public LoadRows {
   std::map<std::string, std::size_t> places_;
   std::vector<std::vector<std::string>> rows_;
   std::vector<std::string> row_places_;
-  std::vector<std::pair<std::string, std::string>> above_;
   std::size_t at_ = 0;
 };
 
@@ -230,6 +227,7 @@ class TableFinder {
       nearest_says_some_ = says_some;
       nearest_ = pointer;
       missing_ = missing_columns(*plan);
+      keys_.clear();
       for (const std::string& header : rows->headers()) keys_ += (keys_.empty() ? "" : ", ") + header;
       return false;
     }

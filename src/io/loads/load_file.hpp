@@ -25,6 +25,7 @@ LoadSyntax load_syntax(std::string_view text);
 ///
 /// Loads of tables and JSON have the hash of their canonical JSON, so that a load is known by what it is; a text of
 /// StableCargo's has that of its bytes.
+/// @param file UTF-8, UTF-16 or, where it is neither, Windows-1252
 Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings);
 
 }  // namespace holdfast::internal

@@ -230,6 +230,13 @@ TEST_CASE("load_file: what cannot be read is named by line, column and header", 
                "--columns \"KEY = x, ...\"; JSON of holdfast has the key 'holdfast'"});
 }
 
+TEST_CASE("load_file: of lists that may be boxes the one that tells most of them is named", "[io][loads]") {
+  const Messages errors =
+      all_errors(R"({"meta": [{"a": 1, "b": 2, "c": 3, "d": 4}], "items": [{"x": 1, "y": 2, "z": 0}]})", {}, "a.json");
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].find("the list /items of x, y, z lacks the length") != std::string::npos);
+}
+
 TEST_CASE("load_file: mistakes of one load leave the others", "[io][loads]") {
   const LoadsOfFile loads = loads_of(
       "load,x,y,z,length,width,height\nA,0,0,0,80,60,50\nB,0,0,zero,80,60,50\nC,0,0,0,80,60,50\nA,80,0,0,80,60,50\n");
