@@ -248,7 +248,6 @@ Result<LoadsOfFile> read_table_text(const TextFile& file, const TableChoices& ch
   const Result<ColumnPlan> plan = rows.find_header(choices.columns, context);
   if (!plan) return plan.errors();
   LoadsOfFile found = read_table(rows, *plan, context, choices, settings);
-  if (found.loads.empty()) return Error{.file = file.path, .what = "has no boxes"};
   found.form = std::string(separator_name(separator)) + "-separated table";
   if (context.unit > 0.0 && !choices.unit)
     found.notes.push_back({.file = file.path,
@@ -292,6 +291,11 @@ Result<LoadsOfFile> read_along_axes(const TextFile& file, const Settings& settin
                                   ? read_json_loads(file.text, file.path, file.name, *choices, settings)
                                   : read_table_text(file, *choices, settings);
   if (!found) return found;
+  if (found->loads.empty()) {
+    Error error{.file = file.path, .what = "has no boxes"};
+    for (const Error& note : found->notes) error.what += ": " + note.what;  // items that are not placed
+    return error;
+  }
   for (ReadLoad& load : found->loads) {
     if (settings.container.overrides_loads) load.layout.container.reset();
     load.box_count = load.layout.boxes.size();

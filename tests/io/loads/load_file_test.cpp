@@ -111,6 +111,16 @@ TEST_CASE("load_file: a planner's export, which counts from the door and has two
   CHECK(read->loads[0].layout.container->type == "40hc");
 }
 
+TEST_CASE("load_file: a file whose items are all not placed has no boxes", "[io][loads]") {
+  for (const char* const text : {"name,x,y,z,length,width,height\na,,,,10,10,10\nb,,,,10,10,10\n",
+                                 R"([{"id": "a", "x": "", "y": "", "z": "", "length": 1, "width": 1, "height": 1},
+                                     {"id": "b", "x": "", "y": "", "z": "", "length": 1, "width": 1, "height": 1}])"}) {
+    const Result<LoadsOfFile> read = read_loads({.path = "a", .name = "a", .text = text}, {});
+    REQUIRE_FALSE(read);
+    CHECK(read.error().message() == "a: has no boxes: 2 items are not placed");
+  }
+}
+
 TEST_CASE("load_file: without axes the planner's export is told what it needs", "[io][loads]") {
   const Result<LoadsOfFile> read = read_loads(format_file("planner_export.csv"), {});
   REQUIRE(read);
