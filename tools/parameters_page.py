@@ -21,7 +21,7 @@ OPTIONS = "src/core/native/native_options.hpp"
 ELSEWHERE = {
     "src/core/model/container_sides.hpp": ["kLeastPlay"],
     "src/core/model/samples.cpp": ["kShortestSample"],
-    "src/core/native/sampled_step.cpp": ["kSampledShare", "kSampledShift"],
+    "src/core/native/sampled_step.cpp": ["kSampledShift"],
     "src/core/native/island/rest_proof.cpp": ["kWallCost", "kWallGap"],
 }
 

@@ -63,10 +63,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0x22ad2036ac525bce},
-    {"lean", lean, 0xf89401980b9eb730},
-    {"tumble", tumble, 0x32eb744f100fffff},
-    {"drop", drop, 0x094f35df34a8bf79},
+    {"brake", brake, 0xac7c7c46eb1f2344},
+    {"lean", lean, 0xc890583b11b3c760},
+    {"tumble", tumble, 0xbf1ab87f424a01a1},
+    {"drop", drop, 0xdaefb4bd4198081f},
 };
 
 }  // namespace

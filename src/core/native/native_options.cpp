@@ -14,7 +14,6 @@ NativeOptions native_options(const Settings& settings) {
       options.large_island.tolerance = 1e-3;
       options.large_island.mean_residual = 0.1;
       options.large_island.slop = 1e-3;
-      options.rest_tolerance = 1e-6;
       break;
     case Accuracy::standard:
       break;
@@ -28,7 +27,6 @@ NativeOptions native_options(const Settings& settings) {
       options.large_island.tolerance = 1e-6;
       options.large_island.iterations = 100;
       options.large_island.slop = options.small_island.slop;
-      options.rest_tolerance = 1e-9;
       options.sleep = false;
       break;
   }
@@ -38,7 +36,7 @@ NativeOptions native_options(const Settings& settings) {
     effort->tolerance = given.tolerance.value_or(effort->tolerance);
     effort->iterations = given.iterations.value_or(effort->iterations);
     effort->impact_cuts = given.impact_cuts.value_or(effort->impact_cuts);
-    effort->reset_tolerance = kResetTolerance * effort->tolerance;
+    effort->reset_tolerance = kNegligible * effort->tolerance;
   }
   options.small_island.reset_iterations = kResetIterations * options.small_island.iterations;
   options.large_island.reset_iterations = 2 * options.large_island.iterations;

@@ -18,7 +18,7 @@ struct Effort {
   /// Iterations of a solve, at most, where what is left may pass.
   int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points.
-  double mean_residual = 0.01;  // |g − a| h
+  double mean_residual = kSlack;  // |g − a| h
   /// Times that impacts may cut a step.
   int impact_cuts = 8;  // times
   /// Times that the end of a slip may cut a step.
@@ -27,13 +27,13 @@ struct Effort {
   /// and are solved as closed close by this length at most. Of large islands also: overlap of a missed contact from
   /// which a step is taken again; and twice the overlap that a step may end with before a contact is solved, which is
   /// less than any real step that stops a box.
-  double slop = 1e-5;  // m
+  double slop = kContactTolerance;  // m
   /// Penalty R along the normal, and along the tangents where a contact sticks.
   double sticking_penalty = kStickingPenalty;  // of the carried mass
   /// Penalty R along the tangents where a contact slides.
   double sliding_penalty = kMovingSlidingPenalty;  // of the carried mass
   /// Residual with which a solve ends whose warm start is reset, because the acceleration has just changed.
-  double reset_tolerance = kResetTolerance * tolerance;  // |g − a| h
+  double reset_tolerance = kNegligible * tolerance;  // |g − a| h
   /// Iterations of such a solve, at most.
   int reset_iterations = kResetIterations * iterations;  // iterations
   /// Overlap that a step may end with before a contact is solved, where this is more than `kPenetrationSlop` allows.
@@ -53,7 +53,8 @@ struct NativeOptions {
                       .slop = 2e-4,
                       .sticking_penalty = kLargeIslandStickingPenalty,
                       .sliding_penalty = kLargeIslandSlidingPenalty};
-  /// Equilibrium residual of a body at rest, at most.
+  /// Equilibrium residual of a body at rest, at most. A body that gains more speed than this many |g − a| h in a step
+  /// does not fall asleep: what begins to slide or to tip, however slowly, gains speed in every step.
   double rest_tolerance = 1e-8;  // of m |g − a|
   /// Whether slow bodies of large islands that move sleep.
   bool sleep = true;  // yes or no

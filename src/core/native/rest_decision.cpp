@@ -64,7 +64,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
   if (change_ != Change::none) reset_small_islands(islands);
   std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
-  for (int round = 0;; ++round) {
+  for (std::size_t round = 0;; ++round) {
     for (std::size_t i = 0; i < islands.size(); ++i) {
       const IslandView island = islands[i];
       const auto is_undecided = [&](std::uint32_t body) { return undecided_[body] != 0; };
@@ -80,7 +80,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
         undecided_[body] = 0;
       }
     }
-    if (change_ == Change::none || round == kActivationRounds || !activate_leaning(scene, terms)) break;
+    if (change_ == Change::none || round == kRepairRounds || !activate_leaning(scene, terms)) break;
     islands.find(bodies, scene.manifolds);
   }
   for (std::size_t i = 0; i < refuted_.size(); ++i) {

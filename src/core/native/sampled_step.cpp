@@ -10,13 +10,8 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// How far a block that slides alone may be from where the samples within a step lead it, when the step takes their
-/// mean, over how far they move it. Half of the error that walks under vibration may have at `standard`.
-/// @measured Largest error of walks under vibration at `screening`, 0.4 %. Half: 0.01 %, and full loads under noise of
-/// 1,000 samples per second take 1.1 to 1.3 of their time; twice: 1.3 %, at `standard` 2 %, and 0.7 to 1.0 of it.
-constexpr double kSampledShare = 0.01;  // of the way
-
-/// The same at most, and of what moves freely: far below the error of a simulation with such steps.
+/// How far a body may be, in a step with the mean of its samples, from where these lead it: one that slides alone also
+/// by `kSlack` of its way at most. Far below the error of a simulation with such steps.
 /// @measured Half and twice: insensitive, also the suite `oscillate` of `validate`.
 constexpr double kSampledShift = 2.0 * kContactTolerance;  // m
 
@@ -58,7 +53,7 @@ bool follows(const LoneBlock& block, std::span<const Phase> samples, const Phase
   slide(block, gravity - mean.acceleration, duration, with_mean);
   const double away = (path.shift - with_mean.shift).norm() + duration * (path.slip - with_mean.slip).norm();
   const double way = path.shift.norm() + duration * path.slip.norm();
-  return away <= std::min(kSampledShare * way, kSampledShift);
+  return away <= std::min(kSlack * way, kSampledShift);
 }
 
 /// How far the container is from where it is under the samples, at most at their ends, where a step with their mean

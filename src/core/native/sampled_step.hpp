@@ -19,7 +19,7 @@ struct LoneBlock {
 };
 
 /// The phase from `begin` on, for as long as a step with the mean of its samples leads every block, and what moves
-/// freely, to where the samples lead it, within `kSampledShare` and `kSampledShift`: all of it, or half of its samples,
+/// freely, to where the samples lead it, within `kSlack` and `kSampledShift`: all of it, or half of its samples,
 /// a quarter, ..., or one.
 /// @param phase   with samples
 /// @param begin   s, within the phase

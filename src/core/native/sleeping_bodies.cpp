@@ -150,9 +150,9 @@ void SleepingBodies::note(const Scene& scene, const StepTerms& terms) {
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (bodies.activity[i] != Activity::moving) continue;
     const double speed = bodies.largest_speed(i);
-    if (speed > kSlowSpeed * terms.velocity_unit)
+    if (speed > kNegligible * terms.velocity_unit)
       slow_steps_[i] = 0;
-    else if (speed <= speed_[i] + kRisingSpeed * terms.velocity_unit)
+    else if (speed <= speed_[i] + rising_speed_ * terms.velocity_unit)
       ++slow_steps_[i];
     speed_[i] = speed;
   }

@@ -18,8 +18,9 @@ namespace holdfast::internal::native {
 /// moving ones carry. And all wake where the effective gravity has changed by more than `kSmall`.
 class SleepingBodies {
  public:
-  explicit SleepingBodies(std::size_t bodies = 0)
-      : slow_steps_(bodies, 0), speed_(bodies, 0.0), load_(bodies, Vec3::Zero()) {}
+  /// @param rising_speed a step in which a body gains more speed does not count as slow, over |g − a| h
+  explicit SleepingBodies(std::size_t bodies = 0, double rising_speed = 0.0)
+      : rising_speed_(rising_speed), slow_steps_(bodies, 0), speed_(bodies, 0.0), load_(bodies, Vec3::Zero()) {}
 
   /// Wakes all bodies, and forgets how long they have been slow: the effective gravity has changed by much.
   void reset(Scene& scene);
@@ -56,6 +57,7 @@ class SleepingBodies {
     Vec3 force;  ///< on b, N
   };
 
+  double rising_speed_;                    ///< over |g − a| h
   std::vector<std::uint32_t> slow_steps_;  ///< a body: steps in which it was slow, since it was fast or overloaded
   std::vector<double> speed_;              ///< a body: of any of its points, at most, when it was last awake, m/s
   std::vector<Vec3> load_;                 ///< a body that sleeps: sum of its contact forces when it fell asleep, N

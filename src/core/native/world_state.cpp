@@ -27,7 +27,7 @@ WorldState state_of(const WorldBatch& batch, const World& world, const Settings&
                    .terms = {},
                    .contacts = Contacts(world.contact, options.large_island.slop),
                    .islands = {},
-                   .sleeping = SleepingBodies(world.box_count),
+                   .sleeping = SleepingBodies(world.box_count, options.rest_tolerance),
                    .rest = RestDecision(world.box_count)};
   Scene& scene = state.scene;
   state.terms.longest_step =

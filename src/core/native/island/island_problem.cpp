@@ -262,7 +262,7 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
         [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
           problem.normal_bounds.resize(problem.constraints.size());
           problem.normal_bounds.back().lane[lane] =
-              bounded ? kPressingMargin * step * point.cached.pressed : std::numeric_limits<double>::infinity();
+              bounded ? (1.0 + kSlack) * step * point.cached.pressed : std::numeric_limits<double>::infinity();
           point.start_from_cached(constraint, lane);
         });
   });
@@ -303,7 +303,7 @@ void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, 
       for (CachedImpulse& cached : scene.manifolds[index].cached) cached = {.pressed = cached.pressed};
   store_impulses(scene, step, [&](std::size_t p, std::size_t lane, CachedImpulse& cached) {
     const double bound = problem.normal_bounds[p].lane[lane];
-    if (std::isfinite(bound)) cached.pressed = bound / (kPressingMargin * step);
+    if (std::isfinite(bound)) cached.pressed = bound / ((1.0 + kSlack) * step);
   });
 }
 

@@ -56,7 +56,7 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
   IslandProblem& prepared = solve_.prepared;
   closing_.begin(scene);
   bool repeated = false;
-  for (int round = 0; round < kActivationRounds;) {
+  for (std::size_t round = 0; round < kRepairRounds;) {
     prepared.prepare_step(scene, island, terms, part.length, solve_.solver(), timing.filter(part.length),
                           closing_.predicted());
     if (repeated) prepared.start_from(island, [&](std::uint32_t body) { return found_[body]; });

@@ -112,7 +112,7 @@ void PositionCorrection::find(const Scene& scene, const IslandView& island, doub
   for (std::uint32_t c = 0; c < count; ++c)
     if (scene.manifolds[island.manifolds[c]].nearest_gap < -tolerance) visit_later(c);
   // What is wedged between sides of the container overlaps for ever.
-  const std::size_t most = kCorrectionVisits * count;
+  const std::size_t most = kRepairRounds * count;
   for (std::size_t visit = 0; visit < std::min(visits_.size(), most); ++visit) {
     const std::uint32_t contact = visits_[visit];
     const Manifold& manifold = scene.manifolds[island.manifolds[contact]];

@@ -98,7 +98,7 @@ bool RestProof::admit_pushed(const Scene& scene) {
     if (!wall && (supports(scene.bodies, manifold) || is_wall_or_roof(scene.bodies, manifold))) continue;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(problem.constraints[p].count); ++lane) {
       const double push = problem.constraints[p].impulse.row[0][lane];
-      const double most = wall ? kPressingMargin * push : std::numeric_limits<double>::infinity();
+      const double most = wall ? (1.0 + kSlack) * push : std::numeric_limits<double>::infinity();
       problem.normal_bounds[p].lane[lane] = push > 0.0 ? most : 0.0;
       any = any || push > 0.0;
     }

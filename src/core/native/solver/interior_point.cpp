@@ -72,7 +72,7 @@ bool InteriorPoint::iterate(ContactProblem& problem) {
   const double affine = 1.0 - std::min(1.0, find_direction(problem, {}));
   const double centring = std::max(kInteriorLeastCentring, affine * affine * affine);
   const InteriorTarget target{.complementarity = centring * mean, .corrects = true};
-  const double step = shorter(1.0, kInteriorStep * find_direction(problem, target));
+  const double step = shorter(1.0, (1.0 - kSlack) * find_direction(problem, target));
   const bool usable = step > kLeastStep;
   if (usable) {
     take_step(step, points_);
