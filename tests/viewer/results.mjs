@@ -22,7 +22,9 @@ function screen(output, config, ...options) {
 async function unfinished() {
   const parts = `${at("killed.h5")}.parts`;
   rmSync(parts, { recursive: true, force: true });
-  const words = ["screen", "--quiet", "-c", DEMO, "--layouts", `${root}/configs/layouts`];
+  // Parts appear every two seconds: with all layouts the run takes several times as long.
+  const folders = [`${root}/configs/layouts`, `${root}/bench/layouts`];
+  const words = ["screen", "--quiet", "-c", DEMO, ...folders.flatMap((each) => ["--layouts", each])];
   const run = spawn(program, [...words, "--norm", "road", "--threads", "1", "-o", at("killed.h5"), "--overwrite"]);
   const ended = new Promise((resolve) => run.on("exit", resolve));
   while (run.exitCode === null && !existsSync(`${parts}/part-000001.h5`)) await new Promise((go) => setTimeout(go, 20));

@@ -1,13 +1,14 @@
 #include "core/base/closest_word.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
+
+#include "core/base/utf8.hpp"
 
 namespace holdfast::internal {
 
 namespace {
-
-char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
 
 /// Optimal string alignment distance, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -18,7 +19,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     above.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const auto same = [&](std::size_t x, std::size_t y) { return lower(a[x - 1]) == lower(b[y - 1]); };
+      const auto same = [&](std::size_t x, std::size_t y) { return a[x - 1] == b[y - 1]; };
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same(i, j) ? 0U : 1U)});
       const bool swapped = i > 1 && j > 1 && same(i, j - 1) && same(i - 1, j);
       if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
@@ -34,10 +35,11 @@ std::optional<std::string_view> closest_word(std::string_view word, std::span<co
   // would only cost time.
   constexpr std::size_t kLongestWord = 100;
   if (word.size() > kLongestWord) return std::nullopt;
+  const std::string lower_word = lower_case(word);
   std::optional<std::string_view> best;
   std::size_t least = std::min<std::size_t>(5, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = edit_distance(lower_word, lower_case(candidate));
     if (distance >= least) continue;
     least = distance;
     best = candidate;

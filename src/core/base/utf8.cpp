@@ -21,6 +21,13 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& letter : result)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return result;
+}
+
 std::string kept_name(std::string_view text) {
   constexpr std::size_t kMost = 120;  // bytes
   constexpr std::string_view kWhite = " \t\r\v\f";

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/number_text.hpp"
+#include "core/base/utf8.hpp"
 #include "core/engine/engine_registry.hpp"
 #include "core/model/container_catalogue.hpp"
 #include "core/model/container_sides.hpp"
@@ -230,9 +231,7 @@ struct ReplicaCount : Whole<CutRange> {
 struct Truth {
   static constexpr std::string_view kAccepted = "true or false (also yes, no, 1, 0)";
   static std::optional<bool> parse(std::string_view text) {
-    std::string lower(text);
-    for (char& letter : lower)
-      if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    const std::string lower = lower_case(text);
     if (lower == "true" || lower == "yes" || lower == "1") return true;
     if (lower == "false" || lower == "no" || lower == "0") return false;
     return std::nullopt;

@@ -60,13 +60,6 @@ std::string valid_utf8(std::string_view text) {
   return valid;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& letter : result)
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  return result;
-}
-
 std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 60;
   std::string clean;

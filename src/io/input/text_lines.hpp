@@ -44,9 +44,6 @@ std::string_view trimmed(std::string_view text);
 /// The text as UTF-8: invalid bytes become U+FFFD. File names and texts from users may have any encoding.
 std::string valid_utf8(std::string_view text);
 
-/// The text with the letters of ASCII in lower case.
-std::string lower_case(std::string_view text);
-
 /// A piece of input for a message: at most 60 bytes of UTF-8. Control characters and invalid bytes become `?`, so that
 /// no file can garble a terminal.
 std::string shown(std::string_view text);

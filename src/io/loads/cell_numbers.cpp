@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/number_text.hpp"
+#include "core/base/utf8.hpp"
 #include "core/model/length_unit.hpp"
 #include "io/input/text_lines.hpp"
 

@@ -27,4 +27,9 @@ TEST_CASE("utf8: surrogates, overlong and cut characters are none", "[core][utf8
     CHECK(utf8_length(text) == 0);
 }
 
+TEST_CASE("utf8: letters of ASCII alone become lower case", "[core][utf8]") {
+  CHECK(lower_case("Kühl CONTAINER-40'HC ÄÖ") == "kühl container-40'hc ÄÖ");
+  CHECK(lower_case("").empty());
+}
+
 }  // namespace utf8_test
