@@ -107,15 +107,11 @@ class InputCheck {
         });
         break;
       case InputKind::unknown:
-        if (const std::string why = why_no_text(file->text); !why.empty())
-          finding.errors.push_back(
-              {.file = input.path, .what = "is " + why, .accepted = "text: save or export it as CSV (UTF-8)"});
-        else
-          finding.errors.push_back(
-              {.file = input.path,
-               .what = "neither layout, acceleration nor config",
-               .accepted =
-                   "a layout has 7 columns or a header that names them, an acceleration 5, a config [sections]"});
+        finding.errors.push_back(why_no_text(input.path, file->text)
+                                     .value_or(Error{.file = input.path,
+                                                     .what = "neither layout, acceleration nor config",
+                                                     .accepted = "a layout has 7 columns or a header that names them, "
+                                                                 "an acceleration 5, a config [sections]"}));
     }
     return finding;
   }

@@ -27,12 +27,12 @@ namespace holdfast::internal::native {
 /// @measured 1e-12 for gravities, 1e-10 for edges, 1e-6 for axes: no bit changes.
 inline constexpr double kRounding = 1e-9;  // of what it is compared with
 
-/// Values that differ by less than this share count as equal, where neither is exact: the way of a block that slides
-/// alone as its samples and as their mean lead it, which is half of the error that walks under vibration may have at
-/// `standard`; the force that a proof of rest may use at a wall or the roof, over that with which the body pressed
-/// against it in the last step: what is pushed into it and no more, but for the tolerance of the step; and what an
-/// iteration of the interior point method leaves of the way to the boundary of the cones. Of |g − a| h: the residual
-/// that may pass.
+/// What is right to one part in a hundred is right enough, where nothing is known more exactly: the way of a block that
+/// slides alone under the mean of its samples, against that under the samples, which is half of the error that walks
+/// under vibration may have at `standard`; and, over |g − a| h, the residual of a step that may pass. Likewise bounds:
+/// a proof of rest may push a wall or the roof by this much more than the body pressed against it in the last step, for
+/// the tolerance of that step; and an iteration of the interior point method stops this much before the boundary of the
+/// cones.
 /// @measured Ways: largest error of walks under vibration at `screening`, 0.4 %; half: 0.01 %, and full loads under
 /// noise of 1,000 samples per second take 1.1 to 1.3 of their time; twice: 1.3 %, at `standard` 2 %, and 0.7 to 1.0 of
 /// it. Forces: half and twice: insensitive. Interior point method: 0.05 and 0.001: 1 % more and as many iterations, and
@@ -97,9 +97,11 @@ inline constexpr double kPenetrationSlop = 0.5 * kContactTolerance;  // m
 
 /// What is below this counts as none: slip, an approach, an acceleration that closes a contact with a neighbour, a
 /// residual of how a large island begins to move, and what is missing to the limit of friction where a contact slides.
-/// Of `tolerance`: what a solve may leave whose warm start is reset, because the acceleration has just changed.
+/// A body that is slower falls asleep. As a share of `tolerance`: what a solve may leave whose warm start is reset,
+/// because the acceleration has just changed.
 /// @measured Half and twice: insensitive, for each of its uses; 3 % more time with half of it as acceleration. As exact
-/// as a proof of rest, the beginning motion takes a fifth more time of gentle loads.
+/// as a proof of rest, the beginning motion takes a fifth more time of gentle loads. Sleep: 0.0025 and 0.01:
+/// insensitive. Reset: 1e-5 of `tolerance` at `reference`: insensitive.
 inline constexpr double kNegligible = 1e-3;  // |g − a| h
 
 /// Bodies that are slower may be at rest: a proof is tried, and where no body of an island is faster none of them

@@ -419,8 +419,7 @@ Result<LoadsOfFile> read_utf8_loads(const TextFile& file, const Settings& settin
 }  // namespace
 
 Result<LoadsOfFile> read_loads(const TextFile& file, const Settings& settings) {
-  if (const std::string why = why_no_text(file.text); !why.empty())
-    return Error{.file = file.path, .what = "is " + why, .accepted = "text: save or export it as CSV (UTF-8)"};
+  if (const auto error = why_no_text(file.path, file.text)) return *error;
   std::optional<DecodedText> utf8 = decoded(file.text);
   if (!utf8 || load_syntax(utf8->text) == LoadSyntax::text) return read_utf8_loads(file, settings);
   Result<LoadsOfFile> found = read_utf8_loads(

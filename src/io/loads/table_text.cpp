@@ -157,13 +157,17 @@ char separator_of(std::string_view text) {
   return ' ';
 }
 
-std::string why_no_text(std::string_view bytes) {
-  if (bytes.starts_with("PK\x03\x04")) return "a spreadsheet file (.xlsx or .ods)";
-  if (bytes.starts_with("\xD0\xCF\x11\xE0")) return "a spreadsheet file of an old kind (.xls)";
+std::optional<Error> why_no_text(const std::string& path, std::string_view bytes) {
+  const auto is = [&](const char* what) {
+    return Error{.file = path, .what = what, .accepted = "text: save or export it as CSV (UTF-8)"};
+  };
+  if (bytes.starts_with("PK\x03\x04")) return is("is a spreadsheet file (.xlsx or .ods)");
+  if (bytes.starts_with("\xD0\xCF\x11\xE0")) return is("is a spreadsheet file of an old kind (.xls)");
   constexpr std::size_t kLook = 512;
   const std::string_view begin = bytes.substr(0, kLook);
-  if (begin.find("<html") != std::string_view::npos || begin.find("<table") != std::string_view::npos) return "HTML";
-  return {};
+  if (begin.find("<html") != std::string_view::npos || begin.find("<table") != std::string_view::npos)
+    return is("is HTML");
+  return std::nullopt;
 }
 
 namespace {

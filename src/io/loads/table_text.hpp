@@ -71,8 +71,8 @@ class TableText {
 /// quotes; a blank where they have none of them.
 char separator_of(std::string_view text);
 
-/// What a file is instead of a text, in words; empty if it may be one.
-std::string why_no_text(std::string_view bytes);
+/// What a file is instead of a text; nothing if it may be one.
+std::optional<Error> why_no_text(const std::string& path, std::string_view bytes);
 
 /// A text as UTF-8, and the encoding that it was in.
 struct DecodedText {
