@@ -25,7 +25,8 @@ for (let i = 0; i < repeats; ++i) {
     const seconds = (used.user + used.system) / 1e6;
     wasm += seconds;
     program += world.cpu_seconds;
-    if (seconds / world.end_time_s > slowest.seconds) slowest = { ...world, seconds: seconds / world.end_time_s };
+    // A world that is unstable has not begun its time.
+    if (world.end_time_s > 0 && seconds / world.end_time_s > slowest.seconds) slowest = { ...world, seconds: seconds / world.end_time_s };
   }
   ratios.push(wasm / program);
   console.log(
