@@ -35,35 +35,65 @@ constexpr double in_g(int units) { return units / kMarginUnits; }
 /// Accelerations of one kind in one direction, in units: the least one that is known not to hold, and the largest one
 /// below it that is known to hold. A load that holds a larger one has found its hold on the way, and no load has to get
 /// there.
-struct Bracket {
+class Bracket {
+ public:
+  void take(int size, const std::optional<Departure>& beyond) {
+    if (!beyond) {
+      held_.push_back(size);
+      ++holds_in_a_row_;
+    } else if (size < fails_) {
+      fails_above_ = fails_;
+      departure_above_ = departure_;
+      fails_ = size;
+      departure_ = *beyond;
+      holds_in_a_row_ = 0;
+    }
+    holds_ = 0;
+    for (const int known : held_)
+      if (known < fails_) holds_ = std::max(holds_, known);
+  }
+
+  /// The acceleration to try next; nothing where the margin is found.
+  std::optional<int> next() const {
+    if (fails_ - holds_ <= 1) return unchecked();
+    if (fails_ == kNone) return kLargest;
+    if (holds_in_a_row_ == 0) return std::max(holds_ + 1, std::min(secant(), fails_ - 1));
+    return std::min(holds_ + (1 << (holds_in_a_row_ - 1)), (holds_ + fails_) / 2);
+  }
+
+  double margin() const { return in_g(holds_); }
+  /// The box that goes beyond first where the load just no longer holds; null where it holds all that is tried.
+  const Departure* departure() const { return fails_ == kNone ? nullptr : &departure_; }
+
+ private:
   static constexpr int kNone = kLargest + 1;
 
-  int holds = 0;
-  int fails = kNone;
-  Departure departure;    ///< at `fails`
-  std::vector<int> held;  ///< all that are known to hold
-
-  void take(int size, const std::optional<Departure>& beyond) {
-    if (!beyond) held.push_back(size);
-    if (beyond && size < fails) {
-      fails = size;
-      departure = *beyond;
-    }
-    holds = 0;
-    for (const int known : held)
-      if (known < fails) holds = std::max(holds, known);
+  /// Where boxes no longer go beyond, by the line through the two least accelerations that do not hold; through the
+  /// least one alone as where a box slides. The last unit below, so that this holds and the next trial ends the search.
+  int secant() const {
+    if (departure_.acceleration <= 0.0) return (holds_ + fails_) / 2;
+    const double rise = departure_above_.acceleration - departure_.acceleration;
+    const double slope = fails_above_ < kNone && rise > 0.0 ? rise / in_g(fails_above_ - fails_) : 1.0;
+    return static_cast<int>(std::floor(fails_ - departure_.acceleration / slope * kMarginUnits));
   }
-  bool is_closed() const { return fails - holds <= 1; }
 
   /// A share of the margin that has not been tried; nothing when all have.
   std::optional<int> unchecked() const {
     for (const double share : kMarginChecks) {
-      const auto wanted = static_cast<int>(std::lround(share * holds));
+      const auto wanted = static_cast<int>(std::lround(share * holds_));
       const auto is_it = [&](int known) { return std::abs(known - wanted) <= 1; };
-      if (wanted > 0 && std::none_of(held.begin(), held.end(), is_it)) return wanted;
+      if (wanted > 0 && std::none_of(held_.begin(), held_.end(), is_it)) return wanted;
     }
     return std::nullopt;
   }
+
+  int holds_ = 0;
+  int fails_ = kNone;
+  Departure departure_;        ///< at `fails_`
+  int fails_above_ = kNone;    ///< the next larger one that is known not to hold
+  Departure departure_above_;  ///< there
+  int holds_in_a_row_ = 0;     ///< since a trial last did not hold
+  std::vector<int> held_;      ///< all that are known to hold
 };
 
 class MarginSearch {
@@ -112,52 +142,30 @@ class MarginSearch {
     return std::nullopt;
   }
 
+  /// What is tried for the margin within the limits comes first, since a load that is followed that far has left its
+  /// place on the way.
   void search(std::size_t direction) {
     std::array<Bracket, kinds> brackets;
-    for (const Kind kind : {in_place, within_limits}) {
-      Bracket& bracket = brackets.at(kind);
-      int stride = 1;
-      // The other kind's trials may have closed it, or told where to look.
-      int wanted = kLargest;
-      if (kind == in_place) wanted = kLargest / 2;
-      if (kind == within_limits && bracket.fails <= kLargest) wanted = next_below(bracket);
-      for (;;) {
-        if (bracket.is_closed()) {
-          const std::optional<int> unchecked = bracket.unchecked();
-          if (!unchecked) break;
-          wanted = *unchecked;
-        }
-        const Trial trial = run_trial(push_acceleration(direction, in_g(wanted)), kind);
-        if (aborted()) return;
-        brackets[in_place].take(wanted, trial[in_place]);
-        // A load that leaves its place has not been followed any further.
-        if (kind == within_limits || !trial[in_place] || trial[within_limits])
-          brackets[within_limits].take(wanted, trial[within_limits]);
-        if (trial.at(kind)) {
-          stride = 1;
-          wanted = next_below(bracket);
-        } else if (bracket.fails == Bracket::kNone) {
-          wanted = kLargest;
-        } else {
-          wanted = std::min(bracket.holds + stride, (bracket.holds + bracket.fails) / 2);
-          stride *= 2;
-        }
-      }
+    for (;;) {
+      Kind kind = within_limits;
+      std::optional<int> wanted = brackets[kind].next();
+      if (!wanted) wanted = brackets[kind = in_place].next();
+      if (!wanted) break;
+      const Trial trial = run_trial(push_acceleration(direction, in_g(*wanted)), kind);
+      if (aborted()) return;
+      brackets[in_place].take(*wanted, trial[in_place]);
+      // A load that leaves its place has not been followed any further.
+      if (kind == within_limits || !trial[in_place] || trial[within_limits])
+        brackets[within_limits].take(*wanted, trial[within_limits]);
     }
-    margins_.margin.at(direction) = in_g(brackets[in_place].holds);
-    margins_.margin_within_limits.at(direction) = in_g(brackets[within_limits].holds);
-    if (brackets[in_place].fails != Bracket::kNone)
-      margins_.critical_box.at(direction) = id_of(brackets[in_place].departure.box);
-    if (brackets[within_limits].fails != Bracket::kNone)
-      margins_.critical_box_within_limits.at(direction) = id_of(brackets[within_limits].departure.box);
-  }
-
-  /// Where the margin is by the departure at the upper end of the bracket: the last unit below, so that this holds and
-  /// the next trial ends the search. The middle where the departure tells nothing.
-  static int next_below(const Bracket& bracket) {
-    const double wanted = std::floor(bracket.fails - bracket.departure.acceleration * kMarginUnits);
-    const bool usable = bracket.departure.acceleration > 0.0 && wanted > bracket.holds && wanted < bracket.fails;
-    return usable ? static_cast<int>(wanted) : (bracket.holds + bracket.fails) / 2;
+    const auto critical = [&](Kind kind) {
+      const Departure* departure = brackets.at(kind).departure();
+      return departure == nullptr ? 0 : id_of(departure->box);
+    };
+    margins_.margin.at(direction) = brackets[in_place].margin();
+    margins_.margin_within_limits.at(direction) = brackets[within_limits].margin();
+    margins_.critical_box.at(direction) = critical(in_place);
+    margins_.critical_box_within_limits.at(direction) = critical(within_limits);
   }
 
   double step(const Phase& phase) {
