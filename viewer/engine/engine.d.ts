@@ -188,8 +188,8 @@ export interface Engine {
    * results file has of its boxes.
    */
   screenLoad(load: Load, acceleration: number | Numbers, inputs: RunSettings, recorded?: boolean): { outcome: WorldOutcome; columns: Columns };
-  /** What `holdfast margins` finds: four directions in each column. */
-  loadMargins(load: Load, inputs: RunSettings): Columns;
+  /** What `holdfast margins` finds: four directions in each column, of which the given one is searched alone. */
+  loadMargins(load: Load, inputs: RunSettings, direction?: number): Columns;
   /** What `holdfast check --bearing` finds: columns of boxes, kg. */
   loadBearing(load: Load, inputs: RunSettings): { least: Float64Array; largest: Float64Array };
   readLayout(text: string, inputs?: GivenSettings & { name?: string }): Float64Array;

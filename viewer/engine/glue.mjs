@@ -154,9 +154,12 @@ class Engine {
     return { outcome: this.outcomeOf(outcome), columns };
   }
 
-  /** How many g a load stands, in the directions front, rear, left and right, as `holdfast margins` finds it. */
-  loadMargins(load, inputs) {
-    return this.withLoad(load, inputs, (...places) => this.readColumns(this.wasm.page_load_margins(...places)));
+  /**
+   * How many g a load stands, in the directions front, rear, left and right, as `holdfast margins` finds it.
+   * @param {number} [direction] that is searched alone; all without
+   */
+  loadMargins(load, inputs, direction = -1) {
+    return this.withLoad(load, inputs, (...places) => this.readColumns(this.wasm.page_load_margins(...places, direction)));
   }
 
   /** What rests on each box of a load, kg, at least and at most, as `holdfast check --bearing` finds it. */

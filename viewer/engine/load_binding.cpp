@@ -297,12 +297,17 @@ EXPORTED int page_screen_load(const holdfast_settings* handle, const char* conta
 }
 
 /// Finds the margins of a load, as `holdfast margins` does, into columns of four directions.
-EXPORTED int page_load_margins(const holdfast_settings* handle, const char* container, const char* text) {
+/// @param direction that is searched alone; below 0: all
+EXPORTED int page_load_margins(const holdfast_settings* handle, const char* container, const char* text,
+                               int direction) {
   return call([&] {
     const Settings settings = settings_with(handle, {.container = optional_text(container)});
     const Layout layout = load_of(text, settings);
     const std::unique_ptr<Engine> engine = engine_of(settings);
-    const LayoutMargins margins = *find_margins(*engine, layout, settings, std::atomic<bool>(false));
+    const std::atomic<bool> abort = false;
+    const LayoutMargins margins =
+        direction < 0 ? *find_margins(*engine, layout, settings, abort)
+                      : *find_margin(static_cast<std::size_t>(direction), *engine, layout, settings, abort);
     add_values("margin", margins.margin);
     add_values("critical_box", margins.critical_box);
     add_values("margin_within_limits", margins.margin_within_limits);

@@ -107,7 +107,8 @@ class MarginSearch {
         start_(batch.state),
         journey_(engine, *batch.worlds.front().acceleration, settings) {}
 
-  std::optional<LayoutMargins> run() {
+  /// @param first, last directions that are searched, with both ends
+  std::optional<LayoutMargins> run(std::size_t first, std::size_t last) {
     if (const std::optional<Departure> unstable = settle()) {
       for (auto* margin : {&margins_.margin, &margins_.margin_within_limits})
         margin->fill(-std::clamp(unstable->acceleration, in_g(1), 1.0));
@@ -117,7 +118,7 @@ class MarginSearch {
     if (aborted()) return std::nullopt;
     simulation_->mark(0);
     start_ = batch_.state;
-    for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
+    for (std::size_t direction = first; direction <= last; ++direction) {
       search(direction);
       if (aborted()) return std::nullopt;
     }
@@ -226,14 +227,25 @@ class MarginSearch {
   LayoutMargins margins_;
 };
 
+std::optional<LayoutMargins> search_directions(std::size_t first, std::size_t last, const Engine& engine,
+                                               const Layout& layout, const Settings& settings,
+                                               const std::atomic<bool>& abort) {
+  const Acceleration gravity = gravity_alone();
+  WorldBatch batch;
+  append_world(batch, layout, gravity, settings);
+  return MarginSearch(engine, batch, settings, abort).run(first, last);
+}
+
 }  // namespace
 
 std::optional<LayoutMargins> find_margins(const Engine& engine, const Layout& layout, const Settings& settings,
                                           const std::atomic<bool>& abort) {
-  const Acceleration gravity = gravity_alone();
-  WorldBatch batch;
-  append_world(batch, layout, gravity, settings);
-  return MarginSearch(engine, batch, settings, abort).run();
+  return search_directions(0, kDirectionCount - 1, engine, layout, settings, abort);
+}
+
+std::optional<LayoutMargins> find_margin(std::size_t direction, const Engine& engine, const Layout& layout,
+                                         const Settings& settings, const std::atomic<bool>& abort) {
+  return search_directions(direction, direction, engine, layout, settings, abort);
 }
 
 }  // namespace holdfast::internal

@@ -55,4 +55,8 @@ inline constexpr double kMarginDuration = 5.0;
 std::optional<LayoutMargins> find_margins(const Engine& engine, const Layout& layout, const Settings& settings,
                                           const std::atomic<bool>& abort);
 
+/// The margins of one direction; the others are not known, unless the load is unstable.
+std::optional<LayoutMargins> find_margin(std::size_t direction, const Engine& engine, const Layout& layout,
+                                         const Settings& settings, const std::atomic<bool>& abort);
+
 }  // namespace holdfast::internal

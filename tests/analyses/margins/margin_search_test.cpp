@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "core/native/native_engine.hpp"
 #include "same_bits.hpp"
@@ -95,6 +96,24 @@ TEST_CASE("margin_search: the seed's example", "[margin_search]") {
   check_margin(margins.margin[1], 80.0 / 212.0);
   check_margin(margins.margin[3], 59.0 / 212.0);
   CHECK(margins.margin[2] == kLargestMargin);
+}
+
+TEST_CASE("margin_search: a direction that is searched alone has the margins of all", "[margin_search]") {
+  const Settings settings = open_floor(0.5);
+  const Layout layout = layout_of({box({9, 9, 0}, {0.8, 0.3, 1.0}), box({12, 9, 0}, {0.2, 1.0, 1.0})});
+  const LayoutMargins all = margins_of(layout, settings);
+  std::uint32_t trials = 0;
+  for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
+    const std::atomic<bool> abort = false;
+    const auto one = find_margin(direction, NativeEngine(settings), layout, settings, abort);
+    REQUIRE(one.has_value());
+    CHECK(one->margin.at(direction) == all.margin.at(direction));
+    CHECK(one->margin_within_limits.at(direction) == all.margin_within_limits.at(direction));
+    CHECK(one->critical_box.at(direction) == all.critical_box.at(direction));
+    CHECK(std::isnan(one->margin.at((direction + 1) % kDirectionCount)));
+    trials += one->trials;
+  }
+  CHECK(trials == all.trials);
 }
 
 TEST_CASE("margin_search: what is unstable has a negative margin", "[margin_search]") {

@@ -86,7 +86,10 @@ async function answer(order: Order) {
       return { ...found, seconds: (performance.now() - began) / 1000 };
     }
     case "margins":
-      return { columns: engine.loadMargins(order.load, order.settings), seconds: (performance.now() - began) / 1000 };
+      return {
+        columns: engine.loadMargins(order.load, order.settings, order.direction),
+        seconds: (performance.now() - began) / 1000,
+      };
     case "bearing":
       return engine.loadBearing(order.load, order.settings);
   }

@@ -91,7 +91,8 @@ export interface Orders {
   };
   preview: { ask: { bytes: Uint8Array; rows: number }; answer: TableRow[] };
   world: { ask: { load: Load; acceleration: number; settings: RunSettings }; answer: SimulatedWorld };
-  margins: { ask: { load: Load; settings: RunSettings }; answer: FoundMargins };
+  /** In one direction. */
+  margins: { ask: { load: Load; settings: RunSettings; direction: number }; answer: FoundMargins };
   bearing: { ask: { load: Load; settings: RunSettings }; answer: ReturnType<Engine["loadBearing"]> };
 }
 export type Order = { [K in keyof Orders]: { id: number; kind: K } & Orders[K]["ask"] }[keyof Orders];

@@ -3,6 +3,7 @@ import { loadText } from "../data/load_text";
 import { NOT_COUNTED, PENDING, type Results, type World } from "../data/results";
 import type { ResultsSource } from "../data/results_source";
 import { Cancelled, type EnginePool } from "../engine/engine_pool";
+import { askMargins } from "../engine/margins";
 import type { FoundMargins, HashedLoad, SimulatedWorld } from "../engine/messages";
 import { type KeptWorld, keptOf, type Screened } from "../save/screened";
 import { badWorld, newResults, putMargins, putWorld, worldOf } from "./screened_results";
@@ -141,7 +142,7 @@ export class Screening implements ResultsSource {
   }
 
   /**
-   * Puts a load in the place of one, and answers for it anew: the world that is looked at first, then the others, then the margins.
+   * Puts a load in the place of one, and answers for it anew, the world that is looked at first.
    * Where boxes cannot be so, it throws what the engine says, and nothing changes.
    */
   async mend(world: number, load: Load): Promise<void> {
@@ -169,7 +170,7 @@ export class Screening implements ResultsSource {
     const worlds = this.results.accelerations.map((_, acceleration) =>
       this.pool.ask("world", { load, acceleration, settings }, true).then(({ outcome }) => outcome),
     );
-    const margins = this.pool.ask("margins", { load, settings }, true).then(({ columns }) => columns);
+    const margins = askMargins(this.pool, load, settings, true).then(({ columns }) => columns);
     return { worlds: Promise.all(worlds), margins };
   }
 
@@ -178,11 +179,16 @@ export class Screening implements ResultsSource {
     const { worlds } = results;
     const layout = worlds.layout[world];
     const read = { ...this.loads[layout], load, boxCount: load.boxes.length };
-    const order = (of: number) => ({ load, acceleration: worlds.acceleration[of], settings });
-    const found = await pool.ask("world", order(world), true);
+    const all = [...worlds.layout.keys()].filter((of) => worlds.layout[of] === layout);
+    const ask = (of: number) => pool.ask("world", { load, acceleration: worlds.acceleration[of], settings }, true);
+    // All at once, the margins early since they take longest. What is not that of boxes that can be so comes to nothing.
+    const looked = ask(world);
+    const margins = this.withMargins ? [askMargins(pool, load, settings, true)] : [];
+    const others = all.filter((one) => one !== world).map((of) => ({ of, asked: ask(of) }));
+    Promise.allSettled([...margins, ...others.map(({ asked }) => asked)]);
+    const found = await looked;
     this.loads[layout] = read;
     results.layoutBoxes[layout] = load.boxes.length;
-    const all = [...worlds.layout.keys()].filter((of) => worlds.layout[of] === layout);
     for (const of of all) {
       this.opened.delete(of);
       worlds.verdict[of] = PENDING;
@@ -194,13 +200,13 @@ export class Screening implements ResultsSource {
     this.put(world, found);
     this.opened.set(world, Promise.resolve(worldOf(results, world, read, found.outcome, found.columns)));
     const isLatest = () => this.loads[layout] === read;
-    for (const of of all.filter((one) => one !== world))
-      this.take(pool.ask("world", order(of), true), (other) => {
+    for (const { of, asked } of others)
+      this.take(asked, (other) => {
         if (isLatest()) this.put(of, other);
       });
-    if (this.withMargins)
-      this.take(pool.ask("margins", { load, settings }, true), (margins) => {
-        if (isLatest()) this.putMargins(layout, margins);
+    for (const asked of margins)
+      this.take(asked, (found) => {
+        if (isLatest()) this.putMargins(layout, found);
       });
   }
 
@@ -242,7 +248,7 @@ export class Screening implements ResultsSource {
 
   private findMargins(layout: number): Promise<void> {
     const read = this.loads[layout];
-    return this.take(this.pool.ask("margins", { load: read.load, settings: this.settings }), (found) => {
+    return this.take(askMargins(this.pool, read.load, this.settings), (found) => {
       ++this.marginsDone;
       if (this.loads[layout] === read) this.putMargins(layout, found);
     });
