@@ -29,11 +29,12 @@ struct IslandProblem::PointView {
     return filter.is_closed(gap) || filter.takes(gap, normal_velocity(), step);
   }
 
-  /// Takes what the last solve left, for `start_from_last`.
-  void start_from_cached(ContactConstraint& constraint, std::size_t lane) const {
+  /// What the point begins with: the gap, and what the last solve left.
+  void put_into(ContactStart& start, std::size_t lane) const {
+    start.gap[lane] = gap;
     for (std::size_t k = 0; k < 3; ++k) {
-      constraint.impulse.row[k][lane] = cached.force[static_cast<Eigen::Index>(k)];
-      constraint.contact_velocity.row[k][lane] = cached.contact_velocity[static_cast<Eigen::Index>(k)];
+      start.force.row[k][lane] = cached.force[static_cast<Eigen::Index>(k)];
+      start.contact_velocity.row[k][lane] = cached.contact_velocity[static_cast<Eigen::Index>(k)];
     }
   }
 };
@@ -63,6 +64,7 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   problem.free_velocity.assign(count, BodyVector{});
   problem.velocity.assign(count + 1, BodyVector{});
   problem.constraints.clear();
+  start_.clear();
   problem.mid_arms.clear();
   problem.constraint_pair.clear();
   problem.normal_bounds.clear();
@@ -209,15 +211,15 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
     add_constraints(
         scene, index,
         [&](const PointView& point) { return point.is_in(predicted[index]) || point.is_taken(filter, step); },
-        [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
-          constraint.velocity_bias.row[0][lane] = point.gap;
-          point.start_from_cached(constraint, lane);
+        [&](const PointView& point, ContactConstraint&, std::size_t lane) {
+          start_.resize(problem.constraints.size());
+          point.put_into(start_.back(), lane);
         });
   });
   // Without rotation both sets of arms are the same.
   if (any_turns) problem.mid_arms.resize(problem.constraints.size());
   has_late_impact_ =
-      start_step({step, terms.velocity_unit}, motion_, problem.constraints, problem.mid_arms, late_impact_);
+      start_step({step, terms.velocity_unit}, start_, motion_, problem.constraints, problem.mid_arms, late_impact_);
 }
 
 void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -259,22 +261,22 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
     const bool bounded = is_wall_or_roof(bodies, manifold);
     add_constraints(
         scene, index, [&](const PointView& point) { return point.gap <= touch; },
-        [&](const PointView& point, ContactConstraint& constraint, std::size_t lane) {
+        [&](const PointView& point, ContactConstraint&, std::size_t lane) {
           problem.normal_bounds.resize(problem.constraints.size());
           problem.normal_bounds.back().lane[lane] =
               bounded ? (1.0 + kSlack) * step * point.cached.pressed : std::numeric_limits<double>::infinity();
-          point.start_from_cached(constraint, lane);
+          start_.resize(problem.constraints.size());
+          point.put_into(start_.back(), lane);
         });
   });
-  start_from_last(step, problem.constraints);
+  start_from_last(step, start_, problem.constraints);
 }
 
 /// Calls `store(constraint, lane, cached)` for the caches of all points, which hold what the solution says of them.
 template <class Store>
 void IslandProblem::store_impulses(Scene& scene, double step, Store store) {
-  force_.resize(sources.size());
-  contact_velocity_.resize(sources.size());
-  to_container_frame(step, problem.constraints, force_, contact_velocity_);
+  start_.resize(sources.size());
+  to_container_frame(step, problem.constraints, start_);
   for (std::size_t p = 0; p < sources.size(); ++p) {
     Manifold& manifold = scene.manifolds[sources[p].manifold];
     const auto at_point = [](const ConstraintVector& of, std::size_t lane) {
@@ -282,8 +284,8 @@ void IslandProblem::store_impulses(Scene& scene, double step, Store store) {
     };
     for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane) {
       CachedImpulse& cached = manifold.cached[sources[p].point[lane]];
-      cached.force = at_point(force_[p], lane);
-      cached.contact_velocity = at_point(contact_velocity_[p], lane);
+      cached.force = at_point(start_[p].force, lane);
+      cached.contact_velocity = at_point(start_[p].contact_velocity, lane);
       store(p, lane, cached);
     }
   }

@@ -123,7 +123,7 @@ class IslandProblem {
   std::vector<std::uint8_t> late_impact_;  ///< a row
   bool has_late_impact_ = false;
   double outside_impulse_ = 0.0;
-  std::vector<ConstraintVector> force_, contact_velocity_;  ///< of the solution, container frame, a constraint
+  std::vector<ContactStart> start_;  ///< of this step, and after the solution of the next one, a constraint
 };
 
 }  // namespace holdfast::internal::native

@@ -40,10 +40,10 @@ HWY_INLINE Triple direction(const ContactConstraint& constraint, std::size_t i) 
 }
 
 /// Impulses and contact velocities from those of the last step. The bias is part of the contact velocity.
-HWY_INLINE void start_one(double step, ContactConstraint& constraint) {
+HWY_INLINE void start_one(double step, const ContactStart& start, ContactConstraint& constraint) {
   const Four length = Four::all(step);
-  const Triple force = Triple::load(constraint.impulse.row);
-  const Triple contact_velocity = Triple::load(constraint.contact_velocity.row);
+  const Triple force = Triple::load(start.force.row);
+  const Triple contact_velocity = Triple::load(start.contact_velocity.row);
   for (std::size_t i = 0; i < 3; ++i) {
     const Triple along = direction(constraint, i);
     const Four impulse = length * inner(force, along);
@@ -64,25 +64,25 @@ HWY_INLINE Triple velocity_at(const BodyMotion& body, const Triple& arm) {
 }
 
 /// Writes the biases. Returns whether a point closes faster than the step can follow.
-HWY_INLINE bool set_bias(const StepStart& start, const BodyMotion& a, const BodyMotion& b,
+HWY_INLINE bool set_bias(const StepScale& scale, const ContactStart& start, const BodyMotion& a, const BodyMotion& b,
                          ContactConstraint& constraint) {
   const Four used = used_lanes(constraint.count);
-  const Four step = Four::all(start.step);
+  const Four step = Four::all(scale.step);
   const Triple velocity =
       velocity_at(b, Triple::load(constraint.arms.b)) - velocity_at(a, Triple::load(constraint.arms.a));
   const Triple normal = direction(constraint, 0);
   const Four along_normal = inner(normal, velocity);
-  const Four gap = Four::load(constraint.velocity_bias.row[0].data());
+  const Four gap = Four::load(start.gap.data());
   where_greater(gap, Four::all(kTouch), gap / step).store(constraint.velocity_bias.row[0].data());
   // Friction along the mean slip makes curved paths second order in the step.
   const Triple slip = velocity - along_normal * normal;
-  const double lasting = kLarge * start.velocity_unit;
+  const double lasting = kLarge * scale.velocity_unit;
   for (std::size_t i = 1; i < 3; ++i) {
     const Four bias = used * inner(slip, direction(constraint, i));
     where_greater(inner(slip, slip), Four::all(lasting * lasting), bias).store(constraint.velocity_bias.row[i].data());
   }
   const Four ends_at = max(gap, Four::all(0.0)) + step * along_normal;
-  return total(where_greater(Four::all(-kNoticeable * start.velocity_unit * start.step), ends_at, used)) > 0.0;
+  return total(where_greater(Four::all(-kNoticeable * scale.velocity_unit * scale.step), ends_at, used)) > 0.0;
 }
 
 HWY_INLINE void turn(const BodyMotion& body, std::array<Lanes, 3>& at_end, std::array<Lanes, 3>& at_middle) {
@@ -95,22 +95,24 @@ HWY_INLINE void turn(const BodyMotion& body, std::array<Lanes, 3>& at_end, std::
   }
 }
 
-HWY_ATTR void start_from_last_kernel(double step, ContactConstraint* constraints, std::size_t count) {
-  for (std::size_t p = 0; p < count; ++p) start_one(step, constraints[p]);
+HWY_ATTR void start_from_last_kernel(double step, const ContactStart* start, ContactConstraint* constraints,
+                                     std::size_t count) {
+  for (std::size_t p = 0; p < count; ++p) start_one(step, start[p], constraints[p]);
 }
 
-HWY_ATTR bool start_step_kernel(const StepStart& start, const BodyMotion* motion, ContactConstraint* constraints,
-                                std::size_t count, Arms* mid_arms, std::uint8_t* late_impact) {
+HWY_ATTR bool start_step_kernel(const StepScale& scale, const ContactStart* start, const BodyMotion* motion,
+                                ContactConstraint* constraints, std::size_t count, Arms* mid_arms,
+                                std::uint8_t* late_impact) {
   bool any_late = false;
   for (std::size_t p = 0; p < count; ++p) {
     ContactConstraint& constraint = constraints[p];
     const BodyMotion& a = motion[constraint.a];
     const BodyMotion& b = motion[constraint.b];
-    if (set_bias(start, a, b, constraint)) {
+    if (set_bias(scale, start[p], a, b, constraint)) {
       late_impact[constraint.a] = late_impact[constraint.b] = 1;
       any_late = true;
     }
-    start_one(start.step, constraint);
+    start_one(scale.step, start[p], constraint);
     if (mid_arms == nullptr) continue;
     turn(a, constraint.arms.a, mid_arms[p].a);
     turn(b, constraint.arms.b, mid_arms[p].b);
@@ -119,7 +121,7 @@ HWY_ATTR bool start_step_kernel(const StepStart& start, const BodyMotion* motion
 }
 
 HWY_ATTR void to_container_frame_kernel(double step, const ContactConstraint* constraints, std::size_t count,
-                                        ConstraintVector* force, ConstraintVector* contact_velocity) {
+                                        ContactStart* next) {
   const Four length = Four::all(step);
   for (std::size_t p = 0; p < count; ++p) {
     const ContactConstraint& constraint = constraints[p];
@@ -132,8 +134,8 @@ HWY_ATTR void to_container_frame_kernel(double step, const ContactConstraint* co
       f = i > 0 ? f + y * along : y * along;
       v = i > 0 ? v + (z - bias) * along : (z - bias) * along;
     }
-    f.store(force[p].row);
-    v.store(contact_velocity[p].row);
+    f.store(next[p].force.row);
+    v.store(next[p].contact_velocity.row);
   }
 }
 
@@ -148,20 +150,20 @@ HWY_EXPORT(start_from_last_kernel);
 HWY_EXPORT(start_step_kernel);
 HWY_EXPORT(to_container_frame_kernel);
 
-void start_from_last(double step, std::span<ContactConstraint> constraints) {
-  HWY_DYNAMIC_DISPATCH(start_from_last_kernel)(step, constraints.data(), constraints.size());
+void start_from_last(double step, std::span<const ContactStart> start, std::span<ContactConstraint> constraints) {
+  HWY_DYNAMIC_DISPATCH(start_from_last_kernel)(step, start.data(), constraints.data(), constraints.size());
 }
 
-bool start_step(const StepStart& start, std::span<const BodyMotion> motion, std::span<ContactConstraint> constraints,
-                std::span<Arms> mid_arms, std::span<std::uint8_t> late_impact) {
-  return HWY_DYNAMIC_DISPATCH(start_step_kernel)(start, motion.data(), constraints.data(), constraints.size(),
-                                                 mid_arms.empty() ? nullptr : mid_arms.data(), late_impact.data());
+bool start_step(const StepScale& scale, std::span<const ContactStart> start, std::span<const BodyMotion> motion,
+                std::span<ContactConstraint> constraints, std::span<Arms> mid_arms,
+                std::span<std::uint8_t> late_impact) {
+  return HWY_DYNAMIC_DISPATCH(start_step_kernel)(scale, start.data(), motion.data(), constraints.data(),
+                                                 constraints.size(), mid_arms.empty() ? nullptr : mid_arms.data(),
+                                                 late_impact.data());
 }
 
-void to_container_frame(double step, std::span<const ContactConstraint> constraints, std::span<ConstraintVector> force,
-                        std::span<ConstraintVector> contact_velocity) {
-  HWY_DYNAMIC_DISPATCH(to_container_frame_kernel)
-  (step, constraints.data(), constraints.size(), force.data(), contact_velocity.data());
+void to_container_frame(double step, std::span<const ContactConstraint> constraints, std::span<ContactStart> next) {
+  HWY_DYNAMIC_DISPATCH(to_container_frame_kernel)(step, constraints.data(), constraints.size(), next.data());
 }
 
 }  // namespace holdfast::internal::native

@@ -20,32 +20,39 @@ struct alignas(64) BodyMotion {
   std::array<std::array<double, 3>, 3> turn_mid = {}, turn_end = {};
 };
 
-/// Start values of a step.
-struct StepStart {
+/// What a constraint's points begin a step with, container frame.
+struct alignas(64) ContactStart {
+  ConstraintVector force;             ///< of the last step, N
+  ConstraintVector contact_velocity;  ///< of the last step, without the bias, m/s
+  Lanes gap = {};                     ///< m
+};
+
+/// Scales of a step.
+struct StepScale {
   double step = 0.0;           ///< s
   double velocity_unit = 0.0;  ///< |g − a| times the whole step, m/s
 };
 
-/// Makes the start values of the constraints from impulses of the last step. On entry a constraint holds of each point
-/// the force, N, in place of the impulse, and the contact velocity, both in the container's frame.
-/// @param step s
-void start_from_last(double step, std::span<ContactConstraint> constraints);
+/// Makes the impulses and contact velocities with which a solve starts from those of the last step.
+/// @param step  s
+/// @param start a constraint
+void start_from_last(double step, std::span<const ContactStart> start, std::span<ContactConstraint> constraints);
 
-/// The same for a step, with velocity biases, and with arms of its middle and its end. On entry a constraint holds of
-/// each point also the arms at the start of the step, and the gap, m, in place of the bias along the normal.
+/// The same for a step, with velocity biases, and with arms of its middle and its end. On entry the arms of a
+/// constraint are those at the start of the step.
+/// @param start       a constraint
 /// @param motion      a body; the last entry, of what is fixed, is zero
 /// @param mid_arms    a constraint; empty: no body turns
 /// @param late_impact a body and what is fixed: 1 where a contact closes faster than the step can follow, else as it
 /// was
 /// @returns whether any contact does
-bool start_step(const StepStart& start, std::span<const BodyMotion> motion, std::span<ContactConstraint> constraints,
-                std::span<Arms> mid_arms, std::span<std::uint8_t> late_impact);
+bool start_step(const StepScale& scale, std::span<const ContactStart> start, std::span<const BodyMotion> motion,
+                std::span<ContactConstraint> constraints, std::span<Arms> mid_arms,
+                std::span<std::uint8_t> late_impact);
 
-/// What is to be kept for the next step: forces, N, and contact velocities without the bias, in the container's frame.
-/// @param step             s
-/// @param force            a constraint
-/// @param contact_velocity a constraint
-void to_container_frame(double step, std::span<const ContactConstraint> constraints, std::span<ConstraintVector> force,
-                        std::span<ConstraintVector> contact_velocity);
+/// What the next step begins with, but for gaps.
+/// @param step s
+/// @param next a constraint
+void to_container_frame(double step, std::span<const ContactConstraint> constraints, std::span<ContactStart> next);
 
 }  // namespace holdfast::internal::native

@@ -17,11 +17,12 @@ using namespace holdfast::internal::native;
 
 namespace {
 
-constexpr StepStart kStart{.step = 0.02, .velocity_unit = 0.2};
+constexpr StepScale kScale{.step = 0.02, .velocity_unit = 0.2};
 
 /// Constraints as `start_step` takes them, of bodies half of which turn.
 struct Started {
   std::vector<ContactConstraint> constraints;
+  std::vector<ContactStart> start = std::vector<ContactStart>(kConstraints);
   std::vector<BodyMotion> motion = std::vector<BodyMotion>(kBodies + 1);
   std::vector<Arms> mid_arms = std::vector<Arms>(kConstraints);
   std::vector<std::uint8_t> late = std::vector<std::uint8_t>(kBodies + 1, 0);
@@ -45,13 +46,16 @@ struct Started {
       motion[i].turn_mid = rotation();
       motion[i].turn_end = rotation();
     }
-    for (ContactConstraint& constraint : constraints)
+    for (std::size_t p = 0; p < kConstraints; ++p) {
+      ContactConstraint& constraint = constraints[p];
+      start[p] = {.force = constraint.impulse, .contact_velocity = constraint.contact_velocity};
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane)
-        constraint.velocity_bias.row[0][lane] = random.between(-1e-3, 1e-3);
+        start[p].gap[lane] = random.between(-1e-3, 1e-3);
+    }
   }
   Started started() const {
     Started after = *this;
-    after.any_late = start_step(kStart, motion, after.constraints, after.mid_arms, after.late);
+    after.any_late = start_step(kScale, start, motion, after.constraints, after.mid_arms, after.late);
     return after;
   }
 };
@@ -76,20 +80,20 @@ double difference(const Started& before, const Started& after, std::size_t p, st
                         vector_of(a.angular_velocity).cross(arm_a);
   const Vec3 normal = direction_of(from, 0);
   const Vec3 slip = velocity - normal * normal.dot(velocity);
-  const double gap = from.velocity_bias.row[0][lane];
+  const double gap = before.start[p].gap[lane];
   late = late ||
-         std::max(0.0, gap) + kStart.step * normal.dot(velocity) < -kNoticeable * kStart.velocity_unit * kStart.step;
+         std::max(0.0, gap) + kScale.step * normal.dot(velocity) < -kNoticeable * kScale.velocity_unit * kScale.step;
   double worst = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
     const Vec3 direction = direction_of(from, d);
-    const bool lasts = slip.norm() > kLarge * kStart.velocity_unit;
-    const double bias = d == 0 ? std::max(0.0, gap) / kStart.step : lasts ? slip.dot(direction) : 0.0;
-    const double force = arm_of(from.impulse.row, lane).dot(direction);
-    const double z = arm_of(from.contact_velocity.row, lane).dot(direction) + (d > 0 ? bias : 0.0);
-    const double impulse = kStart.step * (d == 0 ? std::max(0.0, force) : force);
+    const bool lasts = slip.norm() > kLarge * kScale.velocity_unit;
+    const double bias = d == 0 ? std::max(0.0, gap) / kScale.step : lasts ? slip.dot(direction) : 0.0;
+    const double force = arm_of(before.start[p].force.row, lane).dot(direction);
+    const double z = arm_of(before.start[p].contact_velocity.row, lane).dot(direction) + (d > 0 ? bias : 0.0);
+    const double impulse = kScale.step * (d == 0 ? std::max(0.0, force) : force);
     worst = std::max({worst, std::abs(to.velocity_bias.row[d][lane] - bias),
                       std::abs(to.impulse.row[d][lane] - impulse), std::abs(to.contact_velocity.row[d][lane] - z)});
-    if (d == 0) worst = std::max(worst, std::abs(to.expected_impulse[lane] - kStart.step * force));
+    if (d == 0) worst = std::max(worst, std::abs(to.expected_impulse[lane] - kScale.step * force));
   }
   const auto check_turn = [&](const BodyMotion& body, const Vec3& arm, const std::array<Lanes, 3>& middle,
                               const std::array<Lanes, 3>& end) {
@@ -136,7 +140,7 @@ TEST_CASE("warm_start_kernels: a step starts with the impulses, biases and arms 
 TEST_CASE("warm_start_kernels: without turning bodies the arms stay", "[core][warm_start_kernels]") {
   Started start(5, 0.02);
   const std::vector<ContactConstraint> before = start.constraints;
-  start_step(kStart, start.motion, start.constraints, {}, start.late);
+  start_step(kScale, start.start, start.motion, start.constraints, {}, start.late);
   for (std::size_t p = 0; p < kConstraints; ++p) {
     CHECK(start.constraints[p].arms.a == before[p].arms.a);
     CHECK(start.constraints[p].arms.b == before[p].arms.b);
@@ -146,14 +150,11 @@ TEST_CASE("warm_start_kernels: without turning bodies the arms stay", "[core][wa
 TEST_CASE("warm_start_kernels: what is kept of a solution is what the next solve starts from",
           "[core][warm_start_kernels]") {
   std::vector<ContactConstraint> constraints = random_contacts(7).constraints;
-  std::vector<ConstraintVector> force(kConstraints), velocity(kConstraints);
-  to_container_frame(kStart.step, constraints, force, velocity);
+  std::vector<ContactStart> next(kConstraints);
+  to_container_frame(kScale.step, constraints, next);
   const std::vector<ContactConstraint> solved = constraints;
-  for (std::size_t p = 0; p < kConstraints; ++p) {
-    constraints[p].impulse = force[p];
-    constraints[p].contact_velocity = velocity[p];
-  }
-  start_from_last(kStart.step, constraints);
+  for (ContactConstraint& constraint : constraints) constraint.impulse = constraint.contact_velocity = {};
+  start_from_last(kScale.step, next, constraints);
   for (std::size_t p = 0; p < kConstraints; ++p) {
     for (std::size_t d = 0; d < 3; ++d) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -169,8 +170,8 @@ TEST_CASE("warm_start_kernels: every instruction set computes the same bits", "[
   std::vector<std::vector<double>> results;
   for_each_instruction_set([&](std::int64_t) {
     const Started after = Started(11, 2.0).started();
-    std::vector<ConstraintVector> force(kConstraints), velocity(kConstraints);
-    to_container_frame(kStart.step, after.constraints, force, velocity);
+    std::vector<ContactStart> next(kConstraints);
+    to_container_frame(kScale.step, after.constraints, next);
     std::vector<double> all;
     const auto add = [&](const std::array<Lanes, 3>& rows) {
       for (const Lanes& row : rows) all.insert(all.end(), row.begin(), row.end());
@@ -180,8 +181,8 @@ TEST_CASE("warm_start_kernels: every instruction set computes the same bits", "[
       add(constraint.impulse.row);
       add(constraint.contact_velocity.row);
       add(constraint.velocity_bias.row);
-      add(force[p].row);
-      add(velocity[p].row);
+      add(next[p].force.row);
+      add(next[p].contact_velocity.row);
       for (const Arms* arms : {&constraint.arms, &after.mid_arms[p]}) {
         add(arms->a);
         add(arms->b);
