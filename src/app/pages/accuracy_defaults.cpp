@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string_view>
 
 #include "core/base/number_text.hpp"
@@ -57,12 +58,15 @@ std::string accuracy_default(const SettingKey& key) {
   for (const auto& [name, text, islands] : kKeys) {
     if (name != key.name) continue;
     std::string sentence;
+    std::set<std::string> defaults;
     for (const auto& [word, accuracy] : setting_kinds::Accuracies::kWords) {
       Settings settings;
       settings.native.accuracy = accuracy;
-      sentence +=
-          (sentence.empty() ? "Default: " : ", ") + std::string(word) + ' ' + text(native::native_options(settings));
+      const std::string of_accuracy = text(native::native_options(settings));
+      defaults.insert(of_accuracy);
+      sentence += (sentence.empty() ? "Default: " : ", ") + std::string(word) + ' ' + of_accuracy;
     }
+    if (defaults.size() == 1) sentence = "Default: " + *defaults.begin();
     return sentence.append(islands) + '.';
   }
   return "";

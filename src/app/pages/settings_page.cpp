@@ -85,7 +85,6 @@ option `--accuracy` overrides Accuracy.
 std::string section_note(std::string_view section) {
   if (section == kMaterialSection) return std::string(kMaterialNote);
   if (section == kFrictionSection) return std::string(kFrictionNote);
-  if (section == "Renderer Engine") return "Accepted for compatibility with existing files, without effect.\n\n";
   if (section == "Screening") return std::string(kStopWhenNote);
   if (section == "Native") return std::string(kNativeNote);
   if (section == "Bullet")
@@ -103,12 +102,27 @@ std::string meaning_of(const SettingKey& key) {
   return std::string(key.sentence) + (absent.empty() ? "" : ' ' + absent);
 }
 
+/// The keys of a section of StableCargo's files that changes nothing here, separated by commas; empty of any other.
+std::string keys_without_effect(std::string_view section, std::string_view mark) {
+  std::string keys;
+  for (const SettingKey& key : setting_table())
+    if (key.section == section && key.without_effect)
+      keys.append(keys.empty() ? "" : ", ").append(mark).append(key.name).append(mark);
+  return keys;
+}
+
+constexpr std::string_view kWithoutEffect = ": accepted, as StableCargo's files have them, and without effect";
+
 }  // namespace
 
 std::string settings_page() {
   std::string page(kPageIntro);
   for (const std::string_view section : setting_sections()) {
     page += "## [" + std::string(section) + "]\n\n" + section_note(section);
+    if (const std::string keys = keys_without_effect(section, "`"); !keys.empty()) {
+      page.append(keys).append(kWithoutEffect).append(".\n\n");
+      continue;
+    }
     page += "| Key | Unit | Default | Accepted | Meaning |\n| --- | --- | --- | --- | --- |\n";
     for (const SettingKey& key : setting_table()) {
       if (key.section != section) continue;
@@ -124,8 +138,13 @@ std::string settings_help() {
   std::string help = "Keys of config.ini. All are optional; docs/reference/config.md describes files and axes.\n";
   std::string_view section;
   for (const SettingKey& key : setting_table()) {
-    if (key.section != section) help += "\n[" + std::string(key.section) + "]\n";
-    section = key.section;
+    if (key.section != section) {
+      section = key.section;
+      help += "\n[" + std::string(section) + "]\n";
+      if (std::string keys = keys_without_effect(section, ""); !keys.empty())
+        append_wrapped(help, keys.append(kWithoutEffect), 2);
+    }
+    if (key.without_effect) continue;
     const std::string value = key.default_value.empty() ? "" : " = " + std::string(key.default_value);
     const std::string unit = key.unit.empty() ? "" : " (" + std::string(key.unit) + ')';
     help += "  " + std::string(key.name) + value + '\n';
