@@ -23,21 +23,22 @@ holdfast::ScreenOptions options_of(const Extents& container, int threads) {
   return options;
 }
 
-holdfast::Layout layout_of(const Loading& loading) {
+}  // namespace
+
+DynamicCheck::DynamicCheck(const Instance& instance, const std::vector<std::string>& accelerations, int threads)
+    : types_(instance.types), screen_(read(accelerations), options_of(instance.container, threads)) {}
+
+holdfast::Layout DynamicCheck::layout_of(const Loading& loading) const {
   holdfast::Layout layout;
   for (const auto& [place, type] : loading.boxes) {
     holdfast::Box& box = layout.boxes.emplace_back();
     std::copy(place.low.begin(), place.low.end(), box.corner_min.begin());
     std::copy(place.high.begin(), place.high.end(), box.corner_max.begin());
     box.material = type + 1;
+    if (const double mass = types_[static_cast<std::size_t>(type)].mass; mass > 0) box.mass = mass;
   }
   return layout;
 }
-
-}  // namespace
-
-DynamicCheck::DynamicCheck(const Extents& container, const std::vector<std::string>& accelerations, int threads)
-    : screen_(read(accelerations), options_of(container, threads)) {}
 
 std::vector<Stability> DynamicCheck::check(std::span<const Loading> loadings) {
   std::vector<holdfast::Layout> layouts;

@@ -21,7 +21,7 @@ class DynamicCheck {
   /// Throws holdfast::Error.
   /// @param accelerations paths of files
   /// @param threads 0: one per core
-  DynamicCheck(const Extents& container, const std::vector<std::string>& accelerations, int threads);
+  DynamicCheck(const Instance& instance, const std::vector<std::string>& accelerations, int threads);
 
   /// Is called with every loading that is checked, and its number from 1; nothing at first.
   std::function<void(const Loading&, std::size_t)> on_loading;
@@ -34,6 +34,9 @@ class DynamicCheck {
   double cpu_seconds() const { return cpu_seconds_; }  ///< processor time of all simulations so far
 
  private:
+  holdfast::Layout layout_of(const Loading& loading) const;
+
+  std::vector<BoxType> types_;
   holdfast::Screen screen_;
   std::size_t checked_ = 0, held_ = 0;
   double cpu_seconds_ = 0;

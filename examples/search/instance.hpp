@@ -12,6 +12,7 @@ struct BoxType {
   Extents edges = {};
   std::array<bool, 3> may_be_upright = {};  ///< which of the edges may be the vertical one
   int count = 0;
+  double mass = 0;  ///< kg; 0: the problem says nothing of it
 };
 
 /// A container loading problem: as much volume as possible of the boxes is to be loaded into one container.
@@ -20,10 +21,13 @@ struct Instance {
   std::vector<BoxType> types;
 
   int box_count() const;
+  bool has_masses() const { return !types.empty() && types.front().mass > 0; }
 };
 
 /// Reads a problem from a file in the format of Bischoff and Ratcliff (1995): the number of problems; for each its
 /// number and its seed, the container, the number of types; for each type its number, three edges, each followed by 1
-/// where it may be upright, and the number of boxes. Throws std::runtime_error.
+/// where it may be upright, and the number of boxes. Or in that of Ratcliff and Bischoff (1998), which begins with a
+/// container: for each problem the container, the number of types and their volume; for each type the edges with their
+/// 1, the number of boxes, the mass, and what each side bears, which is left alone. Throws std::runtime_error.
 /// @param problem position in the file, from 1
 Instance read_instance(const std::string& path, int problem);

@@ -59,22 +59,27 @@ class Report {
   double fill_ = 0, holding_ = 0;
 };
 
-/// Writes a layout file; nothing for a loading without boxes.
+/// Writes a layout file, or a table where the boxes have masses; nothing for a loading without boxes.
 void write(const Loading& loading, const Instance& instance, const std::filesystem::path& path) {
   if (loading.boxes.empty()) return;
   std::ofstream file(path);
-  file << instance.types.size() << '\t' << loading.boxes.size() << '\n';
+  if (instance.has_masses())
+    file << "x1\ty1\tz1\tx2\ty2\tz2\tmaterial\tweight\n";
+  else
+    file << instance.types.size() << '\t' << loading.boxes.size() << '\n';
   for (const auto& [place, type] : loading.boxes) {
     for (const Extents& corner : {place.low, place.high})
       for (const int coordinate : corner) file << coordinate << '\t';
-    file << type + 1 << '\n';
+    file << type + 1;
+    if (instance.has_masses()) file << '\t' << instance.types[static_cast<std::size_t>(type)].mass;
+    file << '\n';
   }
   if (!file.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 void run(const Options& options) {
   const Decoder decoder(read_instance(options.instances, options.problem));
-  DynamicCheck check(decoder.instance().container, options.accelerations, options.threads);
+  DynamicCheck check(decoder.instance(), options.accelerations, options.threads);
   if (!options.asked_folder.empty()) {
     std::filesystem::create_directories(options.asked_folder);
     check.on_loading = [&](const Loading& loading, std::size_t number) {

@@ -9,6 +9,7 @@ import unittest
 from loading import ACCELERATIONS, INSTANCES, LoadingTest, output_of
 
 PROGRAM = os.environ["LOADING_SEARCH"]
+HOLDFAST = os.environ["HOLDFAST"]
 
 
 def search(problem, *options):
@@ -51,6 +52,25 @@ class SearchTest(LoadingTest):
 
     def test_seed_changes_a_search(self):
         self.assertNotEqual(search(1, "--seed", 4)[1][1], search(1, "--seed", 5)[1][1])
+
+    def test_masses_of_a_problem_are_those_of_the_loading(self):
+        # In the form of OR-Library's wtpack files, after Ratcliff and Bischoff (1998).
+        types = {1: "108 0 76 0 30 1 40 123.4", 2: "110 0 43 0 25 1 33 40.5", 3: "92 1 81 1 55 1 39 61"}
+        path = self.folder / "wtpack.txt"
+        path.write_text("587 233 220\n1 1.5\n50 1 50 1 50 1 12 9 0.2 0.1 0.1\n587 233 220\n3 28.5\n" +
+                        "".join(f"{each} 0.19527 0.18970 0.14661\n" for each in types.values()))
+        words = (*ACCELERATIONS, "--population", 10, "--generations", 6, "--out", self.folder)
+        output_of(PROGRAM, path, 2, *words)
+        found = self.folder / "fullest.txt"
+        rows = [line.split() for line in found.read_text().splitlines()[1:]]
+        masses = {kind: float(words.split()[7]) for kind, words in types.items()}
+        for row in rows:
+            self.assertEqual(float(row[7]), masses[int(row[6])])
+        total = sum(float(row[7]) for row in rows)
+        said, = output_of(HOLDFAST, "check", found)
+        self.assertIn(f"{len(rows)} boxes, {total:g} kg", said)
+        result = subprocess.run([PROGRAM, path, "3", *map(str, ACCELERATIONS)], capture_output=True, text=True, check=False)
+        self.assertEqual((result.returncode, result.stderr), (1, f"{path}: no problem 3\n"))
 
     def test_mistakes_are_named(self):
         for words, message in (
