@@ -40,13 +40,13 @@ class Bracket {
   void take(int size, const std::optional<Departure>& beyond) {
     if (!beyond) {
       held_.push_back(size);
-      ++holds_in_a_row_;
+      distance_ = std::clamp(2 * distance_, 1, kLargest);
     } else if (size < fails_) {
       fails_above_ = fails_;
       departure_above_ = departure_;
       fails_ = size;
       departure_ = *beyond;
-      holds_in_a_row_ = 0;
+      distance_ = 0;
     }
     holds_ = 0;
     for (const int known : held_)
@@ -57,8 +57,8 @@ class Bracket {
   std::optional<int> next() const {
     if (fails_ - holds_ <= 1) return unchecked();
     if (fails_ == kNone) return kLargest;
-    if (holds_in_a_row_ == 0) return std::max(holds_ + 1, std::min(secant(), fails_ - 1));
-    return std::min(holds_ + (1 << (holds_in_a_row_ - 1)), (holds_ + fails_) / 2);
+    if (distance_ == 0) return std::max(holds_ + 1, std::min(secant(), fails_ - 1));
+    return std::min(holds_ + distance_, (holds_ + fails_) / 2);
   }
 
   double margin() const { return in_g(holds_); }
@@ -92,7 +92,7 @@ class Bracket {
   Departure departure_;        ///< at `fails_`
   int fails_above_ = kNone;    ///< the next larger one that is known not to hold
   Departure departure_above_;  ///< there
-  int holds_in_a_row_ = 0;     ///< since a trial last did not hold
+  int distance_ = 0;           ///< of the next trial above one that holds; 0: the last trial did not hold
   std::vector<int> held_;      ///< all that are known to hold
 };
 
