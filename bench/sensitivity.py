@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """What half and twice of each tuned number of the native engine change.
 
-The sources are copied and built with numbers that are read from the environment. Each number is then halved and doubled,
-and compared with the engine as it is: measurements of `holdfast validate --quick` that no longer pass or pass now, and
-of the bundled layouts under the road accelerations, at screening and at standard, verdicts, contact iterations and steps,
-which are the work without the noise of a clock. Verdicts of up to 3 of 136 worlds change with any bit.
+The sources are copied and built with numbers that are read from the environment, but for sizes of arrays, for which they are
+built anew. Each number is then halved and doubled, and compared with the engine as it is: measurements of `holdfast
+validate --quick` that no longer pass or pass now, and of the bundled layouts under the road accelerations, at screening
+and at standard, verdicts, contact iterations and steps, which are the work without the noise of a clock. Verdicts of up
+to 5 of 136 worlds change with any bit.
 
-Sizes of arrays, and constants that are made of others, are left out. About a quarter of a minute of processor time per value.
+What is found replaces the rows of these numbers in bench/sensitivity.tsv, of which tools/parameters_page.py makes a table of
+docs/physics/parameters.md. Numbers that merely keep rounding out are left alone. About a quarter of a minute of processor
+time per value.
 
 Example: bench/sensitivity.py --only kSmall kCheckEvery     # all numbers without --only: half an hour on two cores
 """
@@ -26,14 +29,17 @@ import h5py
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
 import parameters_page  # noqa: E402
-from tables import table_of  # noqa: E402
 
 SIZES = {"kKnownBalances", "kAndersonDepth"}
+COSINES = {"kParallelFaces", "kNearlyAligned"}  # half and twice of their distance from 1
+TABLE = ROOT / "bench/sensitivity.tsv"
 LAYOUTS = ("configs/layouts", "bench/layouts")
 ACCURACIES = ("screening", "standard")
 NUMBER = r"\d+(?:\.\d*)?(?:e[+-]?\d+)?"
 # Reads a number from TUNED, "name=value" separated by commas.
 TUNED = """
+#ifndef HOLDFAST_TUNED
+#define HOLDFAST_TUNED
 #include <cstdlib>
 #include <cstring>
 template <class Number>
@@ -45,6 +51,7 @@ Number tuned(const char* name, Number value) {
     if ((at == given || at[-1] == ',') && at[size] == '=') return static_cast<Number>(std::atof(at + size + 1));
   return value;
 }
+#endif
 """
 
 
@@ -55,6 +62,8 @@ class Number:
     is_whole: bool
 
     def times(self, factor):
+        if self.name in COSINES:
+            return round(1.0 - (1.0 - self.value) / factor, 9)
         return max(1, round(self.value * factor)) if self.is_whole else self.value * factor
 
 
@@ -62,40 +71,94 @@ def tuned_sources(tree):
     """Makes the numbers of the copied sources readable from the environment. Returns them."""
     numbers = []
 
-    def declared(match):
-        indent, kind, name, value = match.groups()
-        if name in SIZES or not parameters_page.tuned(value):
-            return match[0].replace("constexpr", "const") if "k" in value else match[0]
-        numbers.append(Number(name, float(value), kind not in ("double",)))
-        return f'{indent}const {kind} {name} = tuned<{kind}>("{name}", {value});'
+    def number_of(name, text, is_whole):
+        numbers.append(Number(name, float(text), is_whole))
+        return f'tuned("{name}", {text})'
+
+    def declared(match, names=None):
+        inline, kind, name, value = match.groups()
+        is_wanted = names is None or name in names
+        if name in SIZES:
+            numbers.append(Number(name, float(value), True))
+        if name in SIZES or not is_wanted or not parameters_page.tuned(value):
+            return match[0].replace("constexpr", "const") if is_wanted and "k" in value else match[0]
+        plain = re.match(NUMBER, value)[0]
+        return f"{inline}const {kind} {name} = {number_of(name, plain, kind != 'double')}{value[len(plain):]};"
+
+    def with_tuned(path, change):
+        text = path.read_text()
+        changed = change(text)
+        if changed != text:
+            lines = changed.splitlines(keepends=True)
+            first = max(at for at, line in enumerate(lines) if line.startswith("#include")) + 1
+            path.write_text("".join(lines[:first]) + TUNED + "".join(lines[first:]) if "tuned(" in changed else changed)
 
     declaration = re.compile(r"^((?:inline )?)constexpr ([\w:]+) (k\w+) = ([^;]+);", re.MULTILINE)
-    constants = tree / parameters_page.CONSTANTS
-    text = declaration.sub(declared, constants.read_text())
-    constants.write_text(text.replace("#pragma once\n", "#pragma once\n" + TUNED, 1))
+    with_tuned(tree / parameters_page.CONSTANTS, lambda text: declaration.sub(declared, text))
+    for path, names in parameters_page.ELSEWHERE.items():
+        with_tuned(tree / path, lambda text, names=names: declaration.sub(lambda match: declared(match, names), text))
     for path in (tree / parameters_page.NATIVE).rglob("*.cpp"):
-        text = path.read_text()
-        changed = re.sub(r"constexpr (double|int) (\w+ = [^;]*\bk[A-Z]\w+[^;]*);", r"const \1 \2;", text)
-        if changed != text:
-            path.write_text(changed)
+        with_tuned(path, lambda text: re.sub(r"constexpr (double|int) (\w+ = [^;]*\bk[A-Z]\w+[^;]*);", r"const \1 \2;", text))
 
-    options = tree / parameters_page.OPTIONS.replace(".hpp", ".cpp")
-    lines, accuracy = [], ""
-    for line in options.read_text().splitlines():
+    # Fields of an effort and of an accuracy, what large islands have in place of it, and what accuracies have.
+    def field(match):
+        return f"{match[1]}{number_of(match[2], match[3], match[1].strip().startswith('int'))};"
+
+    def of_large_islands(match):
+        return f"{match[1]}{number_of('large_island.' + match[2], match[3], not re.search('[.e]', match[3]))}"
+
+    def options(text):
+        text = re.sub(rf"^(  (?:double|int) (\w+) = )({NUMBER});", lambda match: field(match) if parameters_page.tuned(match[3]) else match[0],
+                      text, flags=re.MULTILINE)
+        return re.sub(rf"([{{ ]\.(\w+) = )({NUMBER})\b(?=[,}}])",
+                      lambda match: of_large_islands(match) if parameters_page.tuned(match[3]) else match[0], text)
+
+    with_tuned(tree / parameters_page.OPTIONS, options)
+    given, accuracy = tree / parameters_page.OPTIONS.replace(".hpp", ".cpp"), ""
+    lines = []
+    for line in given.read_text().splitlines():
         case = re.search(r"case Accuracy::(\w+):", line)
         accuracy = case[1] if case else accuracy
-        given = re.fullmatch(rf"( +options\.(?:\w+\.)?\w+ = (?:options[\w.]+ = )?)({NUMBER});", line)
-        if given:
-            name = f"{accuracy}.{given[1].split('options.')[1].split(' ')[0]}"
-            numbers.append(Number(name, float(given[2]), not re.search("[.e]", given[2])))
-            line = f'{given[1]}tuned("{name}", {given[2]});'
+        of_accuracy = re.fullmatch(rf"( +options\.(?:\w+\.)?\w+ = (?:options[\w.]+ = )?)({NUMBER});", line)
+        if of_accuracy:
+            name = f"{accuracy}.{of_accuracy[1].split('options.')[1].split(' ')[0]}"
+            line = f"{of_accuracy[1]}{number_of(name, of_accuracy[2], not re.search('[.e]', of_accuracy[2]))};"
         lines.append(line)
-    options.write_text("\n".join(lines) + "\n")
+    given.write_text("\n".join(lines) + "\n")
     return numbers
 
 
+def run(tree, *command):
+    done = subprocess.run(command, cwd=tree, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(done.stdout[-4000:] + done.stderr)
+
+
+def program_of(tree):
+    """The program, built of the sources as they are."""
+    run(tree, "cmake", "--build", "--preset", "release", "--target", "holdfast", "-j", str(os.cpu_count()))
+    return tree / "build/release/bin/holdfast"
+
+
+def kept(program, name):
+    """A copy beside the program, which finds its data there."""
+    copy = program.with_name(f"holdfast_{name}")
+    shutil.copy2(program, copy)
+    return copy
+
+
+def program_with(tree, number, value):
+    """A program of its own with another size of an array."""
+    constants = tree / parameters_page.CONSTANTS
+    before = constants.read_text()
+    constants.write_text(re.sub(rf"(\b{number.name} = )[^;]+;", rf"\g<1>{value};", before))
+    program = kept(program_of(tree), f"{number.name}_{value}")
+    constants.write_text(before)
+    return program
+
+
 def build(folder):
-    """A program with numbers that can be set, and these."""
+    """Sources with numbers that can be set, their program, and the numbers."""
     tree = folder / "tree"
     shutil.rmtree(tree / "src", ignore_errors=True)
     files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
@@ -103,12 +166,8 @@ def build(folder):
         (tree / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(ROOT / name, tree / name)
     numbers = tuned_sources(tree)
-    for command in (["cmake", "--preset", "release", "-DBUILD_TESTING=OFF"],
-                    ["cmake", "--build", "--preset", "release", "--target", "holdfast", "-j", str(os.cpu_count())]):
-        done = subprocess.run(command, cwd=tree, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            sys.exit(done.stdout[-4000:] + done.stderr)
-    return tree / "build/release/bin/holdfast", numbers
+    run(tree, "cmake", "--preset", "release", "-DBUILD_TESTING=OFF")
+    return tree, kept(program_of(tree), "as_it_is"), numbers
 
 
 def measured(program, folder, tuned):
@@ -142,7 +201,7 @@ def row_of(number, factor, found, base):
     passes, worlds = found
     lost = sorted({case for (case, setting, metric), good in base[0].items() if good and not passes[case, setting, metric]})
     gained = sum(good and not base[0][key] for key, good in passes.items())
-    cells = [f"`{number.name}`", f"{number.value:g}", f"{number.times(factor):g}", ", ".join(f"`{case}`" for case in lost) or "–", str(gained)]
+    cells = [number.name, f"{number.value:g}", f"{number.times(factor):g}", " ".join(lost), str(gained)]
     for accuracy in ACCURACIES:
         now, before = worlds[accuracy], base[1][accuracy]
         cells.append(str(sum(a["verdict"] != b["verdict"] for a, b in zip(now, before))))
@@ -152,30 +211,44 @@ def row_of(number, factor, found, base):
     return cells
 
 
+def replace_rows(rows, names):
+    """Writes rows into the table in the tree, in the order of the numbers; those of other numbers stay."""
+    head = ["number", "value", "other", "fails_now", "passes_now"]
+    head += [f"{accuracy}_{what}" for accuracy in ACCURACIES for what in ("verdicts", "iterations", "steps")]
+    measured_now = {row[0] for row in rows}
+    kept = [line.split("\t") for line in TABLE.read_text().splitlines()[1:]] if TABLE.exists() else []
+    rows = rows + [row for row in kept if row[0] in names and row[0] not in measured_now]
+    rows.sort(key=lambda row: (names.index(row[0]), float(row[2])))
+    TABLE.write_text("".join("\t".join(row) + "\n" for row in [head, *rows]))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", metavar="NAME", help="these numbers alone")
-    parser.add_argument("--output", type=Path, default=ROOT / "build/sensitivity", help="folder of the build and of the table")
+    parser.add_argument("--build", type=Path, default=ROOT / "build/sensitivity", help="folder of the build")
     arguments = parser.parse_args()
-    program, numbers = build(arguments.output)
-    names = {number.name for number in numbers}
-    unknown = set(arguments.only or []) - names
+    tree, program, numbers = build(arguments.build)
+    names = [number.name for number in numbers]
+    unknown = set(arguments.only or []) - set(names)
     if unknown:
-        parser.error(f"{', '.join(sorted(unknown))}: one of {', '.join(sorted(names))}")
-    wanted = [number for number in numbers if not arguments.only or number.name in arguments.only]
-    cases = [(number, factor) for number in wanted for factor in (0.5, 2.0) if number.times(factor) != number.value]
-    base = measured(program, arguments.output, "")
+        parser.error(f"{', '.join(sorted(unknown))}: one of {', '.join(names)}")
+    cases = [(number, factor) for number in numbers if not arguments.only or number.name in arguments.only
+             for factor in (0.5, 2.0) if number.times(factor) != number.value]
+    sizes = {(number.name, factor): program_with(tree, number, number.times(factor))
+             for number, factor in cases if number.name in SIZES}
+    base = measured(program, arguments.build, "")
+
+    def other(case):
+        number, factor = case
+        setting = f"{number.name}={number.times(factor)!r}"
+        return measured(sizes.get((number.name, factor), program), arguments.build, setting)
+
+    rows = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
-        found = threads.map(lambda case: measured(program, arguments.output, f"{case[0].name}={case[0].times(case[1])!r}"), cases)
-        rows = []
-        for (number, factor), each in zip(cases, found):
-            rows.append(row_of(number, factor, each, base))
+        for (number, factor), found in zip(cases, threads.map(other, cases)):
+            rows.append(row_of(number, factor, found, base))
             print(" | ".join(rows[-1]), flush=True)
-    head = ["number", "value", "in place of it", "no longer pass", "pass now"]
-    for accuracy in ACCURACIES:
-        head += [f"`{accuracy}`: other verdicts", "iterations", "steps"]
-    (arguments.output / "table.md").write_text(table_of("Half and twice of each number", head, rows) + "\n")
-    print(arguments.output / "table.md")
+            replace_rows(rows, names)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CONSTANTS = "src/core/native/constants.hpp"
 OPTIONS = "src/core/native/native_options.hpp"
+EFFECTS_TABLE = "bench/sensitivity.tsv"  # bench/sensitivity.py writes it
 # Constants that other files have, and that decide how native moves boxes or what it tells of them.
 ELSEWHERE = {
     "src/core/model/container_sides.hpp": ["kLeastPlay"],
@@ -45,7 +46,7 @@ them by the same names. The keys of [`[Native]`](../reference/config.md#native) 
 
 They are {count} numbers: {constants} constants, {options_count} of the accuracies, and {guards} that merely keep rounding out, which stand
 where they are used. A constant that is made of others is not counted, nor are 0, 1, 2 and ½, numbers of formulas, and
-sizes of arrays. `bench/sensitivity.py` halves and doubles the counted ones, and tells what changes.
+sizes of arrays. What [half and twice](#half-and-twice) of each changes is measured.
 
 g − a is the effective gravity and h the length of a step: |g − a| h is the velocity that a body gains within a step as
 it falls freely, and |g − a| h² twice the way that it falls. Islands of more than {small} bodies (`kSmallIslandBodies`) are
@@ -61,6 +62,20 @@ How hard the steps of an island that moves are solved; in small islands, and aft
 
 {measured}
 """
+
+
+EFFECTS = """
+## Half and twice
+
+`bench/sensitivity.py` halves and doubles each number but those that keep rounding out, and compares with the engine as
+it is: the cases of `holdfast validate --quick` of which a measurement no longer passes, how many measurements pass that
+did not, and of the 34 bundled layouts under the accelerations of the road, how many of the 136 verdicts are others, and
+the share of contact iterations and of steps. Up to 5 verdicts are others wherever any bit is.
+
+An option without an accuracy is that of `standard`, and of the accuracies that have none of their own. Of a cosine the
+distance from 1 is halved and doubled. Worlds at `reference`, and forces on walls, are not among what is compared.
+
+{rows}"""
 
 
 class Found:
@@ -172,6 +187,34 @@ def sections(entries):
         yield table_of_constants(group) if are_constants else "\n\n".join(group) + "\n"
 
 
+def option_of(accuracies, name):
+    """The value of an option, which is named by accuracy and kind of island where it has them."""
+    *of, field = name.split(".")
+    options = accuracies[of[0] if of and of[0] in accuracies else "standard"]
+    island = options["large_island" if "large_island" in of else "small_island"]
+    return island.get(field, options.get(field))
+
+
+def table_of_effects(constants, accuracies, count):
+    """What half and twice of each number change, where the number is still what it was."""
+    head, *rows = (line.split("\t") for line in (ROOT / EFFECTS_TABLE).read_text(encoding="utf-8").splitlines())
+    rows = [dict(zip(head, row)) for row in rows]
+    values = {found.name: float(tuned(found.value)[0]) for found in constants if tuned(found.value)}
+    names = {row["number"] for row in rows}
+    stale = sorted({row["number"] for row in rows
+                    if float(row["value"]) != float(values.get(row["number"]) or option_of(accuracies, row["number"]) or 0.0)}
+                   | set(values) - names)
+    if stale or len(names) != count:
+        sys.exit(f"{EFFECTS_TABLE} is of other numbers: bench/sensitivity.py --only {' '.join(stale)}")
+    accuracies = ("screening", "standard")
+    columns = ["Number", "Value", "Instead", "No longer pass", "Pass now"]
+    columns += [f"`{accuracy}`: {what}" for accuracy in accuracies for what in ("verdicts", "iterations", "steps")]
+    measures = ["passes_now"] + [f"{accuracy}_{what}" for accuracy in accuracies for what in ("verdicts", "iterations", "steps")]
+    return table(columns, [[f"`{row['number']}`", number_of(float(row["value"])), number_of(float(row["other"])),
+                            ", ".join(f"`{case}`" for case in row["fails_now"].split()) or "–",
+                            *(row[measure] for measure in measures)] for row in rows])
+
+
 def page(program):
     accuracies = json.loads(subprocess.run([program, "--accuracies"], capture_output=True, text=True, check=True).stdout)
     world = accuracies["standard"]
@@ -192,7 +235,9 @@ def page(program):
                                  lambda options, name: number_of(options[name])),
         efforts=table_of_options((field for field in fields if field.name in island), accuracies, in_islands),
         measured=next(note for note in header if note.startswith("Measured")))
-    return "\n".join([intro.rstrip() + "\n", *sections(entries[len(header):] + ["### Of one file alone"] + elsewhere)])
+    found = [entry for entry in entries + elsewhere if isinstance(entry, Found)]
+    effects = EFFECTS.format(rows=table_of_effects(found, accuracies, constants + options))
+    return "\n".join([intro.rstrip() + "\n", *sections(entries[len(header):] + ["### Of one file alone"] + elsewhere)]) + effects
 
 
 if __name__ == "__main__":
