@@ -38,8 +38,9 @@ class CMakeBuild(build_ext):
                 "-DHOLDFAST_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}")
         run("cmake", "--build", build, "-j", jobs(), "--target", "holdfast_python", "holdfast_plugins")
         target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve().parent
-        # The Debian packages are built with symbols for debuggers, which make a wheel twenty times as large.
-        run("cmake", "--install", build, "--strip", "--component", "python", "--prefix", target)
+        run("cmake", "--install", build, "--component", "python", "--prefix", target)
+        # The Debian packages are built with symbols for debuggers, which make a wheel fifteen times as large.
+        run("strip", *target.glob("*.so*"))
 
 
 setup(version=version(), ext_modules=[Extension("holdfast._core", [])], cmdclass={"build_ext": CMakeBuild})
