@@ -3,12 +3,12 @@
 
 The sources are copied and built with numbers that are read from the environment, but for sizes of arrays, for which they are
 built anew. Each number is then halved and doubled, and compared with the engine as it is: measurements of `holdfast
-validate --quick` that no longer pass or pass now, and of the bundled layouts under the road accelerations, at screening
+validate --quick` that no longer pass or pass now, for numbers of reference those of all suites but loads, and of the bundled layouts under the road accelerations, at screening
 and at standard, verdicts, contact iterations and steps, which are the work without the noise of a clock. Verdicts of up
 to 5 of 136 worlds change with any bit.
 
 What is found replaces the rows of these numbers in bench/sensitivity.tsv, of which tools/parameters_page.py makes a table of
-docs/physics/parameters.md. Numbers that merely keep rounding out are left alone. About a quarter of a minute of processor
+docs/physics/parameters.md. Literals that merely guard against rounding, and numbers of forces on walls, are left alone. About a quarter of a minute of processor
 time per value.
 
 Example: bench/sensitivity.py --only kSmall kCheckEvery     # all numbers without --only: half an hour on two cores
@@ -77,7 +77,7 @@ def tuned_sources(tree):
 
     def declared(match, names=None):
         inline, kind, name, value = match.groups()
-        is_wanted = names is None or name in names
+        is_wanted = name not in parameters_page.NOT_OF_MOTION and (names is None or name in names)
         if name in SIZES:
             numbers.append(Number(name, float(value), True))
         if name in SIZES or not is_wanted or not parameters_page.tuned(value):
@@ -170,44 +170,61 @@ def build(folder):
     return tree, kept(program_of(tree), "as_it_is"), numbers
 
 
-def measured(program, folder, tuned):
-    """What the program finds with other numbers: which measurements pass, and worlds by accuracy."""
-    environment = dict(os.environ, TUNED=tuned)
+def lines_of(program, tuned, *arguments):
+    """What the program prints with other numbers."""
+    done = subprocess.run([program, *arguments, "--json"], capture_output=True, text=True, check=False,
+                          env=dict(os.environ, TUNED=tuned))
+    if done.returncode > 1:
+        sys.exit(f"{tuned}: {done.stderr}")
+    return done.stdout
 
-    def lines(*arguments):
-        done = subprocess.run([program, *arguments, "--json"], capture_output=True, text=True, env=environment, check=False)
-        if done.returncode > 1:
-            sys.exit(f"{tuned}: {done.stderr}")
-        return done.stdout
 
-    passes = {(each["case"], each["setting"], each["metric"]): each["pass"]
-              for each in json.loads(lines("validate", "--quick", "--engine", "native"))}
+def is_of_reference(name):
+    return name.startswith("reference.")
+
+
+def passes_of(program, tuned, at_reference):
+    """Which measurements pass; quick ones are none at `reference`."""
+    which = ("--suite", "slide,tip,rebound,manoeuvre,hard,oscillate") if at_reference else ("--quick",)
+    return {(each["case"], each["setting"], each["metric"]): each["pass"]
+            for each in json.loads(lines_of(program, tuned, "validate", "--engine", "native", *which))}
+
+
+def worlds_of(program, folder, tuned):
+    """Worlds by accuracy."""
     worlds = {}
     for accuracy in ACCURACIES:
         results = folder / f"{tuned.replace('=', '_') or 'as_it_is'}_{accuracy}.h5"
-        printed = lines("screen", *(part for path in LAYOUTS for part in ("--layouts", str(ROOT / path))), "--norm", "road",
-                        "--no-series", "--accuracy", accuracy, "--threads", "1", "--quiet", "--overwrite", "-o", str(results))
+        printed = lines_of(program, tuned, "screen", *(part for path in LAYOUTS for part in ("--layouts", str(ROOT / path))), "--norm",
+                           "road", "--no-series", "--accuracy", accuracy, "--threads", "1", "--quiet", "--overwrite", "-o", str(results))
         with h5py.File(results) as file:
             iterations = file["worlds/solve_iterations"][:]
         worlds[accuracy] = sorted((json.loads(line) for line in printed.splitlines()), key=lambda world: world["world"])
         for world, count in zip(worlds[accuracy], iterations):
             world["solve_iterations"] = int(count)
         results.unlink()
-    return passes, worlds
+    return worlds
+
+
+def measured(program, folder, name="", value=0):
+    """What the program finds with another number: which measurements pass, and worlds where they have this number."""
+    tuned = f"{name}={value!r}" if name else ""
+    return passes_of(program, tuned, is_of_reference(name)), None if is_of_reference(name) else worlds_of(program, folder, tuned)
 
 
 def row_of(number, factor, found, base):
     """A row of the table: what is other than in the engine as it is."""
-    passes, worlds = found
-    lost = sorted({case for (case, setting, metric), good in base[0].items() if good and not passes[case, setting, metric]})
-    gained = sum(good and not base[0][key] for key, good in passes.items())
+    (passes, worlds), (passed, before) = found, base
+    lost = sorted({case for (case, setting, metric), good in passed.items() if good and not passes[case, setting, metric]})
+    gained = sum(good and not passed[key] for key, good in passes.items())
     cells = [number.name, f"{number.value:g}", f"{number.times(factor):g}", " ".join(lost), str(gained)]
+    if worlds is None:
+        return cells + [""] * 3 * len(ACCURACIES)
     for accuracy in ACCURACIES:
-        now, before = worlds[accuracy], base[1][accuracy]
-        cells.append(str(sum(a["verdict"] != b["verdict"] for a, b in zip(now, before))))
-        cells.append(f"{sum(a['solve_iterations'] for a in now) / sum(b['solve_iterations'] for b in before):.2f}")
-        done = [sum(each["steps"] - each["steps_skipped"] for each in which) for which in (now, before)]
-        cells.append(f"{done[0] / done[1]:.2f}")
+        pairs = list(zip(worlds[accuracy], before[accuracy]))
+        cells.append(str(sum(now["verdict"] != then["verdict"] for now, then in pairs)))
+        for work in (lambda world: world["solve_iterations"], lambda world: world["steps"] - world["steps_skipped"]):
+            cells.append(f"{sum(work(now) for now, _ in pairs) / sum(work(then) for _, then in pairs):.2f}")
     return cells
 
 
@@ -236,17 +253,18 @@ def main():
              for factor in (0.5, 2.0) if number.times(factor) != number.value]
     sizes = {(number.name, factor): program_with(tree, number, number.times(factor))
              for number, factor in cases if number.name in SIZES}
-    base = measured(program, arguments.build, "")
+    bases = {True: (passes_of(program, "", True), None)} if any(is_of_reference(number.name) for number, _ in cases) else {}
+    if not all(is_of_reference(number.name) for number, _ in cases):
+        bases[False] = measured(program, arguments.build)
 
     def other(case):
         number, factor = case
-        setting = f"{number.name}={number.times(factor)!r}"
-        return measured(sizes.get((number.name, factor), program), arguments.build, setting)
+        return measured(sizes.get((number.name, factor), program), arguments.build, number.name, number.times(factor))
 
     rows = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
         for (number, factor), found in zip(cases, threads.map(other, cases)):
-            rows.append(row_of(number, factor, found, base))
+            rows.append(row_of(number, factor, found, bases[is_of_reference(number.name)]))
             print(" | ".join(rows[-1]), flush=True)
             replace_rows(rows, names)
 

@@ -21,8 +21,7 @@ TEST_CASE("accuracy_defaults: numbers are those of native_options", "[app][accur
   Settings settings;
   settings.native.accuracy = Accuracy::reference;
   const native::NativeOptions options = native::native_options(settings);
-  CHECK(accuracy_default(*find_setting("Native", "RestTolerance")) ==
-        "Default: screening 1e-8, standard 1e-8, reference 1e-8.");
+  CHECK(accuracy_default(*find_setting("Native", "RestTolerance")) == "Default: 1e-8.");
   const std::string iterations = "reference " + std::to_string(options.small_island.iterations) + " and " +
                                  std::to_string(options.large_island.iterations) + ", for small and large islands.";
   const std::string found = accuracy_default(*find_setting("Native", "Iterations"));
