@@ -297,6 +297,7 @@ test("hostile and damaged spreadsheets get a sentence", { skip }, async () => {
   formula[1][1] = { formula: "1+1" };
   await refused(xlsxOf({ Sheet1: formula }), /the formula in B2 was saved without its value/);
   await refused(xlsxOf({ Sheet1: palletRows() }).slice(0, 700), /damaged, or no spreadsheet/);
+  await refused("\u0001\u0000x;y;z\n", /damaged, or no spreadsheet/);
   // Files that cannot be read do not keep others from being read, and whatever is changed in one gets a sentence or loads.
   const whole = xlsxOf({ Sheet1: palletRows() });
   const mutants = Array.from({ length: 150 }, (_, i) => {

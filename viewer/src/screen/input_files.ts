@@ -26,7 +26,7 @@ export async function inputsOf(file: File): Promise<InputFile[]> {
     return refused(`${file.name} is too large for an input file: at most ${MOST_BYTES >> 20} MB.`);
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
-    if (!isSpreadsheet(bytes)) return [{ name: file.name, bytes, book: null }];
+    if (!isSpreadsheet(file.name, bytes)) return [{ name: file.name, bytes, book: null }];
     return ofSheets(file.name, sheetsOf(file.name, bytes));
   } catch (error) {
     if (error instanceof UnreadableSpreadsheet) return refused(error.message);

@@ -19,8 +19,9 @@ export interface Sheet {
   csv: string;
 }
 
-/** Whether bytes begin as those of a spreadsheet file do: it is a ZIP archive. */
-export const isSpreadsheet = (bytes: Uint8Array) => bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3;
+/** Whether a file is named as a spreadsheet, or begins as one does: it is a ZIP archive. */
+export const isSpreadsheet = (name: string, bytes: Uint8Array) =>
+  /\.xlsx$/i.test(name) || (bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3);
 
 /** The sheets of a file that have cells, in the order of the book. */
 export function sheetsOf(name: string, bytes: Uint8Array): Sheet[] {
