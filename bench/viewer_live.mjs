@@ -3,18 +3,13 @@
 // RESULTS is a results file; each layout that is named (all when none is) runs under each acceleration at `screening`, as fast as
 // the page lets it, four times real time. A load that is unstable is not accelerated, and is left out. Needs `make viewer-engine
 // viewer`. WebGL is in software, which takes time from the engine.
-import { createRequire } from "node:module";
 import path from "node:path";
+import { launched, root } from "./viewer_page.mjs";
 
-const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "..");
-const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
 const [results, ...layouts] = process.argv.slice(2);
 if (!results) throw new Error("usage: node bench/viewer_live.mjs RESULTS [LAYOUT ...]");
 
-const browser = await chromium.launch({
-  executablePath: process.env.HOLDFAST_BROWSER ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const browser = await launched();
 const page = await browser.newPage({ viewport: { width: 1000, height: 640 } });
 await page.goto(`file://${root}/build/viewer/viewer.html`);
 await page.setInputFiles('input[aria-label="Files"]', path.resolve(results));

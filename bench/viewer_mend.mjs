@@ -3,25 +3,14 @@
 //
 // Of each load the first box is taken away, and put back. Prints the seconds until the world that is looked at, and until
 // all worlds and margins are those of the edited load. Needs `make viewer-engine viewer`.
-import { createRequire } from "node:module";
 import path from "node:path";
+import { launched, namedLayouts, openedPage, screened } from "./viewer_page.mjs";
 
-const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "..");
-const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
-const layouts = process.argv.slice(2).map((file) => path.resolve(file));
-if (layouts.length === 0) throw new Error("usage: node bench/viewer_mend.mjs LAYOUT ...");
-
-const browser = await chromium.launch({
-  executablePath: process.env.HOLDFAST_BROWSER ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-for (const layout of layouts) {
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-  await page.goto(`file://${root}/build/viewer/${process.env.PAGE ?? "viewer.html"}`);
-  await page.setInputFiles('input[aria-label="Files"]', layout);
-  await page.click(".go button.primary:not([disabled])");
-  const shown = (condition) => page.waitForFunction(condition, undefined, { timeout: 0, polling: 5 });
-  await shown(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""));
+const browser = await launched();
+for (const layout of namedLayouts("viewer_mend.mjs")) {
+  const page = await openedPage(browser, [layout]);
+  await page.click(".go button.primary");
+  await screened(page);
   await page.focus(".matrix");
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("Enter");
@@ -31,7 +20,11 @@ for (const layout of layouts) {
   });
   await page.click("button:text-is('Mend')");
   const answered = () =>
-    shown(() => !/…/.test(document.querySelector("#app:not([aria-busy]) .mend:not([aria-busy]) table")?.innerText ?? "…"));
+    page.waitForFunction(
+      () => !/…/.test(document.querySelector("#app:not([aria-busy]) .mend:not([aria-busy]) table")?.innerText ?? "…"),
+      undefined,
+      { timeout: 0, polling: 5 },
+    );
   await answered();
   const said = () => page.innerText(".panel .top");
   const seconds = async (button) => {

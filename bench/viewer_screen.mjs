@@ -5,28 +5,16 @@
 // as many threads. Needs `make viewer-engine viewer` and `make program`.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { launched, namedLayouts, openedPage, root, screened } from "./viewer_page.mjs";
 
-const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), "..");
-const { chromium } = createRequire(`${root}/viewer/package.json`)("playwright-core");
-const layouts = process.argv.slice(2).map((file) => path.resolve(file));
-if (layouts.length === 0) throw new Error("usage: node bench/viewer_screen.mjs LAYOUT ...");
-
-const browser = await chromium.launch({
-  executablePath: process.env.HOLDFAST_BROWSER ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-await page.goto(`file://${root}/build/viewer/viewer.html`);
-await page.setInputFiles('input[aria-label="Files"]', layouts);
-await page.waitForSelector(".go button.primary:not([disabled])");
+const layouts = namedLayouts("viewer_screen.mjs");
+const browser = await launched();
+const page = await openedPage(browser, layouts);
 const begin = performance.now();
 await page.click(".go button.primary");
-await page.waitForFunction(() => / in \d/.test(document.querySelector(".progress")?.textContent ?? ""), undefined, {
-  timeout: 0,
-});
+await screened(page);
 const seconds = (performance.now() - begin) / 1000;
 console.log(`page: ${seconds.toFixed(1)} s; it says "${await page.innerText(".progress")}"`);
 await browser.close();

@@ -1,5 +1,6 @@
 #include "instance.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -92,9 +93,8 @@ Instance read_instance(const std::string& path, int problem) {
   Numbers numbers(path);
   const bool masses = has_masses(path);
   const int problems = masses ? std::numeric_limits<int>::max() : numbers.positive<int>();
-  Instance instance;
-  for (int i = 1; i <= problem && i <= problems && !(masses && numbers.at_end()); ++i) {
-    instance = masses ? next_instance_with_masses(numbers) : next_instance(numbers);
+  for (int i = 1; i <= std::min(problem, problems) && !(masses && numbers.at_end()); ++i) {
+    Instance instance = masses ? next_instance_with_masses(numbers) : next_instance(numbers);
     if (i == problem) return instance;
   }
   throw std::runtime_error(path + ": no problem " + std::to_string(problem) +

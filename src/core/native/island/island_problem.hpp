@@ -123,7 +123,7 @@ class IslandProblem {
   std::vector<std::uint8_t> late_impact_;  ///< a row
   bool has_late_impact_ = false;
   double outside_impulse_ = 0.0;
-  std::vector<ContactStart> start_;  ///< of this step, and after the solution of the next one, a constraint
+  std::vector<ContactStart> start_;  ///< one per constraint: of this step, and after its solution of the next
 };
 
 }  // namespace holdfast::internal::native

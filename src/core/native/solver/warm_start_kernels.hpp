@@ -35,12 +35,12 @@ struct StepScale {
 
 /// Makes the impulses and contact velocities with which a solve starts from those of the last step.
 /// @param step  s
-/// @param start a constraint
+/// @param start one per constraint
 void start_from_last(double step, std::span<const ContactStart> start, std::span<ContactConstraint> constraints);
 
 /// The same for a step, with velocity biases, and with arms of its middle and its end. On entry the arms of a
 /// constraint are those at the start of the step.
-/// @param start       a constraint
+/// @param start       one per constraint
 /// @param motion      a body; the last entry, of what is fixed, is zero
 /// @param mid_arms    a constraint; empty: no body turns
 /// @param late_impact a body and what is fixed: 1 where a contact closes faster than the step can follow, else as it
@@ -52,7 +52,7 @@ bool start_step(const StepScale& scale, std::span<const ContactStart> start, std
 
 /// What the next step begins with, but for gaps.
 /// @param step s
-/// @param next a constraint
+/// @param next one per constraint
 void to_container_frame(double step, std::span<const ContactConstraint> constraints, std::span<ContactStart> next);
 
 }  // namespace holdfast::internal::native
