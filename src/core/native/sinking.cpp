@@ -32,10 +32,14 @@ bool Sinking::is_flush(const Bodies& bodies, const std::vector<Side>& sides, con
                        std::int32_t a, std::int32_t b, const ContactSet& contact) {
   if (!is_narrow(bodies, sides, a, b, contact)) return false;
   const int k = contact.across;
-  const Vec3& point = contact.points[0].on_a;
   const bool b_above = bodies.shape[static_cast<std::size_t>(b)].centre[k] > box_of(bodies, sides, a).centre[k];
-  const double sunk = below(bodies, manifolds, k, b, point) - below(bodies, manifolds, k, a, point);
-  return contact.width - (b_above ? sunk : -sunk) < kFlushWidth;
+  // The width reaches from the lowest corner of the upper box to the highest one of the lower box.
+  const auto [lowest, highest] = std::minmax_element(
+      contact.points.begin(), contact.points.begin() + contact.count,
+      [&](const ContactPoint& first, const ContactPoint& second) { return first.on_a[k] < second.on_a[k]; });
+  const double of_upper = below(bodies, manifolds, k, b_above ? b : a, lowest->on_a);
+  const double of_lower = below(bodies, manifolds, k, b_above ? a : b, highest->on_a);
+  return contact.width - (of_upper - of_lower) < kFlushWidth;
 }
 
 double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::int32_t body,
@@ -50,56 +54,54 @@ double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifol
 
 void Sinking::find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k) {
   auto& supports = supports_[static_cast<std::size_t>(k)];
-  for (auto& of_direction : supports) of_direction.clear();
-  std::vector<ContactSet>& contacts = contacts_[static_cast<std::size_t>(k)];
-  contacts.clear();
-  const auto add = [&](bool up, std::int32_t body, std::int32_t lower) {
+  for (Supports& of_direction : supports) {
+    of_direction.first.assign(bodies.count(), -1);
+    of_direction.all.clear();
+  }
+  const auto add = [&](bool up, const ContactSet& contact, std::int32_t body, std::int32_t lower) {
     if (is_fixed(bodies, body)) return;
-    supports[up ? 1 : 0].push_back({body, lower, contacts.size() - 1});
+    Supports& of_direction = supports[up ? 1 : 0];
+    std::int32_t& first = of_direction.first[static_cast<std::size_t>(body)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+      of_direction.all.push_back({lower, first, contact.points[i].on_a, contact.points[i].gap});
+      first = static_cast<std::int32_t>(of_direction.all.size()) - 1;
+    }
   };
   for (const Manifold& manifold : manifolds) {
     const double along = manifold.contact.normal[k];
-    if (manifold.contact.count == 0 || manifold.nearest_gap > kContactTolerance) continue;
-    if (std::abs(along) < kSupporting) continue;
-    contacts.push_back(manifold.contact);
-    add(along > 0.0, manifold.b, manifold.a);
-    add(along < 0.0, manifold.a, manifold.b);
+    if (manifold.contact.count == 0 || std::abs(along) < kSupporting) continue;
+    // A hit may lift a box by more off what it still stands on.
+    if (manifold.nearest_gap > kContactTolerance && !manifold.carries()) continue;
+    add(along > 0.0, manifold.contact, manifold.b, manifold.a);
+    add(along < 0.0, manifold.contact, manifold.a, manifold.b);
   }
-  for (auto& of_direction : supports)
-    std::sort(of_direction.begin(), of_direction.end(), [](const Support& first, const Support& second) {
-      return first.body < second.body || (first.body == second.body && first.lower < second.lower);
-    });
 }
 
 /// Goes down from contact to contact, each below `height` along the direction. None where this ends at nothing fixed.
 std::optional<double> Sinking::sunk(const Bodies& bodies, int k, bool up, std::int32_t body, const Vec3& point,
                                     double height) const {
   if (is_fixed(bodies, body)) return 0.0;
-  const std::vector<Support>& supports = supports_[static_cast<std::size_t>(k)][up ? 1 : 0];
-  const auto before = [](const Support& support, std::int32_t of) { return support.body < of; };
+  const Supports& supports = supports_[static_cast<std::size_t>(k)][up ? 1 : 0];
   const Support* nearest = nullptr;
-  const ContactPoint* carried = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (auto it = std::lower_bound(supports.begin(), supports.end(), body, before);
-       it != supports.end() && it->body == body; ++it) {
-    const ContactSet& contact = contacts_[static_cast<std::size_t>(k)][it->contact];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
-      const ContactPoint& at = contact.points[i];
-      if ((up ? at.on_a[k] : -at.on_a[k]) >= height) continue;
-      Vec3 apart = at.on_a - point;
-      apart[k] = 0.0;
-      if (apart.squaredNorm() >= least) continue;
-      least = apart.squaredNorm();
-      nearest = &*it;
-      carried = &at;
-    }
+  for (std::int32_t i = supports.first[static_cast<std::size_t>(body)]; i >= 0;) {
+    const Support& support = supports.all[static_cast<std::size_t>(i)];
+    i = support.next;
+    if ((up ? support.point[k] : -support.point[k]) >= height) continue;
+    Vec3 apart = support.point - point;
+    apart[k] = 0.0;
+    const double square = apart.squaredNorm();
+    // Of equally near ones not the first that is found, but that of the first body.
+    if (square > least || (nearest != nullptr && square == least && support.lower > nearest->lower)) continue;
+    least = square;
+    nearest = &support;
   }
   if (nearest == nullptr) return std::nullopt;
-  const double at_height = up ? carried->on_a[k] : -carried->on_a[k];
-  const std::optional<double> lower = sunk(bodies, k, up, nearest->lower, carried->on_a, at_height);
+  const double at_height = up ? nearest->point[k] : -nearest->point[k];
+  const std::optional<double> lower = sunk(bodies, k, up, nearest->lower, nearest->point, at_height);
   if (!lower) return std::nullopt;
   // An end that is raised counts, too: boxes of a row lean on each other, each by what all before it overlap.
-  return *lower - carried->gap;
+  return *lower - nearest->gap;
 }
 
 }  // namespace holdfast::internal::native

@@ -36,20 +36,26 @@ class Sinking {
                const Vec3& point);
 
  private:
-  /// What carries a body in one direction of an axis: the manifold, and its other end.
+  /// A point at which a body is carried in one direction of an axis.
   struct Support {
-    std::int32_t body;
-    std::int32_t lower;
-    std::size_t contact;  ///< of `contacts_`
+    std::int32_t lower;  ///< what carries it
+    std::int32_t next;   ///< support of the same body; none: -1
+    Vec3 point;          ///< of the surface of the contact's body a
+    double gap;          ///< m
+  };
+
+  /// The supports of all bodies in one direction of an axis.
+  struct Supports {
+    std::vector<std::int32_t> first;  ///< of a body; none: -1
+    std::vector<Support> all;
   };
 
   void find_supports(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k);
   std::optional<double> sunk(const Bodies& bodies, int k, bool up, std::int32_t body, const Vec3& point,
                              double height) const;
 
-  std::array<bool, 3> known_ = {};                               ///< along an axis
-  std::array<std::array<std::vector<Support>, 2>, 3> supports_;  ///< along an axis, down and up, by body
-  std::array<std::vector<ContactSet>, 3> contacts_;              ///< along an axis, as they were then
+  std::array<bool, 3> known_ = {};                   ///< along an axis
+  std::array<std::array<Supports, 2>, 3> supports_;  ///< along an axis, down and up
 };
 
 }  // namespace holdfast::internal::native

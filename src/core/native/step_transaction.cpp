@@ -328,9 +328,7 @@ void StepTransaction::accept(const std::vector<std::uint8_t>& moved) {
     const double nearest = manifold.nearest_gap;
     counters_.max_penetration = std::max(counters_.max_penetration, -nearest);
     if (!manifold.active) continue;
-    bool carries = false;
-    for (int i = 0; i < manifold.contact.count; ++i)
-      carries = carries || manifold.cached[at(i)].force.dot(manifold.contact.normal) > 0.0;
+    const bool carries = manifold.carries();
     manifold.idle_steps = carries ? 0 : manifold.idle_steps + 1;
     if (manifold.idle_steps > kHorizon || (!carries && nearest > kContactTolerance)) manifold.deactivate();
   }

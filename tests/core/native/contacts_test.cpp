@@ -104,6 +104,13 @@ TEST_CASE("contacts: a flush edge that has sunk in is no contact", "[core][conta
     world.put(1, {0.1 - 1e-6, 0, -2e-4});
     CHECK(world.contact(slider, 2) == nullptr);
   }
+  SECTION("what one corner of it has sunk does not, on whichever side that is") {
+    const double roll = GENERATE(2.7e-4, -2.7e-4);
+    world.bodies().state.orientation[1] = Eigen::AngleAxisd(roll, Vec3::UnitX());
+    world.put(1, {0.1 - 1e-6, 0, -1.1e-4});
+    CAPTURE(roll);
+    CHECK(world.contact(slider, 2) == nullptr);
+  }
   SECTION("an edge that is there does") {
     world.put(0, {0, 0, -0.01});  // nothing carries the slider
     world.put(1, {0.1 - 1e-6, 0, -2e-4});

@@ -99,4 +99,21 @@ TEST_CASE("sinking: overlaps are summed up from the floor on, and what nothing h
   CHECK(sinking.below(bodies, manifolds, 0, 1, bodies.shape[1].centre) == 0.0);
 }
 
+TEST_CASE("sinking: a box that a hit has lifted off what still carries it is raised", "[core][sinking]") {
+  const Settings settings = open_floor(kFriction);
+  const Layout layout = layout_of({box({5, 5, 5e-5}, {1, 1, 1})});
+  const Acceleration acceleration = constant(0, 1);
+  const Acceleration* const accelerations[] = {&acceleration};
+  const WorldBatch batch = batch_of(std::span(&layout, 1), accelerations, settings);
+  const Bodies bodies = bodies_of(batch, batch.worlds[0]);
+  std::vector<Manifold> manifolds(1);
+  manifolds[0].a = -1;
+  update_contact(manifolds[0], contact_of(HalfSpace{}, bodies.shape[0], 1e-3), bodies);
+  Sinking sinking;
+  CHECK(sinking.below(bodies, manifolds, 2, 0, bodies.shape[0].centre) == 0.0);
+  manifolds[0].cached[2].force = {0, 0, 1};
+  sinking.forget();
+  CHECK(sinking.below(bodies, manifolds, 2, 0, bodies.shape[0].centre) == Approx(-5e-5));
+}
+
 }  // namespace sinking_test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -56,6 +57,12 @@ struct alignas(64) Manifold {
   }
 
   bool with_side() const { return a < 0; }
+
+  /// Whether the last solve has found a force that pushes its bodies apart.
+  bool carries() const {
+    return std::any_of(cached.begin(), cached.begin() + contact.count,
+                       [&](const CachedImpulse& point) { return point.force.dot(contact.normal) > 0.0; });
+  }
 
   /// Coefficient of friction, as it sticks or slides.
   double friction_now() const { return slides ? kinetic_friction : friction; }
