@@ -209,10 +209,12 @@ inline constexpr double kResidualSlip = 2.0;  // of the residual
 /// changes.
 inline constexpr double kLeastCut = 1e-4;  // of the step
 
-/// Rounds of a repair within a step, at most: of activating contacts, likewise of contacts that bodies lean on, and of
-/// a position correction through the contacts of an island, in the mean.
+/// Rounds of a repair within a step, at most: of activating contacts, likewise of contacts that bodies lean on, of a
+/// position correction through the contacts of an island, in the mean, and of convex problems where the splitting
+/// solves a halved step in no number of iterations.
 /// @measured Contacts: half: the bits of 2 worlds change; twice: no bit changes. Positions: half and twice:
-/// insensitive.
+/// insensitive. Convex problems: a quarter: 2 of 580 worlds with friction coefficients of 0.7 to 1.7 do not converge at
+/// `standard`, in place of none; half: none.
 inline constexpr std::size_t kRepairRounds = 20;  // rounds
 
 /// Times that a step is halved to see contacts in time that none showed before, or to go on where a solve does not
@@ -290,8 +292,9 @@ inline constexpr int kCheckEvery = 12;  // iterations
 
 /// Iterations between two looks at R in a moving step of a large island: only solves that go on for longer than most
 /// have a second factor.
-/// @measured With `kCheckEvery`: 2 % more iterations, and at `screening` boxes that slide over a row pass a step of 0.1
-/// mm, which has to stop them (test `sinking`).
+/// @measured With `kCheckEvery`: 1 % more time of the loads of the road, and 600 boxes that brake take 13 % more; 24
+/// and 32: 1 %, and 6 and 7 % more. Never: as much time, and twice as many worlds with friction coefficients above 1 do
+/// not converge.
 inline constexpr int kLargeIslandCheckEvery = 16;  // iterations
 
 /// Iterations of a solve of a small island whose warm start is reset, at most, over those of other solves; of a large
