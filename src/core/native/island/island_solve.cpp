@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace holdfast::internal::native {
 
@@ -43,9 +44,9 @@ SolveResult IslandSolve::solve_by_rounds(double unit, const SolveResult& left, I
   const ContactProblem before = problem;
   // The arms of mid step would make the problem one that is not convex.
   problem.mid_arms.clear();
-  const double negligible = kNegligible * unit;  // m/s
   double mass = 0.0;
   for (const ProblemBody& body : problem.bodies) mass += body.mass;
+  const double negligible = kNegligible * mass * unit * unit;     // kg m²/s²
   std::vector<Lanes> added(problem.constraints.size(), Lanes{});  // μ |u_t|, m/s
   SolveResult result;
   result.residual = std::numeric_limits<double>::infinity();
@@ -54,9 +55,9 @@ SolveResult IslandSolve::solve_by_rounds(double unit, const SolveResult& left, I
     interior_point_.start(problem, unit);
     for (int i = 0; i < kInteriorIterations && interior_point_.iterate(problem); ++i) {
       ++report.iterations;
-      if (interior_point_.gap() <= mass * negligible * negligible) break;
+      if (interior_point_.gap() <= negligible) break;
     }
-    result.residual = 0.0;
+    const double last = std::exchange(result.residual, 0.0);
     for (std::size_t p = 0; p < added.size(); ++p) {
       ContactConstraint& constraint = problem.constraints[p];
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count); ++lane) {
@@ -68,6 +69,8 @@ SolveResult IslandSolve::solve_by_rounds(double unit, const SolveResult& left, I
         added[p][lane] = sliding;
       }
     }
+    // Where no motion satisfies all contacts, the sliding velocity grows from round to round.
+    if (round > 1 && !(result.residual < last)) break;
   }
   if (!(result.residual < left.residual)) {
     problem = before;
