@@ -209,12 +209,10 @@ inline constexpr double kResidualSlip = 2.0;  // of the residual
 /// changes.
 inline constexpr double kLeastCut = 1e-4;  // of the step
 
-/// Rounds of a repair within a step, at most: of activating contacts, likewise of contacts that bodies lean on, of a
-/// position correction through the contacts of an island, in the mean, and of convex problems where the splitting
-/// solves a halved step in no number of iterations.
+/// Rounds of a repair within a step, at most: of activating contacts, likewise of contacts that bodies lean on, and of
+/// a position correction through the contacts of an island, in the mean.
 /// @measured Contacts: half: the bits of 2 worlds change; twice: no bit changes. Positions: half and twice:
-/// insensitive. Convex problems: a quarter: 2 of 580 worlds with friction coefficients of 0.5 to 1.4 between boxes do
-/// not converge at `standard`, in place of none; half: none.
+/// insensitive.
 inline constexpr std::size_t kRepairRounds = 20;  // rounds
 
 /// Times that a step is halved to see contacts in time that none showed before, or to go on where a solve does not

@@ -47,7 +47,6 @@ struct StepTerms {
   bool to_and_fro = false;                ///< g − a has changed within `kToAndFro`
   bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
   bool refuted = false;                   ///< of an island: its proof of rest has failed in this step
-  bool halved = false;                    ///< the step is a part of one that could not be taken whole
   double fall_margin = 0.0;  ///< what the strongest g − a that contacts are found for moves a body by in a step, m
 
   void set_step(double length) {

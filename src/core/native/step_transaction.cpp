@@ -82,7 +82,6 @@ void StepTransaction::go_back(const Start& start) {
 
 void StepTransaction::attempt(double step, int halvings, int attempts) {
   world_.terms.set_step(step);
-  world_.terms.halved = halvings > 0;
   if (activate_predicted() || halvings > 0 || attempts > 0) {
     world_.find_islands();
     spread_motion();

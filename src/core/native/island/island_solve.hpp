@@ -7,7 +7,6 @@
 #include "core/native/native_options.hpp"
 #include "core/native/scene.hpp"
 #include "core/native/solver/contact_solver.hpp"
-#include "core/native/solver/interior_point.hpp"
 
 namespace holdfast::internal::native {
 
@@ -28,18 +27,14 @@ class IslandSolve {
   ContactSolver& solver() { return *solver_; }
 
   /// Solves what is prepared. Where the residual may not pass, it goes on for longer, and where the iteration diverges,
-  /// it starts again with less of the penalty R. What it cannot solve in a step that has been halved is solved by
-  /// rounds of convex problems.
+  /// it starts again with less of the penalty R.
   SolveResult solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report);
 
   /// Solves what is prepared, within these limits.
   SolveResult solve_once(const SolveLimits& limits, IslandReport& report);
 
  private:
-  SolveResult solve_by_rounds(double unit, const SolveResult& left, IslandReport& report);
-
   std::unique_ptr<ContactSolver> solver_;
-  InteriorPoint interior_point_;
 };
 
 /// How a solve is made where the effective gravity has just changed: to the end, since the last step is no guess.

@@ -64,55 +64,6 @@ TEST_CASE("island solve: what diverges starts again with less of the penalty", "
   CHECK(asked[1].sliding == kCarefulShare * asked[0].sliding);
 }
 
-// A block of 2 kg that slides at 3 m/s over a floor: friction takes μ g h, and the floor carries the weight.
-TEST_CASE("island solve: what the splitting cannot solve in a halved step is solved by rounds", "[core][solve]") {
-  constexpr double kStep = 0.01, kFriction = 0.5;
-  std::vector<SolveLimits> asked;
-  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::vector<double>{10.0, 10.0}));
-  ContactProblem& problem = solve.prepared.problem;
-  problem.bodies = {{.mass = 2.0, .inertia = Mat3::Identity(), .radius = 0.7}};
-  problem.free_velocity = {{{3.0, 0, -10.0 * kStep}}};
-  problem.velocity.resize(2);
-  ContactConstraint& floor = problem.constraints.emplace_back();
-  floor.a = 1;
-  floor.count = 4;
-  floor.friction = kFriction;
-  floor.effective_mass = 0.5;
-  floor.directions = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    floor.arms.b[0][i] = i % 2 == 0 ? -0.5 : 0.5;
-    floor.arms.b[1][i] = i / 2 == 0 ? -0.5 : 0.5;
-  }
-  problem.constraint_pair = {kNoPair};
-  StepTerms terms;
-  terms.effective_gravity = {0, 0, -10};
-  terms.longest_step = kStep;
-  terms.halved = GENERATE(false, true);
-  SolveLimits limits;
-  limits.more_iterations = 1;
-  IslandReport report;
-  const SolveResult result = solve.solve(limits, terms, kStep, report);
-  CHECK(asked.size() == 2);
-  if (!terms.halved) {
-    CHECK(result.residual == Approx(10.0 * 10.0 * kStep));
-    CHECK(problem.velocity[0].row[0] == 3.0);
-    return;
-  }
-  constexpr double near = kNoticeable * 10.0 * kStep;  // m/s
-  CHECK(result.residual <= near);
-  CHECK(problem.velocity[0].row[0] == Approx(3.0 - kFriction * 10.0 * kStep).margin(near));
-  CHECK(problem.velocity[0].row[2] == Approx(0.0).margin(near));
-  double normal = 0.0, along = 0.0;
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    normal += floor.impulse.row[0][lane];
-    along += floor.impulse.row[1][lane];
-    CHECK(floor.velocity_bias.row[0][lane] == 0.0);
-    CHECK(floor.contact_velocity.row[0][lane] == Approx(0.0).margin(near));
-  }
-  CHECK(normal == Approx(2.0 * 10.0 * kStep).epsilon(kNoticeable));
-  CHECK(along == Approx(-kFriction * 2.0 * 10.0 * kStep).epsilon(kNoticeable));
-}
-
 TEST_CASE("island solve: only large islands repeat a solve with fewer iterations", "[core][solve]") {
   SolveLimits limits;
   limits.iterations = 20;
