@@ -376,4 +376,20 @@ TEST_CASE("native_invariants: gaps and overlaps of a micrometre settle once, the
   }
 }
 
+// Wedged boxes with much friction: the splitting alone leaves residuals of many |g - a| h, in steps of any length.
+TEST_CASE("native: loads with a friction coefficient of 2 are solved in every step", "[physics][convergence]") {
+  Settings settings;
+  settings.contact.friction_model = FrictionModel::pairs;
+  settings.contact.box_box = settings.contact.box_floor = settings.contact.box_wall = 2.0;
+  for (const char* name : {"BR15_077_wall", "unstable_BR15_077_bpjs"}) {
+    const Layout layout = bundled_layout(name, settings);
+    for (const Vec3& push : {Vec3(0.8 * kGravity, 0, 0), Vec3(-0.5 * kGravity, 0, 0)}) {
+      CAPTURE(name, push.x());
+      const Run result = run(NativeEngine(settings), layout,
+                             acceleration_of({{0.5, Vec3::Zero()}, {1.0, push}, {1.5, Vec3::Zero()}}), settings);
+      CHECK(result.record.row.status == Status::ok);
+    }
+  }
+}
+
 }  // namespace native_invariants_test

@@ -323,6 +323,17 @@ inline constexpr int kMoreIterations = 2;  // of the cap
 /// @measured Half and twice: insensitive.
 inline constexpr double kWorstResidual = 0.5;  // |g − a| h
 
+/// Sweeps of the Gauss-Seidel method over the points of an island whose step the splitting does not solve, at most.
+/// @measured Of 580 worlds with friction coefficients of 0.49 to 1.44 between boxes none fails. Those that do not
+/// converge at `standard`, and with 960 steps per second: none and none; half: none and 1; without the method: 7 and
+/// 94, of which 1 and 10 fail. All of these worlds take 1.2 times as long as without it, half: 1.1.
+inline constexpr int kGaussSeidelSweeps = 6000;  // sweeps
+
+/// Share of the step to the impulse of its law that a point takes in a sweep.
+/// @measured Of the solves of 8 such worlds that the method is asked for, those that it does not end: 0.9: 17 of 1487;
+/// 0.8: 9 of 1853; 0.7: 2 of 1567; 0.6: 5 of 2825; 0.5: 8 of 1845.
+inline constexpr double kGaussSeidelRelaxation = 0.7;  // of the step
+
 /// Share of R with which a solve starts again that has diverged.
 /// @measured 0.3 and 0.15: no bit changes.
 inline constexpr double kCarefulShare = 0.5;  // of R

@@ -26,6 +26,7 @@ void StepTransaction::correct_positions() {
 
 void StepTransaction::take(double step) {
   world_.terms.set_step(step);
+  world_.terms.implicit = false;
   unit_ = world_.terms.velocity_unit > 0.0 ? world_.terms.velocity_unit : 1.0;
   attempt(step, 0, 0);
 }
@@ -227,10 +228,12 @@ bool StepTransaction::merge_overlapping() {
 /// it, or have passed through each other, or the solve has not converged. True where there are any.
 bool StepTransaction::spread_failure() {
   failed_ = world_.contacts.missed();
-  for (std::size_t i = 0; i < failed_.size(); ++i)
-    if (scene_.bodies.activity[i] == Activity::moving &&
-        (reports_[i].missed_contact || residual_of(i) > kWorstResidual))
-      failed_[i] = 1;
+  for (std::size_t i = 0; i < failed_.size(); ++i) {
+    if (scene_.bodies.activity[i] != Activity::moving) continue;
+    const bool unsolved = residual_of(i) > kWorstResidual;
+    if (unsolved) world_.terms.implicit = true;
+    if (unsolved || reports_[i].missed_contact) failed_[i] = 1;
+  }
   for (std::size_t k = 0; k < world_.islands.size(); ++k) {
     const IslandView island = world_.islands[k];
     const auto has_failed = [&](std::uint32_t body) { return failed_[body] != 0; };

@@ -90,6 +90,9 @@ void IslandProblem::push(const Bodies& bodies, std::uint32_t body, double step) 
 }
 
 /// Velocities without contacts, start values, and how the bodies will turn within the step. Returns whether any does.
+/// None turns in a step of implicit Euler: where arms are those of one time, and friction opposes the velocity at the
+/// end, v = 0 satisfies every contact, and a solution exists whatever is wedged (V. Acary, F. Cadoux, C. Lemaréchal, J.
+/// Malick, "A formulation of the linear discrete Coulomb friction problem via convex optimization", ZAMM 91, 2011).
 bool IslandProblem::predict(const Scene& scene, const IslandView& island, const StepTerms& terms, double step) {
   const Bodies& bodies = scene.bodies;
   bool any_turns = false;
@@ -104,7 +107,7 @@ bool IslandProblem::predict(const Scene& scene, const IslandView& island, const 
     const Vec3 w_guess = w + step * bodies.angular_acceleration[body];
     problem.velocity[row] = body_vector(v_guess, w_guess);
     Vec3 w_free = w;
-    if (w != Vec3::Zero() || w_guess != Vec3::Zero()) {
+    if (!terms.implicit && (w != Vec3::Zero() || w_guess != Vec3::Zero())) {
       // The angular velocity is taken as linear in time.
       const Mat3 turn_mid =
           rotation_by(clamped(step * (3.0 * w + w_guess) / 8.0, 0.5 * kLargestTurn)).toRotationMatrix();
@@ -218,8 +221,8 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
   });
   // Without rotation both sets of arms are the same.
   if (any_turns) problem.mid_arms.resize(problem.constraints.size());
-  has_late_impact_ =
-      start_step({step, terms.velocity_unit}, start_, motion_, problem.constraints, problem.mid_arms, late_impact_);
+  has_late_impact_ = start_step({step, terms.velocity_unit, !terms.implicit}, start_, motion_, problem.constraints,
+                                problem.mid_arms, late_impact_);
 }
 
 void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,

@@ -20,7 +20,13 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
     careful.sliding *= kCarefulShare;
     prepared.problem.reset_warm_start();
   }
-  return solve_once(careful, report);
+  const SolveResult second = solve_once(careful, report);
+  if (limits.more_iterations == 0 || second.residual <= kWorstResidual * limits.velocity_unit) return second;
+  if (!(second.residual < kLarge * limits.velocity_unit)) prepared.problem.reset_warm_start();
+  const SolveResult last =
+      gauss_seidel_.solve(prepared.problem, limits.worst_residual * limits.velocity_unit, kGaussSeidelSweeps);
+  report.iterations += static_cast<std::uint64_t>(last.iterations);
+  return last;
 }
 
 SolveResult IslandSolve::solve_once(const SolveLimits& limits, IslandReport& report) {

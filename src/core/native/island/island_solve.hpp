@@ -7,6 +7,7 @@
 #include "core/native/native_options.hpp"
 #include "core/native/scene.hpp"
 #include "core/native/solver/contact_solver.hpp"
+#include "core/native/solver/gauss_seidel.hpp"
 
 namespace holdfast::internal::native {
 
@@ -27,7 +28,7 @@ class IslandSolve {
   ContactSolver& solver() { return *solver_; }
 
   /// Solves what is prepared. Where the residual may not pass, it goes on for longer, and where the iteration diverges,
-  /// it starts again with less of the penalty R.
+  /// it starts again with less of the penalty R. A step that this does not solve is solved point by point.
   SolveResult solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report);
 
   /// Solves what is prepared, within these limits.
@@ -35,6 +36,7 @@ class IslandSolve {
 
  private:
   std::unique_ptr<ContactSolver> solver_;
+  GaussSeidel gauss_seidel_;
 };
 
 /// How a solve is made where the effective gravity has just changed: to the end, since the last step is no guess.

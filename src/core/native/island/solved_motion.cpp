@@ -4,9 +4,10 @@
 
 namespace holdfast::internal::native {
 
-/// Whether a body has its new velocity from the start of the step, because an impact too slow to be located makes it
-/// jump there: with the old one bodies would overlap.
+/// Whether a body has its new velocity from the start of the step: in a step of implicit Euler, or because an impact
+/// too slow to be located makes it jump there. With the old one bodies would overlap.
 bool SolvedMotion::jumps(const Bodies& bodies, std::uint32_t body, const StepTerms& terms, double step) const {
+  if (terms.implicit) return true;
   if (!solved_.has_late_impact()) return false;
   if (solved_.has_late_impact(body)) return true;
   // Where the effective gravity has just changed, every velocity jumps: only bodies at a late impact count.

@@ -1,6 +1,8 @@
 // Arithmetic of start values, once for every instruction set, chosen at run time.
 #include "core/native/solver/warm_start_kernels.hpp"
 
+#include <limits>
+
 #include "core/native/constants.hpp"
 #include "core/native/solver/simd_targets.hpp"
 
@@ -76,7 +78,7 @@ HWY_INLINE bool set_bias(const StepScale& scale, const ContactStart& start, cons
   where_greater(gap, Four::all(kTouch), gap / step).store(constraint.velocity_bias.row[0].data());
   // Friction along the mean slip makes curved paths second order in the step.
   const Triple slip = velocity - along_normal * normal;
-  const double lasting = kLarge * scale.velocity_unit;
+  const double lasting = scale.mean_slip ? kLarge * scale.velocity_unit : std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < 3; ++i) {
     const Four bias = used * inner(slip, direction(constraint, i));
     where_greater(inner(slip, slip), Four::all(lasting * lasting), bias).store(constraint.velocity_bias.row[i].data());

@@ -64,6 +64,43 @@ TEST_CASE("island solve: what diverges starts again with less of the penalty", "
   CHECK(asked[1].sliding == kCarefulShare * asked[0].sliding);
 }
 
+// A block of 2 kg that slides at 3 m/s over a floor: friction takes μ g h, and the floor carries the weight.
+TEST_CASE("island solve: the step that the splitting does not solve is solved point by point", "[core][solve]") {
+  constexpr double kStep = 0.01, kFriction = 0.5;
+  std::vector<SolveLimits> asked;
+  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::vector<double>{10.0, 10.0}));
+  ContactProblem& problem = solve.prepared.problem;
+  problem.bodies = {{.mass = 2.0, .inertia = Mat3::Identity(), .radius = 0.7}};
+  problem.free_velocity = {{{3.0, 0, -10.0 * kStep}}};
+  problem.velocity.resize(2);
+  ContactConstraint& floor = problem.constraints.emplace_back();
+  floor.a = 1;
+  floor.count = 4;
+  floor.friction = kFriction;
+  floor.directions = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    floor.arms.b[0][i] = i % 2 == 0 ? -0.5 : 0.5;
+    floor.arms.b[1][i] = i / 2 == 0 ? -0.5 : 0.5;
+  }
+  StepTerms terms;
+  terms.effective_gravity = {0, 0, -10};
+  SolveLimits limits;
+  // A proof of rest has no iterations to add: its bounds are not those of a step.
+  limits.more_iterations = GENERATE(0, 1);
+  IslandReport report;
+  const SolveResult result = solve.solve(limits, terms, kStep, report);
+  CHECK(asked.size() == 2);
+  if (limits.more_iterations == 0) {
+    CHECK(result.residual == Approx(10.0 * 10.0 * kStep));
+    return;
+  }
+  CHECK(report.iterations == 14 + static_cast<std::uint64_t>(result.iterations));
+  constexpr double near = kNoticeable * 10.0 * kStep;  // m/s
+  CHECK(result.residual <= near);
+  CHECK(problem.velocity[0].row[0] == Approx(3.0 - kFriction * 10.0 * kStep).margin(near));
+  CHECK(problem.velocity[0].row[2] == Approx(0.0).margin(near));
+}
+
 TEST_CASE("island solve: only large islands repeat a solve with fewer iterations", "[core][solve]") {
   SolveLimits limits;
   limits.iterations = 20;
