@@ -135,9 +135,9 @@ inline constexpr double kNoticeable = 0.1;  // |g − a| h
 
 /// What is above this is no small error of a step: slip does not end within the step, and friction opposes its mean
 /// over the step; an impact rebounds, where slower ones do not, for rest would otherwise never come; and a solve whose
-/// residual is larger, or is not a number, diverges: it starts again with `kCarefulShare` of R.
+/// residual is larger, or is not a number, diverges.
 /// @measured Slip: three quarters: insensitive; three times: case `braking_in_a_corner_mu_0.45` fails. Impacts: half:
-/// no bit changes; twice: case `rebound_wall_e_0.5_v_0.1` fails. Residuals: five and ten times: no bit changes.
+/// no bit changes; twice: case `rebound_wall_e_0.5_v_0.1` fails.
 inline constexpr double kLarge = 2.0;  // |g − a| h
 
 // --- Contacts ---
@@ -333,10 +333,6 @@ inline constexpr int kGaussSeidelSweeps = 6000;  // sweeps
 /// @measured Of the solves of 8 such worlds that the method is asked for, those that it does not end: 0.9: 17 of 1487;
 /// 0.8: 9 of 1853; 0.7: 2 of 1567; 0.6: 5 of 2825; 0.5: 8 of 1845.
 inline constexpr double kGaussSeidelRelaxation = 0.7;  // of the step
-
-/// Share of R with which a solve starts again that has diverged.
-/// @measured 0.3 and 0.15: no bit changes.
-inline constexpr double kCarefulShare = 0.5;  // of R
 
 /// Differences of iterates that Anderson acceleration keeps: its depth.
 inline constexpr std::size_t kAndersonDepth = 5;  // iterates

@@ -8,25 +8,21 @@ namespace holdfast::internal::native {
 SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report) {
   const double unit = terms.effective_gravity.norm() * step;
   limits.velocity_unit = unit > 0.0 ? unit : kNegligible * step;
-  const SolveResult result = solve_once(limits, report);
-  const bool diverged = !(result.residual < kLarge * limits.velocity_unit);
-  const bool may_pass = result.residual <= limits.worst_residual * limits.velocity_unit;
-  if (!diverged && (limits.more_iterations == 0 || may_pass)) return result;
-  SolveLimits careful = limits;
-  careful.accelerate = false;
-  careful.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);
-  if (diverged) {
-    careful.sticking *= kCarefulShare;
-    careful.sliding *= kCarefulShare;
-    prepared.problem.reset_warm_start();
+  const auto is_within = [&](const SolveResult& result, double bound) {
+    return result.residual <= bound * limits.velocity_unit;
+  };
+  SolveResult result = solve_once(limits, report);
+  if (limits.more_iterations == 0 || is_within(result, limits.worst_residual)) return result;
+  if (is_within(result, kLarge)) {
+    limits.accelerate = false;
+    limits.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);
+    result = solve_once(limits, report);
+    if (is_within(result, kWorstResidual)) return result;
   }
-  const SolveResult second = solve_once(careful, report);
-  if (limits.more_iterations == 0 || second.residual <= kWorstResidual * limits.velocity_unit) return second;
-  if (!(second.residual < kLarge * limits.velocity_unit)) prepared.problem.reset_warm_start();
-  const SolveResult last =
-      gauss_seidel_.solve(prepared.problem, limits.worst_residual * limits.velocity_unit, kGaussSeidelSweeps);
-  report.iterations += static_cast<std::uint64_t>(last.iterations);
-  return last;
+  if (!is_within(result, kLarge)) prepared.problem.reset_warm_start();
+  result = gauss_seidel_.solve(prepared.problem, limits.worst_residual * limits.velocity_unit, kGaussSeidelSweeps);
+  report.iterations += static_cast<std::uint64_t>(result.iterations);
+  return result;
 }
 
 SolveResult IslandSolve::solve_once(const SolveLimits& limits, IslandReport& report) {

@@ -27,8 +27,8 @@ class IslandSolve {
 
   ContactSolver& solver() { return *solver_; }
 
-  /// Solves what is prepared. Where the residual may not pass, it goes on for longer, and where the iteration diverges,
-  /// it starts again with less of the penalty R. A step that this does not solve is solved point by point.
+  /// Solves what is prepared. Where the limits have iterations to add and the residual may not pass, the splitting goes
+  /// on for longer, unless it diverges; what it does not solve is solved point by point.
   SolveResult solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report);
 
   /// Solves what is prepared, within these limits.

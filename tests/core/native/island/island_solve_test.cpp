@@ -1,6 +1,7 @@
 #include "core/native/island/island_solve.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,9 +30,9 @@ class ScriptedSolver final : public ContactSolver {
 };
 
 /// The limits of all solves that it takes.
-std::vector<SolveLimits> solves(std::vector<double> residuals) {
+std::vector<SolveLimits> solves(const std::vector<double>& residuals) {
   std::vector<SolveLimits> asked;
-  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::move(residuals)));
+  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, residuals));
   StepTerms terms;
   terms.effective_gravity = {0, 0, -10};
   SolveLimits limits;
@@ -41,7 +42,9 @@ std::vector<SolveLimits> solves(std::vector<double> residuals) {
   limits.accelerate = true;
   IslandReport report;
   solve.solve(limits, terms, 0.01, report);
-  CHECK(report.iterations == 7 * asked.size());
+  // One sweep over no points.
+  const bool is_swept = !(residuals.at(asked.size() - 1) <= kWorstResidual);
+  CHECK(report.iterations == 7 * asked.size() + (is_swept ? 1 : 0));
   for (const SolveLimits& each : asked) CHECK(each.velocity_unit == Approx(0.1));
   return asked;
 }
@@ -54,21 +57,18 @@ TEST_CASE("island solve: what may pass is solved once, what may not goes on for 
   REQUIRE(asked.size() == 2);
   CHECK(asked[1].more_iterations == kMoreIterations * 60);
   CHECK_FALSE(asked[1].accelerate);
-  CHECK(asked[1].sticking == asked[0].sticking);
 }
 
-TEST_CASE("island solve: what diverges starts again with less of the penalty", "[core][solve]") {
-  const std::vector<SolveLimits> asked = solves({2.0 * kLarge, 0.0});
-  REQUIRE(asked.size() == 2);
-  CHECK(asked[1].sticking == kCarefulShare * asked[0].sticking);
-  CHECK(asked[1].sliding == kCarefulShare * asked[0].sliding);
+TEST_CASE("island solve: a splitting that diverges is not asked again", "[core][solve]") {
+  CHECK(solves({2.0 * kLarge}).size() == 1);
+  CHECK(solves({std::numeric_limits<double>::quiet_NaN()}).size() == 1);
 }
 
 // A block of 2 kg that slides at 3 m/s over a floor: friction takes μ g h, and the floor carries the weight.
 TEST_CASE("island solve: the step that the splitting does not solve is solved point by point", "[core][solve]") {
   constexpr double kStep = 0.01, kFriction = 0.5;
   std::vector<SolveLimits> asked;
-  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::vector<double>{10.0, 10.0}));
+  IslandSolve solve(std::make_unique<ScriptedSolver>(asked, std::vector<double>{1.0, 1.0}));
   ContactProblem& problem = solve.prepared.problem;
   problem.bodies = {{.mass = 2.0, .inertia = Mat3::Identity(), .radius = 0.7}};
   problem.free_velocity = {{{3.0, 0, -10.0 * kStep}}};
@@ -89,11 +89,12 @@ TEST_CASE("island solve: the step that the splitting does not solve is solved po
   limits.more_iterations = GENERATE(0, 1);
   IslandReport report;
   const SolveResult result = solve.solve(limits, terms, kStep, report);
-  CHECK(asked.size() == 2);
   if (limits.more_iterations == 0) {
-    CHECK(result.residual == Approx(10.0 * 10.0 * kStep));
+    CHECK(asked.size() == 1);
+    CHECK(result.residual == Approx(10.0 * kStep));
     return;
   }
+  CHECK(asked.size() == 2);
   CHECK(report.iterations == 14 + static_cast<std::uint64_t>(result.iterations));
   constexpr double near = kNoticeable * 10.0 * kStep;  // m/s
   CHECK(result.residual <= near);
