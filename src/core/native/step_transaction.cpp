@@ -91,10 +91,7 @@ void StepTransaction::attempt(double step, int halvings, int attempts) {
   step_islands();
   world_.contacts.find_tunnelled(scene_, world_.terms, before_);
   world_.find_contacts(scene_.bodies.marked(Activity::moving));
-  const bool failed = spread_failure();
-  if (wake_what_jams()) {
-    attempt(step, halvings, attempts);
-  } else if (failed && halvings < kHalvings) {
+  if (spread_failure() && halvings < kHalvings) {
     retake(step, halvings, attempts);
   } else {
     accept(scene_.bodies.marked(Activity::moving));
@@ -241,25 +238,6 @@ bool StepTransaction::spread_failure() {
     for (const std::uint32_t body : island.bodies) failed_[body] = any ? 1 : 0;
   }
   return std::any_of(failed_.begin(), failed_.end(), [](std::uint8_t failed) { return failed != 0; });
-}
-
-/// Goes back to the start of the step with all bodies awake, where a solve has not converged: what moves may be wedged
-/// between bodies that sleep, as if they were fixed. False where that is not so.
-bool StepTransaction::wake_what_jams() {
-  const Bodies& bodies = scene_.bodies;
-  if (!bodies.any(Activity::asleep) || bodies.any(Activity::ahead)) return false;
-  const std::vector<std::uint8_t> moving = bodies.marked(Activity::moving);
-  bool jams = false;
-  for (std::size_t i = 0; i < moving.size(); ++i) jams = jams || (moving[i] != 0 && residual_of(i) > kWorstResidual);
-  if (!jams) return false;
-  for (std::size_t i = 0; i < moving.size(); ++i)
-    if (moving[i] != 0) restore(i);
-  world_.sleeping.forget(bodies.marked(Activity::asleep));
-  world_.sleeping.wake(scene_);
-  world_.find_contacts(moving);
-  world_.find_islands();
-  spread_motion();
-  return true;
 }
 
 /// Takes the step again, the islands that have failed alone, while the others stay where it has taken them. Where the

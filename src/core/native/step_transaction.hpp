@@ -45,7 +45,6 @@ class StepTransaction {
   void step_islands();
   bool merge_overlapping();
   bool spread_failure();
-  bool wake_what_jams();
   void retake(double step, int halvings, int attempts);
   bool overlap_with(const std::vector<std::uint8_t>& done) const;
   void accept(const std::vector<std::uint8_t>& moved);

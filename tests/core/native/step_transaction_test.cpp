@@ -115,23 +115,4 @@ TEST_CASE("step: a solve that never converges is said", "[core][step]") {
   CHECK(steps.status == Status::not_converged);
 }
 
-TEST_CASE("step: bodies that jam between sleeping ones wake these", "[core][step]") {
-  SmallWorld world(open_floor(0.5), layout_of({box({5, 5, 0}, {1, 1, 0.2}), box({10, 5, 0}, {1, 1, 0.2})}));
-  world.act({8, 0, 0}, kStep);
-  world.bodies().activity[1] = Activity::asleep;
-  world.state.find_islands();
-  bool first = true;
-  IslandStepper failing(world.options, std::make_unique<FailingSolver>([&](double) {
-                          // A solve that fails is tried again at once, with more iterations.
-                          const bool fails = first && world.bodies().activity[1] == Activity::asleep;
-                          first = first && fails;
-                          return fails;
-                        }));
-  Steps steps(world, failing);
-  steps.transaction.take(kStep);
-  CHECK(world.bodies().activity[1] == Activity::moving);
-  CHECK(world.bodies().state.velocity[1].x() < 0.0);
-  CHECK(steps.status == Status::ok);
-}
-
 }  // namespace step_transaction_test
