@@ -35,9 +35,12 @@ SolveResult GaussSeidel::solve(ContactProblem& problem, double tolerance, int mo
     result.converged = result.residual <= tolerance;
   }
   finish(problem);
+  // The largest of numbers and of what is none does not show that.
   const auto is_number = [](const Velocity& velocity) { return velocity.allFinite(); };
-  if (!std::all_of(velocity_.begin(), velocity_.end(), is_number))
+  if (!std::all_of(velocity_.begin(), velocity_.end(), is_number)) {
     result.residual = std::numeric_limits<double>::infinity();
+    result.converged = false;
+  }
   return result;
 }
 
