@@ -7,10 +7,19 @@ from 0.25 to 0.9. The amplitude of an acceleration is drawn from 0.75 to 1.25 of
 runs at screening find to about 15 %. So the worlds depend a little on the program; --amplitudes takes those of an
 earlier run, so that two programs are compared on the same worlds.
 
-A world that screening (standard) lets pass, and in which a box is beyond a limit at reference, is simulated at reference
-three times more: with the acceleration times 0.998 and times 1.002, and with a random play of 0.1 mm. Where a box is
-beyond twice a limit in all three, the world is clearly unsafe. A world that is rejected counts as held by half when no
-box uses up more than half of a limit at reference.
+Worlds near what they hold are chaotic, so reference is asked twice: of each world as it is, and with the acceleration
+times 0.999. How often the second answer differs from the first is what no single run can do better than by chance, and is
+counted like the answers of screening and standard.
+
+A world that is let pass, and in which a box is beyond a limit at reference, is simulated at reference three times more:
+with the acceleration times 0.998 and times 1.002, and with a random play of 0.1 mm. Where a box is beyond twice a limit
+in all three, the world is clearly unsafe. A world that is rejected counts as held by half when no box uses up more than
+half of a limit at reference.
+
+Those counts are of few worlds. --draws tells a bias of an accuracy from chance: each world near its limit in which a box
+moves, under an acceleration that goes to and fro, is simulated several times more at each accuracy, with accelerations
+times 0.9925 to 1.0075. How many of all these draws are beyond a limit is counted, and how they differ from those of
+reference, world by world: alike above and below where it is by chance.
 
 Worlds do not depend on how many there are. --json is written after every 25 worlds, and --resume goes on from there.
 
@@ -38,6 +47,8 @@ from with_play import with_play
 
 ROOT = Path(__file__).resolve().parent.parent
 ACCURACIES = ("screening", "standard", "reference")
+AGAIN, AGAIN_FACTOR = "reference-again", 0.999  # the second answer of reference, and what the acceleration is multiplied by
+JUDGED = ("screening", "standard", AGAIN)  # answers that are compared with those of reference
 LIMITS = {"peak_drop_m": 0.05, "peak_displacement_m": 0.1, "peak_tilt_deg": 10.0}
 WORLDS_PER_CONFIGURATION = 25  # the program is started once for so many, per accuracy
 LADDER = [0.05 * 1.28**level for level in range(15)]  # g: amplitudes that are tried, up to 1.6
@@ -45,6 +56,9 @@ SHARES = (0.75, 1.25)  # of what a load holds: amplitudes are drawn from here
 NEAR = (1 / 1.2, 1 / 0.8)  # a world is near its limit when it holds this times its amplitude, and not that
 KEPT = ("verdict", "status", "caveats", "critical_box", *LIMITS, "end_time_s", "cpu_seconds", "state_hash")  # of an answer
 MOVES = 1e-3  # m
+TO_AND_FRO = ("sine", "lane change", "sea", "truck noise")
+DRAWS_SPREAD = 0.0075  # of the acceleration
+STIRS = 0.005  # of a limit: a world in which a box moves
 PERTURBED = ((0.998, 0.0), (1.002, 0.0), (1.0, 0.1))  # factor of the acceleration, play in mm
 REJECTED = ("moved", "fell")
 
@@ -65,6 +79,7 @@ class World:
     near: bool = False
     answers: dict = field(default_factory=dict)  # by accuracy
     by_twice_the_limits: list = field(default_factory=list)  # verdicts of the perturbed worlds, at reference
+    draws_beyond: dict = field(default_factory=dict)  # by accuracy: how many draws are beyond a limit
     layout: list = field(default_factory=list, repr=False)  # lines of the layout file, which --json does not keep
     shape: np.ndarray = field(default=None, repr=False)
 
@@ -93,7 +108,7 @@ class World:
     def labels(self):
         """What is to be looked at: how the accuracies disagree, or fail."""
         found = [f"{accuracy}-failed" for accuracy in ACCURACIES if self.verdict(accuracy) == "failed"]
-        for accuracy in ACCURACIES[:2]:
+        for accuracy in JUDGED:
             found += [f"{accuracy}-{name}" for name, of in COUNTS.items() if name.startswith(("unsafe", "beyond", "held"))
                       and of(self, accuracy)]
         return found
@@ -122,6 +137,12 @@ def rejected(world, accuracy):
 
 def held_by_half(world, accuracy):
     return rejected(world, accuracy) and passes(world, "reference") and used(world.answers["reference"]) < 0.5
+
+
+def is_drawn(world):
+    """Whether --draws simulates a world again."""
+    return (world.acceleration in TO_AND_FRO and world.near and world.verdict("reference") in ("stayed", *REJECTED)
+            and any(used(world.answers[accuracy]) > STIRS for accuracy in ACCURACIES))
 
 
 COUNTS = {"let pass": passes, "beyond a limit at reference": beyond, "unsafe clearly": clearly_unsafe, "rejected": rejected,
@@ -204,13 +225,28 @@ class Group:
             answers = self.run(accuracy, [(world, 1.0, world.box_numbers()) for world in self.worlds])
             for world, answer in zip(self.worlds, answers):
                 world.answers[accuracy] = answer
-        doubtful = [world for world in self.worlds if any(beyond(world, accuracy) for accuracy in ACCURACIES[:2])]
+        again = self.run("reference", [(world, AGAIN_FACTOR, world.box_numbers()) for world in self.worlds])
+        for world, answer in zip(self.worlds, again):
+            world.answers[AGAIN] = answer
+        doubtful = [world for world in self.worlds if any(beyond(world, accuracy) for accuracy in JUDGED)]
         cases = [(world, factor, world.perturbed(play) if play else world.box_numbers())
                  for world in doubtful for factor, play in PERTURBED]
         for (world, _, _), answer in zip(cases, self.run("reference", cases, 2)):
             world.by_twice_the_limits.append(answer["verdict"])
+        if self.options.draws:
+            self.draw_again(self.options.draws)
         if self.options.keep:
             self.keep()
+
+    def draw_again(self, count):
+        """Simulates worlds near their limit so many times more, at each accuracy."""
+        worlds = [world for world in self.worlds if is_drawn(world)]
+        factors = [1 + DRAWS_SPREAD * (2 * draw / (count - 1) - 1) for draw in range(count)]
+        for accuracy in ACCURACIES:
+            answers = self.run(accuracy, [(world, factor, world.box_numbers()) for world in worlds for factor in factors])
+            for i, world in enumerate(worlds):
+                of_world = answers[i * count:(i + 1) * count]
+                world.draws_beyond[accuracy] = sum(answer["verdict"] != "stayed" for answer in of_world)
 
     def keep(self):
         """Writes the files of worlds in which the accuracies disagree, or one fails."""
@@ -249,7 +285,8 @@ def counts_table(worlds, accuracy):
                      share(refused, len(members)), share(held, refused)])
     head = ["worlds", "judged", "let pass", "of these beyond a limit at reference", "clearly unsafe", "rejected",
             "of these held by half a limit at reference"]
-    return table_of(f"`{accuracy}` against `reference`:", head, rows)
+    name = f"`reference` with {AGAIN_FACTOR} times the acceleration" if accuracy == AGAIN else f"`{accuracy}`"
+    return table_of(f"{name} against `reference`:", head, rows)
 
 
 def apart_table(worlds):
@@ -278,6 +315,19 @@ def caveats_table(worlds):
                 row.append(str(sum(of(world, accuracy) for world in having[caveat])) if accuracy != "reference" else "")
             rows.append(row)
     return table_of("Caveats:", ["caveat", "accuracy", "worlds", "let pass", "beyond a limit at reference", "clearly unsafe"], rows)
+
+
+def draws_table(worlds, count):
+    """How many draws are beyond a limit at each accuracy, and how they differ from those of reference."""
+    drawn = [world.draws_beyond for world in worlds if world.draws_beyond]
+    rows = []
+    for accuracy in ACCURACIES:
+        differences = [draws[accuracy] - draws["reference"] for draws in drawn]
+        total = sum(draws[accuracy] for draws in drawn)
+        rows.append([f"`{accuracy}`", share(total, count * len(drawn)), str(sum(max(0, d) for d in differences)),
+                     str(sum(max(0, -d) for d in differences))])
+    return table_of(f"{len(drawn)} worlds near their limit, {count} draws of each:",
+                    ["accuracy", "beyond a limit", "more than at reference", "fewer than at reference"], rows)
 
 
 def draw_lines(worlds):
@@ -340,10 +390,14 @@ def main():
     parser.add_argument("--keep", type=Path, metavar="DIR", help="write layout, acceleration and configuration of the worlds "
                         "there in which the accuracies disagree, or one fails")
     parser.add_argument("--into", type=Path, metavar="PAGE", help="page whose tables are replaced, such as docs/evidence/validation.md")
+    parser.add_argument("--draws", type=int, default=0, metavar="N", help="how often each world near its limit is simulated "
+                        "again, at each accuracy, from 2 on (default: not)")
     parser.add_argument("--quiet", action="store_true", help="do not tell how far it is")
     options = parser.parse_args()
     if options.worlds < 1 or options.jobs < 1:
         parser.error("--worlds and --jobs are from 1 on")
+    if options.draws == 1 or options.draws < 0:
+        parser.error("--draws is from 2 on")
     known = worlds_of(parser, options, options.json) if options.resume and options.json and options.json.exists() else {}
     amplitudes = None
     if options.amplitudes:
@@ -353,8 +407,10 @@ def main():
             parser.error(f"{options.amplitudes}: has fewer worlds")
     worlds = all_worlds(options, amplitudes, known)
     tables = {"random worlds: drawn": draw_lines(worlds),
-              **{f"random worlds: {accuracy}": counts_table(worlds, accuracy) for accuracy in ACCURACIES[:2]},
+              **{f"random worlds: {accuracy}": counts_table(worlds, accuracy) for accuracy in JUDGED},
               "random worlds: apart": apart_table(worlds), "random worlds: caveats": caveats_table(worlds)}
+    if options.draws:
+        tables["random worlds: draws"] = draws_table(worlds, options.draws)
     print("\n\n".join(tables.values()))
     if options.into:
         replace_tables(options.into, tables)

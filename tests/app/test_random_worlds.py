@@ -17,6 +17,7 @@ import random_worlds  # noqa: E402
 
 DRAWS = 40  # of each kind
 SMALL = 0.2  # of a limit
+ANSWERS = (*random_worlds.ACCURACIES, random_worlds.AGAIN)
 
 
 def answer(verdict, used=SMALL):
@@ -36,7 +37,7 @@ class RandomWorlds(CliTest):
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         worlds = json.loads((self.folder / name).read_text())["worlds"]
-        for world, accuracy in itertools.product(worlds, random_worlds.ACCURACIES):
+        for world, accuracy in itertools.product(worlds, ANSWERS):
             del world["answers"][accuracy]["cpu_seconds"]
         return worlds, done.stdout
 
@@ -72,12 +73,12 @@ class RandomWorlds(CliTest):
     def test_what_an_earlier_run_has_judged_is_kept(self):
         group = random_worlds.Group(self.options(), 0, self.folder)
         for world in group.worlds:
-            world.answers = {accuracy: answer("fell") for accuracy in random_worlds.ACCURACIES}
+            world.answers = {accuracy: answer("fell") for accuracy in ANSWERS}
         rows = [world.row() for world in group.worlds]
         self.write("all.json", json.dumps({"seed": 6, "worlds": rows}))
         self.assertEqual(self.judged("all.json", "--resume")[0], [
             {**row, "answers": {accuracy: {name: value for name, value in row["answers"][accuracy].items() if name != "cpu_seconds"}
-                                for accuracy in random_worlds.ACCURACIES}} for row in rows])
+                                for accuracy in ANSWERS}} for row in rows])
 
     def test_what_is_counted(self):
         for screening, reference, again, expected in (
@@ -97,12 +98,23 @@ class RandomWorlds(CliTest):
                 judged = random_worlds.judged_worlds([world], "screening")
                 self.assertEqual(len(judged), 0 if reference["verdict"] in ("failed", "unstable") else 1)
 
+    def test_draws_of_worlds_near_their_limit(self):
+        worlds = random_worlds.Group(self.options(), 0, self.folder).worlds
+        for world, draws in zip(worlds, ((0, 2, 4), (4, 3, 2), ())):
+            world.draws_beyond = dict(zip(random_worlds.ACCURACIES, draws))
+        rows = random_worlds.draws_table(worlds, 4).splitlines()[-3:]
+        self.assertEqual(rows, ["| `screening` | 4 (50.0 %) | 2 | 4 |", "| `standard` | 5 (62.5 %) | 1 | 2 |",
+                                "| `reference` | 6 (75.0 %) | 0 | 0 |"])
+        _, text = self.judged("drawn.json", "--draws", 2, "--seed", 1)
+        self.assertRegex(text, r"\d worlds near their limit, 2 draws of each:")
+
     def test_worlds_that_disagree_are_kept_with_all_that_is_needed_to_simulate_them(self):
         group = random_worlds.Group(self.options(keep=self.folder / "kept"), 0, self.folder)
         for world in group.worlds:
             world.amplitude_g = 0.3
-            world.answers = {accuracy: answer("stayed") for accuracy in random_worlds.ACCURACIES}
+            world.answers = {accuracy: answer("stayed") for accuracy in ANSWERS}
         group.worlds[1].answers["reference"] = answer("moved", 1.1)
+        group.worlds[1].answers[random_worlds.AGAIN] = answer("moved", 1.1)
         group.worlds[1].by_twice_the_limits = ["moved"] * 3
         group.keep()
         self.assertEqual([path.name for path in (self.folder / "kept").iterdir()], ["world_000001"])

@@ -26,10 +26,15 @@ Vec3 horizontal(const Vec3& v) { return {v.x(), v.y(), 0.0}; }
 /// What presses a block on the surface, over its mass, m/s².
 double pressure(const Vec3& effective_gravity) { return std::max(0.0, -effective_gravity.z()); }
 
-/// Takes a block through a time of constant effective gravity: exact along a line, and else along the direction in
-/// which it slides at the begin.
+/// Takes a block through a time of constant effective gravity: exact along a line and without friction, and else
+/// along the direction in which it slides at the begin.
 void slide(const LoneBlock& block, const Vec3& effective_gravity, double duration, Path& path) {
   const Vec3 drive = horizontal(effective_gravity);
+  if (block.friction == 0.0) {
+    path.shift += duration * (path.slip + 0.5 * duration * drive);
+    path.slip += duration * drive;
+    return;
+  }
   const double hold = pressure(effective_gravity);
   if (path.slip == Vec3::Zero() && drive.norm() <= block.friction * hold) return;
   const Vec3 direction = (path.slip != Vec3::Zero() ? path.slip : drive).stableNormalized();

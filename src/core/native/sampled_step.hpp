@@ -11,7 +11,7 @@ namespace holdfast::internal::native {
 /// A block that slides alone on a level surface of the container, by Coulomb's law: it tells what the samples within a
 /// step do to a contact that their mean does not. What friction cannot hold for a moment is lost in the mean.
 struct LoneBlock {
-  double friction = 0.0;          ///< static coefficient
+  double friction = 0.0;          ///< static coefficient; 0: nothing holds it
   double kinetic_friction = 0.0;  ///< coefficient while it slides
   Vec3 slip = Vec3::Zero();       ///< horizontal velocity at the begin of the step, m/s; zero: it sticks
 
@@ -24,7 +24,9 @@ struct LoneBlock {
 /// @param phase   with samples
 /// @param begin   s, within the phase
 /// @param gravity without the acceleration, m/s²
-/// @param blocks  one for each kind of contact
+/// @param blocks  one for each kind of contact; where a body turns also one that nothing holds, since what rocks
+/// follows
+///                each push, and not their mean
 Phase next_part(const Phase& phase, double begin, const Vec3& gravity, std::span<const LoneBlock> blocks);
 
 }  // namespace holdfast::internal::native

@@ -15,6 +15,7 @@ namespace {
 
 const Vec3 kGravity(0, 0, -10);
 const LoneBlock kSticking{0.5, 0.5, Vec3::Zero()};
+const LoneBlock kFree;
 
 /// A phase of samples of a millisecond with these accelerations along x, m/s².
 Phase sampled(const std::vector<double>& accelerations) {
@@ -72,10 +73,21 @@ TEST_CASE("sampled_step: a slide that does not end within the phase takes the me
 TEST_CASE("sampled_step: what moves freely goes where the samples lead it", "[core][sampled_step]") {
   // The blow alone moves the container by 0.15 mm within its sample, and then by 0.3 mm in each.
   const Phase phase = sampled({0, 0, 0, 0, 300, -300, 0, 0});
-  CHECK(taken(phase, 0.0, {}) == 4);
-  CHECK(taken(phase, 0.004, {}) == 1);
-  CHECK(taken(phase, 0.005, {}) == 1);
-  CHECK(taken(phase, 0.006, {}) == 2);
+  for (const std::vector<LoneBlock>& blocks : {std::vector<LoneBlock>(), {kFree}}) {
+    CHECK(taken(phase, 0.0, blocks) == 4);
+    CHECK(taken(phase, 0.004, blocks) == 1);
+    CHECK(taken(phase, 0.005, blocks) == 1);
+    CHECK(taken(phase, 0.006, blocks) == 2);
+  }
+}
+
+TEST_CASE("sampled_step: a short push is not lost on what rocks", "[core][sampled_step]") {
+  // Friction holds all samples. They take what nothing holds 42 µm far, and their mean 24 µm.
+  const Phase phase = sampled({3, 3, 0, 0, 0, 0, 0, 0});
+  CHECK(taken(phase, 0.0, {kSticking}) == 8);
+  CHECK(taken(phase, 0.0, {kSticking, kFree}) == 2);
+  // A push that hardly changes is followed by its mean.
+  CHECK(taken(sampled({3, 3.01, 3.02, 3.03, 3.04, 3.05, 3.06, 3.07}), 0.0, {kSticking, kFree}) == 8);
 }
 
 }  // namespace sampled_step_test
