@@ -62,10 +62,7 @@ double sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lane
 /// How far a solution is from the laws of contact: the worst of the momentum balance, and, of every point, of the
 /// normal and the tangential law; m/s.
 double violation(const ContactProblem& problem) {
-  std::vector<LaneWrench> wrench(problem.bodies.size() + 1);
-  add_impulses(problem.constraints, problem.mid_arms, wrench);
-  std::vector<BodyVector> left(problem.bodies.size());
-  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, left);
+  const std::vector<BodyVector> left = missing_momentum(problem);
   double worst = 0.0;
   for (std::size_t i = 0; i < left.size(); ++i) {
     const ProblemBody& body = problem.bodies[i];

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/native/native_world.hpp"
+#include "core/native/solver/body_kernels.hpp"
+#include "core/native/solver/contact_kernels.hpp"
 #include "core/native/solver/problem_bytes.hpp"
 #include "scenes.hpp"
 
@@ -15,6 +17,15 @@ struct SolvedProblem {
   ContactProblem solved;
   SolveResult result;
 };
+
+/// The momentum of each body that its impulses do not account for.
+inline std::vector<BodyVector> missing_momentum(const ContactProblem& problem) {
+  std::vector<LaneWrench> wrench(problem.bodies.size() + 1);
+  add_impulses(problem.constraints, problem.mid_arms, wrench);
+  std::vector<BodyVector> missing(problem.bodies.size());
+  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, missing);
+  return missing;
+}
 
 /// Keeps the problems that it is given, and has the engine's solver solve them. Those that go on from the solve before
 /// are left out.
