@@ -246,7 +246,7 @@ class Group:
             answers = self.run(accuracy, [(world, factor, world.box_numbers()) for world in worlds for factor in factors])
             for i, world in enumerate(worlds):
                 of_world = answers[i * count:(i + 1) * count]
-                world.draws_beyond[accuracy] = sum(answer["verdict"] != "stayed" for answer in of_world)
+                world.draws_beyond[accuracy] = sum(answer["verdict"] in REJECTED for answer in of_world)
 
     def keep(self):
         """Writes the files of worlds in which the accuracies disagree, or one fails."""
@@ -362,18 +362,19 @@ def all_worlds(options, amplitudes, known):
             worlds += members
             if options.json:
                 written = options.json.with_suffix(".part")
-                written.write_text(json.dumps({"seed": options.seed, "worlds": [world.row() for world in worlds]}, indent=0) + "\n")
+                written.write_text(json.dumps({"seed": options.seed, "draws": options.draws, "worlds": [world.row() for world in worlds]}, indent=0) + "\n")
                 written.rename(options.json)
             if not options.quiet:
                 print(f"{len(worlds)} of {options.worlds} worlds", file=sys.stderr, flush=True)
     return worlds
 
 
-def worlds_of(parser, options, path):
-    """The worlds that --json wrote there, by index."""
+def worlds_of(parser, path, **same):
+    """The worlds that --json wrote there, by index, of a run in which these options were the same."""
     known = json.loads(path.read_text())
-    if known["seed"] != options.seed:
-        parser.error(f"{path}: is of the seed {known['seed']}")
+    for name, value in same.items():
+        if known.get(name) != value:
+            parser.error(f"{path}: is of --{name} {known.get(name)}")
     return {row["index"]: World(**row) for row in known["worlds"]}
 
 
@@ -398,10 +399,12 @@ def main():
         parser.error("--worlds and --jobs are from 1 on")
     if options.draws == 1 or options.draws < 0:
         parser.error("--draws is from 2 on")
-    known = worlds_of(parser, options, options.json) if options.resume and options.json and options.json.exists() else {}
+    known = {}
+    if options.resume and options.json and options.json.exists():
+        known = worlds_of(parser, options.json, seed=options.seed, draws=options.draws)
     amplitudes = None
     if options.amplitudes:
-        earlier = worlds_of(parser, options, options.amplitudes)
+        earlier = worlds_of(parser, options.amplitudes, seed=options.seed)
         amplitudes = {index: (world.held_g, world.amplitude_g) for index, world in earlier.items()}
         if len(amplitudes) < options.worlds:
             parser.error(f"{options.amplitudes}: has fewer worlds")

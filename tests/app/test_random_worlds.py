@@ -75,7 +75,7 @@ class RandomWorlds(CliTest):
         for world in group.worlds:
             world.answers = {accuracy: answer("fell") for accuracy in ANSWERS}
         rows = [world.row() for world in group.worlds]
-        self.write("all.json", json.dumps({"seed": 6, "worlds": rows}))
+        self.write("all.json", json.dumps({"seed": 6, "draws": 0, "worlds": rows}))
         self.assertEqual(self.judged("all.json", "--resume")[0], [
             {**row, "answers": {accuracy: {name: value for name, value in row["answers"][accuracy].items() if name != "cpu_seconds"}
                                 for accuracy in ANSWERS}} for row in rows])

@@ -10,8 +10,9 @@ namespace holdfast::internal::native {
 
 namespace {
 
-/// How far a body may be, in a step with the mean of its samples, from where these lead it: one that slides alone also
-/// by `kSlack` of its way at most. Far below the error of a simulation with such steps.
+/// How far a body may be, in a step with the mean of its samples, from where these lead it: one that slides alone, and
+/// one that nothing holds where a body turns, also by `kSlack` of its way at most. Far below the error of a simulation
+/// with such steps.
 /// @measured Half and twice: insensitive, also the suite `oscillate` of `validate`.
 constexpr double kSampledShift = 2.0 * kContactTolerance;  // m
 
