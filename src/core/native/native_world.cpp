@@ -76,6 +76,7 @@ Phase NativeWorld::next_part(const Phase& phase) const {
   const Bodies& bodies = state_.scene.bodies;
   const double slow = kNegligible * state_.terms.longest_step * gravity_.norm();
   std::vector<LoneBlock> blocks;
+  // What rocks follows each push, and not their mean.
   for (std::size_t i = 0; i < bodies.count() && blocks.empty(); ++i)
     if (bodies.largest_rotational_speed(i) > slow) blocks.emplace_back();
   for (const Manifold& manifold : state_.scene.manifolds) {
