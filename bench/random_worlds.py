@@ -21,6 +21,9 @@ moves, under an acceleration that goes to and fro, is simulated several times mo
 times 0.9925 to 1.0075. How many of all these draws are beyond a limit is counted, and how they differ from those of
 reference, world by world: alike above and below where it is by chance.
 
+--replicas asks each world that is let pass again, with 32 replicas whose accelerations spread by 0.75 %: what they tell of
+it is counted as well.
+
 Worlds do not depend on how many there are. --json is written after every 25 worlds, and --resume goes on from there.
 
 Example: bench/random_worlds.py --worlds 1000 --keep disagreeing/ --json worlds.json
@@ -58,6 +61,8 @@ KEPT = ("verdict", "status", "caveats", "critical_box", *LIMITS, "end_time_s", "
 MOVES = 1e-3  # m
 TO_AND_FRO = ("sine", "lane change", "sea", "truck noise")
 DRAWS_SPREAD = 0.0075  # of the acceleration
+REPLICAS = f"Replicas = 32\nFrictionSpread = 0\nAccelerationSpread = {DRAWS_SPREAD}\n"
+TOLD = ("holds", "uncertain", "fails")  # by replicas
 STIRS = 0.005  # of a limit: a world in which a box moves
 PERTURBED = ((0.998, 0.0), (1.002, 0.0), (1.0, 0.1))  # factor of the acceleration, play in mm
 REJECTED = ("moved", "fell")
@@ -80,6 +85,7 @@ class World:
     answers: dict = field(default_factory=dict)  # by accuracy
     by_twice_the_limits: list = field(default_factory=list)  # verdicts of the perturbed worlds, at reference
     draws_beyond: dict = field(default_factory=dict)  # by accuracy: how many draws are beyond a limit
+    told: dict = field(default_factory=dict)  # by accuracy: what replicas tell, where it is let pass
     layout: list = field(default_factory=list, repr=False)  # lines of the layout file, which --json does not keep
     shape: np.ndarray = field(default=None, repr=False)
 
@@ -168,8 +174,9 @@ class Group:
         shape = inputs.ACCELERATIONS[acceleration](draw)
         return World(index, load, acceleration, self.friction, play, len(lines) - 1, len(shape), layout=lines, shape=shape)
 
-    def run(self, accuracy, cases, times=1):
-        """The answers to (world, factor of its acceleration, boxes), in their order, by so many times the limits."""
+    def run(self, accuracy, cases, times=1, more=""):
+        """The answers to (world, factor of its acceleration, boxes), in their order, by so many times the limits, with
+        more keys of [Screening]."""
         if not cases:
             return []
         names, lines = [], []
@@ -179,16 +186,16 @@ class Group:
                 path.write_text(world.acceleration_file(factor), encoding="ascii")
             lines.append(json.dumps({"accelerations": [names[-1]], "unit": "cm", "boxes": boxes}))
         drop, move, tilt = (times * limit for limit in LIMITS.values())
-        config = self.folder / f"limits_{times}.ini"
+        config = self.folder / "config.ini"
         config.write_text(f"{self.config}[Simulation Settings]\nDropThreshold = {drop}\n[Screening]\nStopWhen = moved\n"
-                          f"MoveThreshold = {move}\nTiltThreshold = {tilt}\n", encoding="ascii")
+                          f"MoveThreshold = {move}\nTiltThreshold = {tilt}\n{more}", encoding="ascii")
         command = [self.options.holdfast, "serve", "-c", config, "--accuracy", accuracy, "--threads", "1", "--ordered",
                    "--accelerations", *(self.folder / name for name in dict.fromkeys(names))]
         done = subprocess.run([str(word) for word in command], input="\n".join(lines), capture_output=True, text=True, check=False)
         answers = [json.loads(line) for line in done.stdout.splitlines()]
         if done.returncode or len(answers) != len(cases) or any("error" in answer for answer in answers):
             sys.exit(done.stderr or f"an answer is missing or an error: {done.stdout[-300:]}")
-        return [{name: answer["verdicts"][0][name] for name in KEPT} for answer in answers]
+        return [answer["verdicts"][0] for answer in answers]
 
     def verdicts(self, worlds, factor):
         """Whether each stays at screening, its acceleration times this; None where it does not stand."""
@@ -224,10 +231,10 @@ class Group:
         for accuracy in ACCURACIES:
             answers = self.run(accuracy, [(world, 1.0, world.box_numbers()) for world in self.worlds])
             for world, answer in zip(self.worlds, answers):
-                world.answers[accuracy] = answer
+                world.answers[accuracy] = {name: answer[name] for name in KEPT}
         again = self.run("reference", [(world, AGAIN_FACTOR, world.box_numbers()) for world in self.worlds])
         for world, answer in zip(self.worlds, again):
-            world.answers[AGAIN] = answer
+            world.answers[AGAIN] = {name: answer[name] for name in KEPT}
         doubtful = [world for world in self.worlds if any(beyond(world, accuracy) for accuracy in JUDGED)]
         cases = [(world, factor, world.perturbed(play) if play else world.box_numbers())
                  for world in doubtful for factor, play in PERTURBED]
@@ -235,6 +242,8 @@ class Group:
             world.by_twice_the_limits.append(answer["verdict"])
         if self.options.draws:
             self.draw_again(self.options.draws)
+        if self.options.replicas:
+            self.ask_replicas()
         if self.options.keep:
             self.keep()
 
@@ -247,6 +256,14 @@ class Group:
             for i, world in enumerate(worlds):
                 of_world = answers[i * count:(i + 1) * count]
                 world.draws_beyond[accuracy] = sum(answer["verdict"] in REJECTED for answer in of_world)
+
+    def ask_replicas(self):
+        """Asks the worlds that are let pass again, with replicas."""
+        for accuracy in ACCURACIES[:2]:
+            worlds = [world for world in self.worlds if passes(world, accuracy)]
+            answers = self.run(accuracy, [(world, 1.0, world.box_numbers()) for world in worlds], more=REPLICAS)
+            for world, answer in zip(worlds, answers):
+                world.told[accuracy] = answer["replicas"]["verdict"]
 
     def keep(self):
         """Writes the files of worlds in which the accuracies disagree, or one fails."""
@@ -330,6 +347,22 @@ def draws_table(worlds, count):
                     ["accuracy", "beyond a limit", "more than at reference", "fewer than at reference"], rows)
 
 
+def replicas_table(worlds):
+    """What replicas tell of the worlds that are let pass, and what reference says of these."""
+    rows = []
+    for accuracy in ACCURACIES[:2]:
+        passed = [world for world in judged_worlds(worlds, accuracy) if passes(world, accuracy)]
+        for told in TOLD:
+            members = [world for world in passed if world.told[accuracy] == told]
+            half = sum(passes(world, "reference") and used(world.answers["reference"]) < 0.5 for world in members)
+            rows.append([f"`{accuracy}`", f"`{told}`", share(len(members), len(passed)),
+                         share(sum(beyond(world, accuracy) for world in members), len(members)),
+                         str(sum(clearly_unsafe(world, accuracy) for world in members)), str(half)])
+    return table_of("Worlds that are let pass, asked again with 32 replicas:",
+                    ["accuracy", "told", "worlds", "beyond a limit at reference", "clearly unsafe",
+                     "held by half a limit at reference"], rows)
+
+
 def draw_lines(worlds):
     """How well the worlds were drawn."""
     standing = [world for world in worlds if world.verdict("screening") not in ("unstable", "failed")]
@@ -362,7 +395,8 @@ def all_worlds(options, amplitudes, known):
             worlds += members
             if options.json:
                 written = options.json.with_suffix(".part")
-                written.write_text(json.dumps({"seed": options.seed, "draws": options.draws, "worlds": [world.row() for world in worlds]}, indent=0) + "\n")
+                written.write_text(json.dumps({"seed": options.seed, "draws": options.draws, "replicas": options.replicas,
+                                               "worlds": [world.row() for world in worlds]}, indent=0) + "\n")
                 written.rename(options.json)
             if not options.quiet:
                 print(f"{len(worlds)} of {options.worlds} worlds", file=sys.stderr, flush=True)
@@ -393,6 +427,7 @@ def main():
     parser.add_argument("--into", type=Path, metavar="PAGE", help="page whose tables are replaced, such as docs/evidence/validation.md")
     parser.add_argument("--draws", type=int, default=0, metavar="N", help="how often each world near its limit is simulated "
                         "again, at each accuracy, from 2 on (default: not)")
+    parser.add_argument("--replicas", action="store_true", help="ask each world that is let pass again, with replicas")
     parser.add_argument("--quiet", action="store_true", help="do not tell how far it is")
     options = parser.parse_args()
     if options.worlds < 1 or options.jobs < 1:
@@ -401,7 +436,7 @@ def main():
         parser.error("--draws is from 2 on")
     known = {}
     if options.resume and options.json and options.json.exists():
-        known = worlds_of(parser, options.json, seed=options.seed, draws=options.draws)
+        known = worlds_of(parser, options.json, seed=options.seed, draws=options.draws, replicas=options.replicas)
     amplitudes = None
     if options.amplitudes:
         earlier = worlds_of(parser, options.amplitudes, seed=options.seed)
@@ -414,6 +449,8 @@ def main():
               "random worlds: apart": apart_table(worlds), "random worlds: caveats": caveats_table(worlds)}
     if options.draws:
         tables["random worlds: draws"] = draws_table(worlds, options.draws)
+    if options.replicas:
+        tables["random worlds: replicas"] = replicas_table(worlds)
     print("\n\n".join(tables.values()))
     if options.into:
         replace_tables(options.into, tables)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/model/verdict.hpp"
+#include "core/native/native_scenes.hpp"
 #include "physics/measures.hpp"
 #include "physics/ways.hpp"
 #include "same_bits.hpp"
@@ -278,6 +279,34 @@ TEST_CASE("mixed_friction: a mat ends to act when its contact turns", "[physics]
   // them.
   const bool is_coarse = way.engine == "native" && way.accuracy == Accuracy::screening;
   CHECK(holds.displacement(1).x() - slips.displacement(1).x() == Approx(1.3e-3).margin(is_coarse ? 1.5e-3 : 2e-4));
+}
+
+TEST_CASE("mixed_friction: a box slides over a large island as far as its friction lets it, however it is solved",
+          "[physics][mixed]") {
+  // Rows of two layers, flush and held by the floor: all of them are in one island, whose solves end early.
+  Layout layout = layout_of({});
+  for (int row = 0; row < 2; ++row)
+    for (int i = 0; i < 10; ++i) {
+      const Vec3 corner(12 + 0.4 * i, 9 + 0.5 * row, 0);
+      const double low = 0.05 * (2 + i % 3);
+      layout.boxes.push_back(of("2", corner, {0.4, 0.5, low}));
+      layout.boxes.push_back(of("2", corner + Vec3(0, 0, low), {0.4, 0.5, 0.3 - low}));
+    }
+  layout.boxes.push_back(of("1", {15.3, 9.3, 0.3}, {0.6, 0.5, 0.3}));
+  const double friction = 0.5, braking = 8.0, duration = 0.8;
+  Settings settings = open_floor(1.5);
+  settings.materials[2] = settings.materials[1];
+  for (const char* partners : {"1, 1", "1, 2"}) set_pair(settings, partners, friction);
+  const double excess = braking - friction * kGravity;
+  const double way = 0.5 * excess * duration * duration * braking / (friction * kGravity);
+  const auto [accuracy, error] = GENERATE(std::pair(Accuracy::screening, 1e-4), std::pair(Accuracy::standard, 1e-4),
+                                          std::pair(Accuracy::reference, 5e-6));
+  settings.native.accuracy = accuracy;
+  const Run end = native_scenes::native_run(
+      layout, acceleration_of({{duration, Vec3(braking, 0, 0)}, {1.5, Vec3::Zero()}}), settings);
+  CAPTURE(static_cast<int>(accuracy), text(-end.displacement(40).x() / way - 1.0));
+  CHECK(-end.displacement(40).x() == Approx(way).epsilon(error));
+  for (std::size_t i = 0; i < 40; ++i) CHECK(end.displacement(i).norm() < 1e-3);
 }
 
 }  // namespace mixed_friction_test

@@ -63,10 +63,10 @@ struct Golden {
   std::uint64_t hash;
 };
 constexpr Golden kGolden[] = {
-    {"brake", brake, 0xac7c7c46eb1f2344},
-    {"lean", lean, 0xc890583b11b3c760},
-    {"tumble", tumble, 0xbf1ab87f424a01a1},
-    {"drop", drop, 0xdaefb4bd4198081f},
+    {"brake", brake, 0xaf70e991cab7da1b},
+    {"lean", lean, 0xf12f63a14a6a9a1a},
+    {"tumble", tumble, 0xd7d653e6a894f871},
+    {"drop", drop, 0x387b7bfa9fb373f9},
 };
 
 }  // namespace

@@ -89,9 +89,8 @@ TEST_CASE("wall_forces: all sides together balance weight and change of momentum
           acceleration_of({{0.2, Vec3::Zero()}, {0.4, Vec3(8, 3, 0)}, {0.2, Vec3(-4, -5, 1)}});
       const Run run = native_run(layout, acceleration, settings);
       CAPTURE(name, static_cast<int>(accuracy), text(imbalance(layout, acceleration, settings, run)));
-      // Boxes that are slow are set at rest, from a speed that shows in larger steps.
-      const double tolerance = accuracy == Accuracy::screening ? 1e-4 : accuracy == Accuracy::standard ? 1e-5 : 3e-6;
-      CHECK(imbalance(layout, acceleration, settings, run) < tolerance);
+      // Where boxes move at the end, what the last solve has left is missing.
+      CHECK(imbalance(layout, acceleration, settings, run) < (accuracy == Accuracy::screening ? 5e-6 : 5e-7));
     }
   }
 }

@@ -22,6 +22,11 @@ std::vector<std::uint8_t> Bodies::marked(Activity what) const {
 
 bool Bodies::any(Activity what) const { return std::find(activity.begin(), activity.end(), what) != activity.end(); }
 
+void Bodies::stop(std::size_t body) {
+  state.velocity[body] = state.angular_velocity[body] = Vec3::Zero();
+  last_step[body] = {};
+}
+
 void Bodies::update_shape(std::size_t body) {
   OrientedBox& box = shape[body];
   const Rotation& turned = state.orientation[body];
@@ -50,8 +55,7 @@ Bodies bodies_of(const WorldBatch& batch, const World& world) {
   for_each_state_column([&](const char*, const auto& from, auto& to) { take(from, to); }, state, bodies.state);
   bodies.shape.resize(world.box_count);
   bodies.pushed.resize(world.box_count);
-  bodies.acceleration.assign(world.box_count, Vec3::Zero());
-  bodies.angular_acceleration.assign(world.box_count, Vec3::Zero());
+  bodies.last_step.resize(world.box_count);
   for (std::size_t i = 0; i < world.box_count; ++i) {
     const std::uint32_t box = bodies.world_box[i];
     bodies.shape[i].half_extents = boxes.half_extents[box];

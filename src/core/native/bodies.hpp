@@ -19,6 +19,17 @@ enum class Activity : std::uint8_t {
   ahead,    ///< has taken the whole step, of which others take halves
 };
 
+/// What a body's last step leaves for the next.
+struct LastStep {
+  Vec3 acceleration = Vec3::Zero();          ///< a guess for the next, m/s²
+  Vec3 angular_acceleration = Vec3::Zero();  ///< likewise, rad/s²
+  /// What the velocity that its solve has found lacks of the one that the impulses give the body, m/s and rad/s. The
+  /// next step adds it. So momentum changes by impulses of Coulomb's law alone, over steps, and the residuals of solves
+  /// do not add up: what slides comes as far as a friction of exactly μ times the normal force lets it.
+  Vec3 missing_velocity = Vec3::Zero();
+  Vec3 missing_angular_velocity = Vec3::Zero();
+};
+
 /// The boxes of one world: one column per quantity, one entry per box, in the container's frame. They are in the order
 /// of their first positions, so that results do not depend on the order in which a layout lists them.
 struct Bodies {
@@ -31,9 +42,8 @@ struct Bodies {
   std::vector<Activity> activity;
   std::vector<BoxForce> pushed;  ///< from outside
   StateColumns state;
-  std::vector<OrientedBox> shape;          ///< the box at `state`
-  std::vector<Vec3> acceleration;          ///< of the last step, a guess for the next, m/s²
-  std::vector<Vec3> angular_acceleration;  ///< likewise, rad/s²
+  std::vector<OrientedBox> shape;  ///< the box at `state`
+  std::vector<LastStep> last_step;
 
   std::size_t count() const { return mass.size(); }
 
@@ -52,6 +62,9 @@ struct Bodies {
 
   /// No point of the body moves faster than this, m/s.
   double largest_speed(std::size_t body) const { return state.velocity[body].norm() + largest_rotational_speed(body); }
+
+  /// Takes its velocity, and what the last step leaves, from a body.
+  void stop(std::size_t body);
 
   /// Brings the shape to the state's position and orientation.
   void update_shape(std::size_t body);

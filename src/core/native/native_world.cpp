@@ -178,8 +178,6 @@ void NativeWorld::let_sleep() {
   if (!options_.sleep || !state_.sleeping.choose(state_.scene, state_.terms, state_.islands)) return;
   state_.contacts.end_separated_from_sleeping(state_.scene);
   state_.find_islands();
-  SideForces& side_forces = state_.scene.side_forces;
-  if (side_forces.wanted()) side_forces.add_stopped(state_.scene, state_.sleeping.stopped());
 }
 
 void NativeWorld::read_back(StateColumns& state) const {

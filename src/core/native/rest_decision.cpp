@@ -8,13 +8,11 @@ namespace holdfast::internal::native {
 
 namespace {
 
-void set_at_rest(Bodies& bodies, const IslandView& island) {
+void set_at_rest(Scene& scene, const IslandView& island) {
   for (const std::uint32_t body : island.bodies) {
-    bodies.activity[body] = Activity::resting;
-    bodies.state.velocity[body] = Vec3::Zero();
-    bodies.state.angular_velocity[body] = Vec3::Zero();
-    bodies.acceleration[body] = Vec3::Zero();
-    bodies.angular_acceleration[body] = Vec3::Zero();
+    scene.bodies.activity[body] = Activity::resting;
+    scene.side_forces.add_stopped(scene, body);
+    scene.bodies.stop(body);
   }
 }
 
@@ -73,7 +71,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
       const bool known = freeze && std::all_of(island.bodies.begin(), island.bodies.end(), is_resting);
       const bool rests = known || (may_rest(bodies, island, terms) && (round > 0 || is_due(island)) &&
                                    prove(scene, terms, island, round > 0, proof, counters));
-      if (rests) set_at_rest(bodies, island);
+      if (rests) set_at_rest(scene, island);
       if (rests && !known && scene.side_forces.wanted()) proof.find_resting_pushes(scene, island, terms);
       for (const std::uint32_t body : island.bodies) {
         if (!rests) bodies.activity[body] = Activity::moving;
@@ -117,7 +115,8 @@ bool RestDecision::activate_leaning(Scene& scene, const StepTerms& terms) {
   const auto acceleration = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (body < 0 || refuted_[at(body)] == 0 || reset_[at(body)] == 0) return Vec3::Zero();
     const std::size_t i = at(body);
-    return bodies.acceleration[i] + bodies.angular_acceleration[i].cross(point - bodies.state.position[i]);
+    const LastStep& last = bodies.last_step[i];
+    return last.acceleration + last.angular_acceleration.cross(point - bodies.state.position[i]);
   };
   bool any = false;
   for (Manifold& manifold : scene.manifolds) {

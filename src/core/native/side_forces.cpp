@@ -43,25 +43,24 @@ void SideForces::add_sleeping(const Scene& scene, const StepTerms& terms, double
                     fixed_a ? Vec3(-impulse) : impulse, manifold.contact.points[i].on_a);
     }
   }
-  push_floor(scene, [&](std::size_t i) -> Vec3 {
-    return left_[i] + duration * (bodies.pushed[i].force + bodies.mass[i] * terms.effective_gravity);
-  });
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.activity[i] == Activity::asleep)
+      push_floor(scene, i, left_[i] + duration * (bodies.pushed[i].force + bodies.mass[i] * terms.effective_gravity));
 }
 
-void SideForces::add_stopped(const Scene& scene, const std::vector<Vec3>& velocity) {
-  push_floor(scene, [&](std::size_t i) -> Vec3 { return scene.bodies.mass[i] * velocity[i]; });
+void SideForces::add_stopped(const Scene& scene, std::size_t body) {
+  if (!wanted_) return;
+  const Bodies& bodies = scene.bodies;
+  push_floor(scene, body, bodies.mass[body] * (bodies.state.velocity[body] + bodies.last_step[body].missing_velocity));
 }
 
-/// Adds impulses of the sleeping bodies on the floor, N s.
-void SideForces::push_floor(const Scene& scene, const std::function<Vec3(std::size_t)>& impulse) {
+/// Adds the impulse of a body on the floor below it, N s.
+void SideForces::push_floor(const Scene& scene, std::size_t body, const Vec3& impulse) {
   const Side* const floor = floor_of(scene);
   if (floor == nullptr) return;
-  for (std::size_t i = 0; i < scene.bodies.count(); ++i) {
-    if (scene.bodies.activity[i] != Activity::asleep) continue;
-    Vec3 below = scene.bodies.state.position[i];
-    below.z() = 0.0;
-    add_contact(sum_, floor->index, impulse(i), below);
-  }
+  Vec3 below = scene.bodies.state.position[body];
+  below.z() = 0.0;
+  add_contact(sum_, floor->index, impulse, below);
 }
 
 }  // namespace holdfast::internal::native

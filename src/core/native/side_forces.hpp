@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/engine/engine.hpp"
@@ -52,12 +51,11 @@ class SideForces {
   /// Adds what sleeping bodies do by themselves: what they did when they fell asleep. What moving bodies do to them
   /// counts as pushing the floor (`IslandProblem::add_pushes`) until they wake, as does what is left over.
   void add_sleeping(const Scene& scene, const StepTerms& terms, double duration);
-  /// Adds what stops the bodies that fall asleep: it pushes the floor.
-  /// @param velocity a body: that it loses, m/s
-  void add_stopped(const Scene& scene, const std::vector<Vec3>& velocity);
+  /// Adds the momentum of a body that is about to be stopped: it pushes the floor.
+  void add_stopped(const Scene& scene, std::size_t body);
 
  private:
-  void push_floor(const Scene& scene, const std::function<Vec3(std::size_t)>& impulse);
+  void push_floor(const Scene& scene, std::size_t body, const Vec3& impulse);
 
   bool wanted_ = false;
   SideImpulses sum_;

@@ -54,13 +54,11 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   wake_unsupported(scene, terms);
   if (!bodies.any(Activity::asleep)) return false;
   sum_forces(bodies, [](const Contact&) { return true; });
-  stopped_.assign(bodies.count(), Vec3::Zero());
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (bodies.activity[i] != Activity::asleep) continue;
-    stopped_[i] = bodies.state.velocity[i];
     if (slept_[i] == 0) load_[i] = load_now_[i];
-    bodies.state.velocity[i] = bodies.state.angular_velocity[i] = Vec3::Zero();
-    bodies.acceleration[i] = bodies.angular_acceleration[i] = Vec3::Zero();
+    scene.side_forces.add_stopped(scene, i);
+    bodies.stop(i);
   }
   return true;
 }

@@ -37,9 +37,6 @@ class SleepingBodies {
   /// @param islands the real ones
   bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands);
 
-  /// Velocities that the bodies lost that the last `choose` put to sleep, m/s.
-  const std::vector<Vec3>& stopped() const { return stopped_; }
-
   /// After the step: counts how long bodies have been slow.
   void note(const Scene& scene, const StepTerms& terms);
 
@@ -63,8 +60,7 @@ class SleepingBodies {
   std::vector<Vec3> load_;                 ///< a body that sleeps: sum of its contact forces when it fell asleep, N
   std::uint32_t steps_ = 0;                ///< since the last `reset`
   std::vector<std::uint8_t> slept_;        ///< a body: asleep in the step before
-  std::vector<Vec3> stopped_;
-  std::vector<Contact> contacts_;  ///< of the bodies that sleep, in the order of the manifolds
+  std::vector<Contact> contacts_;          ///< of the bodies that sleep, in the order of the manifolds
   // Work buffers, an entry per body.
   std::vector<std::uint8_t> hit_;
   std::vector<Vec3> load_now_, change_;

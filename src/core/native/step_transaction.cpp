@@ -1,7 +1,6 @@
 #include "core/native/step_transaction.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/native/contact_kinematics.hpp"
 
@@ -16,7 +15,7 @@ StepTransaction::StepTransaction(WorldState& world, IslandStepper& stepper, cons
       counters_(counters),
       status_(status),
       before_(scene_.bodies.state),
-      before_acceleration_(scene_.bodies.count()),
+      before_last_step_(scene_.bodies.count()),
       reports_(scene_.bodies.count()) {}
 
 void StepTransaction::correct_positions() {
@@ -41,26 +40,25 @@ void StepTransaction::save(const IslandView& island) {
   for (const std::uint32_t body : island.bodies) {
     for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, bodies.state,
                           before_);
-    before_acceleration_[body] = {bodies.acceleration[body], bodies.angular_acceleration[body]};
+    before_last_step_[body] = bodies.last_step[body];
   }
 }
 
 void StepTransaction::restore(std::size_t body) {
   Bodies& bodies = scene_.bodies;
   for_each_state_column([&](const char*, const auto& from, auto& to) { to[body] = from[body]; }, before_, bodies.state);
-  std::tie(bodies.acceleration[body], bodies.angular_acceleration[body]) = before_acceleration_[body];
+  bodies.last_step[body] = before_last_step_[body];
   bodies.update_shape(body);
 }
 
 /// Where the bodies were, and what they had done to the sides, when the step began.
 StepTransaction::Start StepTransaction::start_of_step() const {
   const Bodies& bodies = scene_.bodies;
-  Start start{bodies.state, {}, bodies.activity, scene_.side_forces.sum()};
+  Start start{bodies.state, bodies.last_step, bodies.activity, scene_.side_forces.sum()};
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    start.acceleration.emplace_back(bodies.acceleration[i], bodies.angular_acceleration[i]);
     if (bodies.activity[i] != Activity::moving) continue;
     for_each_state_column([&](const char*, const auto& from, auto& to) { to[i] = from[i]; }, before_, start.state);
-    start.acceleration[i] = before_acceleration_[i];
+    start.last_step[i] = before_last_step_[i];
   }
   return start;
 }
@@ -69,7 +67,7 @@ StepTransaction::Start StepTransaction::start_of_step() const {
 void StepTransaction::go_back(const Start& start) {
   Bodies& bodies = scene_.bodies;
   before_ = start.state;
-  before_acceleration_ = start.acceleration;
+  before_last_step_ = start.last_step;
   scene_.side_forces.set_sum(start.side_impulses);
   std::vector<std::uint8_t> moved(bodies.count(), 0);
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -109,8 +107,8 @@ bool StepTransaction::activate_predicted() {
   const auto mean_twist = [&](std::int32_t body) -> Twist {
     if (body < 0 || bodies.activity[at(body)] != Activity::moving) return {};
     const std::size_t i = at(body);
-    return {bodies.state.position[i], bodies.state.velocity[i] + 0.5 * terms.step * bodies.acceleration[i],
-            bodies.state.angular_velocity[i] + 0.5 * terms.step * bodies.angular_acceleration[i]};
+    return {bodies.state.position[i], bodies.state.velocity[i] + 0.5 * terms.step * bodies.last_step[i].acceleration,
+            bodies.state.angular_velocity[i] + 0.5 * terms.step * bodies.last_step[i].angular_acceleration};
   };
   bool any = false;
   for (Manifold& manifold : scene_.manifolds) {

@@ -29,7 +29,7 @@ class StepTransaction {
   /// What a step begins from, to take it again.
   struct Start {
     StateColumns state;
-    std::vector<std::pair<Vec3, Vec3>> acceleration;  ///< linear and angular, m/s², rad/s²
+    std::vector<LastStep> last_step;
     std::vector<Activity> activity;
     SideImpulses side_impulses;
   };
@@ -57,12 +57,12 @@ class StepTransaction {
   NativeOptions options_;
   Counters& counters_;
   Status& status_;
-  double unit_ = 1.0;                                       ///< |g − a| times the whole step, m/s
-  StateColumns before_;                                     ///< at the start of the step, entries of moving bodies
-  std::vector<std::pair<Vec3, Vec3>> before_acceleration_;  ///< likewise, linear and angular, m/s², rad/s²
-  std::vector<IslandReport> reports_;                       ///< a moving body: of its island's step
-  std::vector<std::uint8_t> failed_;                        ///< a body: its island has to take the step again
-  std::vector<std::uint8_t> merged_, restored_;             ///< an island, a body: put back to the start of the step
+  double unit_ = 1.0;                            ///< |g − a| times the whole step, m/s
+  StateColumns before_;                          ///< at the start of the step, entries of moving bodies
+  std::vector<LastStep> before_last_step_;       ///< likewise
+  std::vector<IslandReport> reports_;            ///< a moving body: of its island's step
+  std::vector<std::uint8_t> failed_;             ///< a body: its island has to take the step again
+  std::vector<std::uint8_t> merged_, restored_;  ///< an island, a body: put back to the start of the step
 };
 
 }  // namespace holdfast::internal::native

@@ -55,7 +55,7 @@ TEST_CASE("rest decision: boxes rest below the limit of friction and move above 
     CHECK(world.bodies().activity == std::vector<Activity>{wanted, wanted});
     // Those that move begin to slide backwards with what friction leaves over.
     const double sliding = share < 1.0 ? 0.0 : (1.0 - share) * limit;
-    CHECK(world.bodies().acceleration[0].x() == Approx(sliding).margin(1e-5));
+    CHECK(world.bodies().last_step[0].acceleration.x() == Approx(sliding).margin(1e-5));
   }
 }
 

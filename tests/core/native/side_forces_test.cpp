@@ -64,9 +64,11 @@ TEST_CASE("side forces: what sleeping bodies do and what is left over balances t
   forces.begin_sum();
   forces.add_sleeping(world.state.scene, world.state.terms, 0.5);
   CHECK(impulse_on(forces, floor).isApprox(Vec3(0, 0, -0.5 * weight), 1e-12));
-  forces.begin_sum();
-  forces.add_stopped(world.state.scene, {Vec3(0.25, 0, 0)});
-  CHECK(impulse_on(forces, floor).isApprox(Vec3(0.25 * world.bodies().mass[0], 0, 0), 1e-12));
+  forces = SideForces(true);
+  world.bodies().state.velocity[0] = Vec3(0.25, 0, 0);
+  world.bodies().last_step[0].missing_velocity = Vec3(0, 0.125, 0);
+  forces.add_stopped(world.state.scene, 0);
+  CHECK(impulse_on(forces, floor).isApprox(Vec3(0.25, 0.125, 0) * world.bodies().mass[0], 1e-12));
 }
 
 }  // namespace side_forces_test

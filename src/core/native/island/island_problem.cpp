@@ -73,7 +73,7 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   sources.clear();
   motion_.assign(count + 1, BodyMotion{});
   late_impact_.assign(count + 1, 0);
-  has_late_impact_ = false;
+  has_late_impact_ = carries_missing_ = false;
   outside_impulse_ = 0.0;
 }
 
@@ -103,8 +103,9 @@ bool IslandProblem::predict(const Scene& scene, const IslandView& island, const 
     BodyMotion& motion = motion_[row];
     motion.velocity = {v.x(), v.y(), v.z()};
     motion.angular_velocity = {w.x(), w.y(), w.z()};
-    const Vec3 v_guess = v + step * bodies.acceleration[body];
-    const Vec3 w_guess = w + step * bodies.angular_acceleration[body];
+    const LastStep& last = bodies.last_step[body];
+    const Vec3 v_guess = v + step * last.acceleration;
+    const Vec3 w_guess = w + step * last.angular_acceleration;
     problem.velocity[row] = body_vector(v_guess, w_guess);
     Vec3 w_free = w;
     if (!terms.implicit && (w != Vec3::Zero() || w_guess != Vec3::Zero())) {
@@ -123,7 +124,8 @@ bool IslandProblem::predict(const Scene& scene, const IslandView& island, const 
       w_free = inertia.inverse() * (bodies.inertia(body) * w);
       problem.bodies[row].inertia = inertia;
     }
-    problem.free_velocity[row] = body_vector(v + step * terms.effective_gravity, w_free);
+    problem.free_velocity[row] =
+        body_vector(v + last.missing_velocity + step * terms.effective_gravity, w_free + last.missing_angular_velocity);
     push(bodies, body, step);
   }
   return any_turns;
@@ -223,6 +225,7 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
   if (any_turns) problem.mid_arms.resize(problem.constraints.size());
   has_late_impact_ = start_step({step, terms.velocity_unit, !terms.implicit}, start_, motion_, problem.constraints,
                                 problem.mid_arms, late_impact_);
+  carries_missing_ = !has_late_impact_;
 }
 
 void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -312,9 +315,21 @@ void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, 
   });
 }
 
-/// The impulse on b that the velocities of the solution follow from: y + R (z − u), which is y once the solve has
-/// converged. Momentum changes by it, to rounding, however far the solve has come.
-Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
+void IslandProblem::find_missing_velocities() {
+  if (!carries_missing_) {
+    missing_velocity_.assign(problem.bodies.size(), BodyVector{});
+    return;
+  }
+  find_missing_momentum(problem, wrench_, missing_velocity_);
+  for (std::size_t row = 0; row < problem.bodies.size(); ++row) {
+    const ProblemBody& body = problem.bodies[row];
+    BodyVector& missing = missing_velocity_[row];
+    missing = body_vector(linear(missing) / body.mass, body.inertia.inverse() * angular(missing));
+  }
+}
+
+/// By how much the impulse on b that the velocities of the solution follow from, y + R (z − u), exceeds y.
+Vec3 IslandProblem::left_impulse(std::size_t p, std::size_t lane) const {
   const ContactConstraint& constraint = problem.constraints[p];
   const auto velocity = [&](std::int32_t row, const std::array<Lanes, 3>& arm) -> Vec3 {
     const BodyVector& v = problem.velocity[at(row)];
@@ -323,10 +338,10 @@ Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
   const Vec3 relative = velocity(constraint.b, constraint.arms.b) - velocity(constraint.a, constraint.arms.a);
   Vec3 impulse = Vec3::Zero();
   for (std::size_t d = 0; d < 3; ++d) {
-    const Vec3 direction(constraint.directions[d][0], constraint.directions[d][1], constraint.directions[d][2]);
+    const auto direction = Vec3::Map(constraint.directions[d].data());
     const double u = relative.dot(direction) + constraint.velocity_bias.row[d][lane];
     const double z = constraint.contact_velocity.row[d][lane];
-    impulse += (constraint.impulse.row[d][lane] + constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u)) * direction;
+    impulse += constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u) * direction;
   }
   return impulse;
 }
@@ -355,10 +370,14 @@ void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<Si
     if (!on_a && !stays(scene.bodies, manifold.b)) continue;
     const std::optional<std::size_t> side = pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
     if (!side) continue;
-    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
+    const ContactConstraint& constraint = problem.constraints[p];
+    for (std::size_t lane = 0; lane < at(constraint.count); ++lane) {
+      Vec3 on_b = carries_missing_ ? Vec3::Zero() : left_impulse(p, lane);
+      for (std::size_t d = 0; d < 3; ++d)
+        on_b += constraint.impulse.row[d][lane] * Vec3::Map(constraint.directions[d].data());
       pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), *side,
-                        (on_a ? -factor : factor) * acting_impulse(p, lane),
-                        manifold.contact.points[sources[p].point[lane]].on_a});
+                        (on_a ? -factor : factor) * on_b, manifold.contact.points[sources[p].point[lane]].on_a});
+    }
   }
 }
 

@@ -36,6 +36,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     solve_.prepared.store_step_impulses(scene, island, part.length);
     const bool impact = part.impact_time < part.length - kLeastCut * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
+    solve_.prepared.find_missing_velocities();
     if (scene.side_forces.wanted()) solve_.prepared.add_pushes(scene, share, scene.side_forces.of_step());
     motion_.move(scene.bodies, island, part.length, share);
     if (share == 1.0 && part.length == remaining) return;

@@ -48,7 +48,8 @@ bool RestProof::rests(Scene& scene, const IslandView& island, const StepTerms& t
     if (leans) {
       // How the bodies begin to move with the contacts of the round before.
       prepared_.start_from(island, [&](std::uint32_t body) {
-        return body_vector(terms.step * bodies.acceleration[body], terms.step * bodies.angular_acceleration[body]);
+        return body_vector(terms.step * bodies.last_step[body].acceleration,
+                           terms.step * bodies.last_step[body].angular_acceleration);
       });
       limits = repeated_limits(limits, island);
     }
@@ -65,8 +66,8 @@ bool RestProof::rests(Scene& scene, const IslandView& island, const StepTerms& t
     return true;
   }
   for (const std::uint32_t body : island.bodies) {
-    bodies.acceleration[body] = linear(prepared_.solution(body)) / terms.step;
-    bodies.angular_acceleration[body] = angular(prepared_.solution(body)) / terms.step;
+    bodies.last_step[body].acceleration = linear(prepared_.solution(body)) / terms.step;
+    bodies.last_step[body].angular_acceleration = angular(prepared_.solution(body)) / terms.step;
   }
   return false;
 }

@@ -83,8 +83,8 @@ double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, 
   const Bodies& bodies = scene.bodies;
   const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
     if (stays(bodies, body)) return Vec3::Zero();
-    return bodies.acceleration[at(body)] +
-           bodies.angular_acceleration[at(body)].cross(point - bodies.state.position[at(body)]);
+    const LastStep& last = bodies.last_step[at(body)];
+    return last.acceleration + last.angular_acceleration.cross(point - bodies.state.position[at(body)]);
   };
   const bool changed = terms.reset_warm_start && uncut;
   double first = step;

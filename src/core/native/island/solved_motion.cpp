@@ -13,8 +13,9 @@ bool SolvedMotion::jumps(const Bodies& bodies, std::uint32_t body, const StepTer
   // Where the effective gravity has just changed, every velocity jumps: only bodies at a late impact count.
   if (terms.reset_warm_start) return false;
   const BodyVector& end = solved_.solution(body);
-  const Vec3 change = linear(end) - bodies.state.velocity[body] - step * bodies.acceleration[body];
-  const Vec3 turn = angular(end) - bodies.state.angular_velocity[body] - step * bodies.angular_acceleration[body];
+  const Vec3 change = linear(end) - bodies.state.velocity[body] - step * bodies.last_step[body].acceleration;
+  const Vec3 turn =
+      angular(end) - bodies.state.angular_velocity[body] - step * bodies.last_step[body].angular_acceleration;
   return change.norm() + bodies.radius[body] * turn.norm() > kNoticeable * terms.velocity_unit;
 }
 
@@ -66,8 +67,12 @@ void SolvedMotion::move(Bodies& bodies, const IslandView& island, double step, d
     Vec3 w_new = whole ? w_end : Vec3(w + share * (w_end - w));
     const Vec3 v_mean = whole ? linear(mean_velocity_[body]) : Vec3(0.5 * (v + v_new));
     const Vec3 w_mean = whole ? angular(mean_velocity_[body]) : Vec3(0.5 * (w + w_new));
-    bodies.acceleration[body] = jump ? Vec3::Zero() : Vec3((v_end - v) / step);
-    bodies.angular_acceleration[body] = jump ? Vec3::Zero() : Vec3((w_end - w) / step);
+    LastStep& last = bodies.last_step[body];
+    last.acceleration = jump ? Vec3::Zero() : Vec3((v_end - v) / step);
+    last.angular_acceleration = jump ? Vec3::Zero() : Vec3((w_end - w) / step);
+    const BodyVector& missing = solved_.missing_velocity(body);
+    last.missing_velocity += share * (linear(missing) - last.missing_velocity);
+    last.missing_angular_velocity += share * (angular(missing) - last.missing_angular_velocity);
     bodies.state.position[body] += time * v_mean;
     rotate(bodies.state.orientation[body], time * w_mean);
     bodies.update_shape(body);

@@ -30,7 +30,7 @@ class SolvedMotion {
   /// The same along the normal: positive where the surfaces separate, m/s.
   double end_normal_velocity(const Bodies& bodies, const Manifold& manifold, const ContactPoint& point) const;
 
-  /// Moves the bodies through a share of the part, after `find`.
+  /// Moves the bodies through a share of the part, after `find` and `IslandProblem::find_missing_velocities`.
   /// @param step  length of the part, s
   /// @param share of it, up to an impact; 1: all
   void move(Bodies& bodies, const IslandView& island, double step, double share) const;

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "core/native/constants.hpp"
+#include "core/native/solver/body_kernels.hpp"
+#include "core/native/solver/contact_kernels.hpp"
 
 namespace holdfast::internal::native {
 
@@ -17,6 +19,14 @@ void ContactProblem::reset_warm_start() {
     constraint.contact_velocity = ConstraintVector{};
     constraint.expected_impulse = Lanes{};
   }
+}
+
+void find_missing_momentum(const ContactProblem& problem, std::vector<LaneWrench>& wrench,
+                           std::vector<BodyVector>& missing) {
+  wrench.assign(problem.bodies.size() + 1, LaneWrench{});
+  add_impulses(problem.constraints, problem.mid_arms, wrench);
+  missing.resize(problem.bodies.size());
+  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, missing);
 }
 
 bool impulses_are_in_cones(const ContactProblem& problem) {

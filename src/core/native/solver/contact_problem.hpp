@@ -52,6 +52,12 @@ struct ContactProblem {
   void reset_warm_start();
 };
 
+/// Finds what the impulses give each body beyond its velocity, M (v* − v) + J_midᵀ y, kg m/s and kg m²/s: what a solve
+/// has left of the momentum equation. It is zero at the solution.
+/// @param wrench a work buffer
+void find_missing_momentum(const ContactProblem& problem, std::vector<LaneWrench>& wrench,
+                           std::vector<BodyVector>& missing);
+
 /// Whether every impulse is in its cone, y_n ≥ 0 and |y_t| ≤ μ y_n up to rounding; numbers that are none count as in
 /// it.
 bool impulses_are_in_cones(const ContactProblem& problem);

@@ -40,8 +40,8 @@ TEST_CASE("rest proof: a box rests up to the limit of friction, and begins to sl
   CHECK(rests(world, 0.99999 * limit));
   CHECK_FALSE(rests(world, 1.00001 * limit));
   CHECK_FALSE(rests(world, 1.5 * limit));
-  CHECK(world.bodies().acceleration[0].x() == Approx(-0.5 * limit).epsilon(1e-4));
-  CHECK(world.bodies().angular_acceleration[0].norm() < 1e-4);
+  CHECK(world.bodies().last_step[0].acceleration.x() == Approx(-0.5 * limit).epsilon(1e-4));
+  CHECK(world.bodies().last_step[0].angular_acceleration.norm() < 1e-4);
 }
 
 TEST_CASE("rest proof: a tower rests up to g l / h, and begins to turn about its edge", "[core][rest]") {
@@ -54,7 +54,7 @@ TEST_CASE("rest proof: a tower rests up to g l / h, and begins to turn about its
   // m (a h / 2 − g l / 2) = I α with I of the edge.
   const double inertia = (length * length + height * height) / 3.0;
   const double turning = 0.5 * (1.5 * limit * height - world.settings.gravity * length) / inertia;
-  CHECK(world.bodies().angular_acceleration[0].y() == Approx(-turning).epsilon(1e-3));
+  CHECK(world.bodies().last_step[0].angular_acceleration.y() == Approx(-turning).epsilon(1e-3));
 }
 
 TEST_CASE("rest proof: a wall gets the least that holds a box, and all sides together balance it", "[core][rest]") {

@@ -18,12 +18,11 @@ struct SolvedProblem {
   SolveResult result;
 };
 
-/// The momentum of each body that its impulses do not account for.
+/// As `find_missing_momentum`.
 inline std::vector<BodyVector> missing_momentum(const ContactProblem& problem) {
-  std::vector<LaneWrench> wrench(problem.bodies.size() + 1);
-  add_impulses(problem.constraints, problem.mid_arms, wrench);
-  std::vector<BodyVector> missing(problem.bodies.size());
-  momentum_residual(problem.bodies, problem.free_velocity, problem.velocity.data(), wrench, missing);
+  std::vector<LaneWrench> wrench;
+  std::vector<BodyVector> missing;
+  find_missing_momentum(problem, wrench, missing);
   return missing;
 }
 
