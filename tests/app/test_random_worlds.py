@@ -75,7 +75,7 @@ class RandomWorlds(CliTest):
         for world in group.worlds:
             world.answers = {accuracy: answer("fell") for accuracy in ANSWERS}
         rows = [world.row() for world in group.worlds]
-        self.write("all.json", json.dumps({"seed": 6, "draws": 0, "worlds": rows}))
+        self.write("all.json", json.dumps({"seed": 6, "draws": 0, "replicas": False, "worlds": rows}))
         self.assertEqual(self.judged("all.json", "--resume")[0], [
             {**row, "answers": {accuracy: {name: value for name, value in row["answers"][accuracy].items() if name != "cpu_seconds"}
                                 for accuracy in ANSWERS}} for row in rows])
@@ -97,6 +97,22 @@ class RandomWorlds(CliTest):
                 self.assertEqual([name for name, of in random_worlds.COUNTS.items() if of(world, "screening")], expected)
                 judged = random_worlds.judged_worlds([world], "screening")
                 self.assertEqual(len(judged), 0 if reference["verdict"] in ("failed", "unstable") else 1)
+
+    def test_what_replicas_tell_of_worlds_that_are_let_pass(self):
+        worlds = random_worlds.Group(self.options(), 0, self.folder).worlds
+        held, limit = answer("stayed", 0.1), answer("moved", 1.1)
+        for world, told, reference in zip(worlds, ("holds", "uncertain", "fails"), (held, held, limit)):
+            world.answers = {"screening": answer("stayed"), "standard": answer("moved"), "reference": reference}
+            world.told, world.by_twice_the_limits = {"screening": told}, ["moved"] * 3
+        rows = random_worlds.replicas_table(worlds[:3]).splitlines()[-6:]
+        self.assertEqual(rows, ["| `screening` | `holds` | 1 (33.3 %) | 0 (0.0 %) | 0 | 1 |",
+                                "| `screening` | `uncertain` | 1 (33.3 %) | 0 (0.0 %) | 0 | 1 |",
+                                "| `screening` | `fails` | 1 (33.3 %) | 1 (100.0 %) | 1 | 0 |",
+                                *(f"| `standard` | `{told}` | 0 | 0 | 0 | 0 |" for told in random_worlds.TOLD)])
+        worlds, text = self.judged("told.json", "--replicas")
+        self.assertIn("asked again with 32 replicas", text)
+        for world in worlds:
+            self.assertEqual("screening" in world["told"], world["answers"]["screening"]["verdict"] == "stayed")
 
     def test_draws_of_worlds_near_their_limit(self):
         worlds = random_worlds.Group(self.options(), 0, self.folder).worlds
