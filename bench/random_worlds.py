@@ -120,6 +120,10 @@ class World:
         return found
 
 
+def kept(answer):
+    return {name: answer[name] for name in KEPT}
+
+
 def used(answer):
     """The largest share of a limit that a box used up."""
     return max(answer[name] / limit for name, limit in LIMITS.items())
@@ -231,10 +235,10 @@ class Group:
         for accuracy in ACCURACIES:
             answers = self.run(accuracy, [(world, 1.0, world.box_numbers()) for world in self.worlds])
             for world, answer in zip(self.worlds, answers):
-                world.answers[accuracy] = {name: answer[name] for name in KEPT}
+                world.answers[accuracy] = kept(answer)
         again = self.run("reference", [(world, AGAIN_FACTOR, world.box_numbers()) for world in self.worlds])
         for world, answer in zip(self.worlds, again):
-            world.answers[AGAIN] = {name: answer[name] for name in KEPT}
+            world.answers[AGAIN] = kept(answer)
         doubtful = [world for world in self.worlds if any(beyond(world, accuracy) for accuracy in JUDGED)]
         cases = [(world, factor, world.perturbed(play) if play else world.box_numbers())
                  for world in doubtful for factor, play in PERTURBED]

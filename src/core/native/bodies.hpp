@@ -63,7 +63,7 @@ struct Bodies {
   /// No point of the body moves faster than this, m/s.
   double largest_speed(std::size_t body) const { return state.velocity[body].norm() + largest_rotational_speed(body); }
 
-  /// Takes its velocity, and what the last step leaves, from a body.
+  /// Takes its velocity from a body, and what its last step leaves.
   void stop(std::size_t body);
 
   /// Brings the shape to the state's position and orientation.

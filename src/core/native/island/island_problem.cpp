@@ -328,8 +328,9 @@ void IslandProblem::find_missing_velocities() {
   }
 }
 
-/// By how much the impulse on b that the velocities of the solution follow from, y + R (z − u), exceeds y.
-Vec3 IslandProblem::left_impulse(std::size_t p, std::size_t lane) const {
+/// The impulse on b that velocities and missing velocities follow from: y where the latter are carried into the next
+/// step, and y + R (z − u) elsewhere, which is y once the solve has converged. Momentum changes by it to rounding.
+Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
   const ContactConstraint& constraint = problem.constraints[p];
   const auto velocity = [&](std::int32_t row, const std::array<Lanes, 3>& arm) -> Vec3 {
     const BodyVector& v = problem.velocity[at(row)];
@@ -341,7 +342,8 @@ Vec3 IslandProblem::left_impulse(std::size_t p, std::size_t lane) const {
     const auto direction = Vec3::Map(constraint.directions[d].data());
     const double u = relative.dot(direction) + constraint.velocity_bias.row[d][lane];
     const double z = constraint.contact_velocity.row[d][lane];
-    impulse += constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u) * direction;
+    const double left = carries_missing_ ? 0.0 : constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u);
+    impulse += (constraint.impulse.row[d][lane] + left) * direction;
   }
   return impulse;
 }
@@ -370,14 +372,10 @@ void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<Si
     if (!on_a && !stays(scene.bodies, manifold.b)) continue;
     const std::optional<std::size_t> side = pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
     if (!side) continue;
-    const ContactConstraint& constraint = problem.constraints[p];
-    for (std::size_t lane = 0; lane < at(constraint.count); ++lane) {
-      Vec3 on_b = carries_missing_ ? Vec3::Zero() : left_impulse(p, lane);
-      for (std::size_t d = 0; d < 3; ++d)
-        on_b += constraint.impulse.row[d][lane] * Vec3::Map(constraint.directions[d].data());
+    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
       pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), *side,
-                        (on_a ? -factor : factor) * on_b, manifold.contact.points[sources[p].point[lane]].on_a});
-    }
+                        (on_a ? -factor : factor) * acting_impulse(p, lane),
+                        manifold.contact.points[sources[p].point[lane]].on_a});
   }
 }
 

@@ -120,7 +120,7 @@ class IslandProblem {
   void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
   template <class Store>
   void store_impulses(Scene& scene, double step, Store store);
-  Vec3 left_impulse(std::size_t constraint, std::size_t lane) const;
+  Vec3 acting_impulse(std::size_t constraint, std::size_t lane) const;
   End end_of(const Bodies& bodies, std::int32_t body) const;
 
   std::vector<std::uint32_t> row_;         ///< a body of the scene
