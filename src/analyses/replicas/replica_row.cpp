@@ -17,7 +17,7 @@ bool simulate_replicas(const AnalysisInputs& inputs, const Layout& layout, const
                        WorldRecord& world) {
   const double begin = inputs.processor_seconds();
   std::optional<ReplicaOutcome> replicas =
-      run_replicas(inputs.engine, layout, acceleration, inputs.settings, inputs.abort);
+      run_replicas(inputs.engine, layout, acceleration, world, inputs.settings, inputs.abort);
   if (!replicas) return false;
   replicas->cpu_seconds = inputs.processor_seconds() - begin;
   world.found.put(std::move(*replicas));

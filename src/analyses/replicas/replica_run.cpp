@@ -26,6 +26,15 @@ Verdict verdict_of(const WorldRecord& world, const Thresholds& thresholds) {
   return judge_world(world.row, world.end, by_run(thresholds)).verdict;
 }
 
+/// Whether the world holds, and no box was ever displaced, neither while the load settled nor later.
+bool rests(const WorldRecord& world, const Thresholds& thresholds) {
+  const auto rest = [](const std::vector<float>& peaks) {
+    return std::all_of(peaks.begin(), peaks.end(), [](float peak) { return peak <= kRestDisplacement; });
+  };
+  return verdict_of(world, thresholds) == Verdict::stayed && rest(world.end.peak_displacement) &&
+         rest(world.end.settling_peak_displacement);
+}
+
 /// Only whether a replica stays is asked.
 RecordingPlan plan_of(const Settings& settings, const Acceleration& acceleration) {
   RecordingPlan plan = recording_plan(settings, false);
@@ -35,11 +44,12 @@ RecordingPlan plan_of(const Settings& settings, const Acceleration& acceleration
 
 class ReplicaRun {
  public:
-  ReplicaRun(const Engine& engine, const Layout& layout, const Acceleration& acceleration, const Settings& settings,
-             const std::atomic<bool>& abort)
+  ReplicaRun(const Engine& engine, const Layout& layout, const Acceleration& acceleration, const WorldRecord& nominal,
+             const Settings& settings, const std::atomic<bool>& abort)
       : engine_(engine),
         layout_(layout),
         acceleration_(acceleration),
+        nominal_(nominal),
         settings_(settings),
         abort_(abort),
         plan_(plan_of(settings, acceleration)),
@@ -48,10 +58,11 @@ class ReplicaRun {
         box_failures_(layout.boxes.size()) {}
 
   std::optional<ReplicaOutcome> run() {
-    if (settings_.screening.acceleration_spread == 0.0 && !inputs_.shifts_boxes()) {
-      const std::optional<bool> rests = rests_with_least_friction();
-      if (!rests) return std::nullopt;
-      if (*rests) outcome_.count = planned_;
+    const bool friction_alone = settings_.screening.acceleration_spread == 0.0 && !inputs_.shifts_boxes();
+    if (friction_alone && rests(nominal_, plan_.thresholds)) {
+      const std::optional<bool> rest = rests_with_least_friction();
+      if (!rest) return std::nullopt;
+      if (*rest) outcome_.count = planned_;
     }
     while (outcome_.count < planned_) {
       if (!run_block()) return std::nullopt;
@@ -76,12 +87,7 @@ class ReplicaRun {
     for (const ReplicaDraw& draw : inputs_.draws()) lower_friction(least, draw);
     const std::optional<std::vector<WorldRecord>> worlds = simulate_draws({&least, 1}, outcome_.count);
     if (!worlds) return std::nullopt;
-    const EndTable& end = worlds->front().end;
-    const auto rest = [](const std::vector<float>& peaks) {
-      return std::all_of(peaks.begin(), peaks.end(), [](float peak) { return peak <= kRestDisplacement; });
-    };
-    return verdict_of(worlds->front(), plan_.thresholds) == Verdict::stayed && rest(end.peak_displacement) &&
-           rest(end.settling_peak_displacement);
+    return rests(worlds->front(), plan_.thresholds);
   }
 
   /// False when aborted.
@@ -130,6 +136,7 @@ class ReplicaRun {
   const Engine& engine_;
   const Layout& layout_;
   const Acceleration& acceleration_;
+  const WorldRecord& nominal_;
   const Settings& settings_;
   const std::atomic<bool>& abort_;
   RecordingPlan plan_;
@@ -142,8 +149,9 @@ class ReplicaRun {
 }  // namespace
 
 std::optional<ReplicaOutcome> run_replicas(const Engine& engine, const Layout& layout, const Acceleration& acceleration,
-                                           const Settings& settings, const std::atomic<bool>& abort) {
-  return ReplicaRun(engine, layout, acceleration, settings, abort).run();
+                                           const WorldRecord& nominal, const Settings& settings,
+                                           const std::atomic<bool>& abort) {
+  return ReplicaRun(engine, layout, acceleration, nominal, settings, abort).run();
 }
 
 }  // namespace holdfast::internal

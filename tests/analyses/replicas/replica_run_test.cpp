@@ -17,7 +17,9 @@ namespace {
 ReplicaOutcome replicas_of(const std::string& engine, const Layout& layout, const Acceleration& acceleration,
                            const Settings& settings) {
   const std::atomic<bool> abort = false;
-  const auto outcome = run_replicas(*engine_of(engine, settings), layout, acceleration, settings, abort);
+  const auto simulator = engine_of(engine, settings);
+  const WorldRecord nominal = run(*simulator, layout, acceleration, settings).record;
+  const auto outcome = run_replicas(*simulator, layout, acceleration, nominal, settings, abort);
   REQUIRE(outcome.has_value());
   return *outcome;
 }
@@ -71,12 +73,23 @@ TEST_CASE("replica_run: a load that rests with the least friction holds, and no 
   CHECK(outcome.box_share == std::vector<float>{0.0F});
 }
 
-TEST_CASE("replica_run: drawing ends after eight replicas that all fail", "[replica_run]") {
+TEST_CASE("replica_run: where the world itself moves, the one with the least friction is not asked", "[replica_run]") {
+  const ReplicaOutcome outcome =
+      replicas_of("native", one_box(), constant(0.505 * kGravity, 1.0), floor_with_replicas());
+  CHECK(outcome.simulated == 32);
+  CHECK(outcome.count == 32);
+  CHECK(outcome.failed > 0);
+  CHECK(outcome.verdict == ReplicaVerdict::uncertain);
+}
+
+TEST_CASE("replica_run: drawing ends with the first replicas whose failures can decide", "[replica_run]") {
   const ReplicaOutcome outcome = replicas_of("native", one_box(), constant(0.9 * kGravity, 2.0), floor_with_replicas());
-  CHECK(outcome.simulated == 9);
-  CHECK(outcome.count == 8);
-  CHECK(outcome.failed == 8);
+  CHECK(outcome.simulated == kReplicaBlock);
+  CHECK(outcome.count == kReplicaBlock);
+  CHECK(outcome.failed == kReplicaBlock);
   CHECK(outcome.verdict == ReplicaVerdict::fails);
+  CHECK(judge_share(wilson_interval(kReplicaBlock, kReplicaBlock, kEarlyScore)) == ReplicaVerdict::fails);
+  CHECK(judge_share(wilson_interval(kReplicaBlock - 1, kReplicaBlock - 1, kEarlyScore)) == ReplicaVerdict::uncertain);
 }
 
 TEST_CASE("replica_run: with a spread of accelerations every replica that is needed is simulated", "[replica_run]") {
@@ -119,7 +132,8 @@ TEST_CASE("replica_run: boxes are shifted within their play", "[replica_run]") {
 TEST_CASE("replica_run: an abort leaves nothing", "[replica_run]") {
   const Settings settings = floor_with_replicas();
   const std::atomic<bool> abort = true;
-  CHECK_FALSE(run_replicas(*engine_of("native", settings), one_box(), constant(5.0, 1.0), settings, abort));
+  const WorldRecord nominal;
+  CHECK_FALSE(run_replicas(*engine_of("native", settings), one_box(), constant(5.0, 1.0), nominal, settings, abort));
 }
 
 }  // namespace replica_run_test
