@@ -46,7 +46,7 @@ struct StepTerms {
   double changed = 0.0;                   ///< time of the last change of g − a, s
   bool to_and_fro = false;                ///< g − a has changed within `kToAndFro`
   bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
-  bool implicit = false;     ///< the step is one of implicit Euler, since a solve of the whole one has failed
+  bool implicit = false;     ///< of an island: its step is one of implicit Euler, since a solve of it has failed
   bool refuted = false;      ///< of an island: its proof of rest has failed in this step
   double fall_margin = 0.0;  ///< what the strongest g − a that contacts are found for moves a body by in a step, m
 

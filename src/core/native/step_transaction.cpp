@@ -25,7 +25,7 @@ void StepTransaction::correct_positions() {
 
 void StepTransaction::take(double step) {
   world_.terms.set_step(step);
-  world_.terms.implicit = false;
+  unsolved_.assign(scene_.bodies.count(), 0);
   unit_ = world_.terms.velocity_unit > 0.0 ? world_.terms.velocity_unit : 1.0;
   attempt(step, 0, 0);
 }
@@ -145,7 +145,10 @@ void StepTransaction::step_islands() {
     if (moves(islands[i])) save(islands[i]);
   const auto advance = [&](const IslandView& island) {
     IslandReport report;
-    stepper_.advance(scene_, island, world_.rest.terms_for(world_.terms, island), report);
+    StepTerms terms = world_.rest.terms_for(world_.terms, island);
+    terms.implicit = std::any_of(island.bodies.begin(), island.bodies.end(),
+                                 [&](std::uint32_t body) { return unsolved_[body] != 0; });
+    stepper_.advance(scene_, island, terms, report);
     counters_.solve_iterations += report.iterations;
     // An island that steps again overwrites its first report.
     for (const std::uint32_t body : island.bodies) reports_[body] = report;
@@ -225,9 +228,8 @@ bool StepTransaction::spread_failure() {
   failed_ = world_.contacts.missed();
   for (std::size_t i = 0; i < failed_.size(); ++i) {
     if (scene_.bodies.activity[i] != Activity::moving) continue;
-    const bool unsolved = residual_of(i) > kWorstResidual;
-    if (unsolved) world_.terms.implicit = true;
-    if (unsolved || reports_[i].missed_contact) failed_[i] = 1;
+    if (residual_of(i) > kWorstResidual) failed_[i] = unsolved_[i] = 1;
+    if (reports_[i].missed_contact) failed_[i] = 1;
   }
   for (std::size_t k = 0; k < world_.islands.size(); ++k) {
     const IslandView island = world_.islands[k];

@@ -62,6 +62,7 @@ class StepTransaction {
   std::vector<LastStep> before_last_step_;       ///< likewise
   std::vector<IslandReport> reports_;            ///< a moving body: of its island's step
   std::vector<std::uint8_t> failed_;             ///< a body: its island has to take the step again
+  std::vector<std::uint8_t> unsolved_;           ///< a body: a solve of its island has failed in this step
   std::vector<std::uint8_t> merged_, restored_;  ///< an island, a body: put back to the start of the step
 };
 
