@@ -141,6 +141,24 @@ TEST_CASE("native_invariants: the same where boxes tumble onto each other", "[ph
   check_tumbling(kExpected);
 }
 
+// Where a low kerb stops a box, friction with the kerb presses it onto the floor, and friction with the floor onto the
+// kerb.
+TEST_CASE("native_invariants: a box that trips over a low kerb, which is fixed, gains no energy",
+          "[physics][native_invariants]") {
+  const Accuracy accuracy = GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference);
+  Settings settings = open_floor(0.3);
+  settings.native.accuracy = accuracy;
+  settings.materials[2].fixed = true;
+  for (const double height : {2e-4, 3e-4, 4e-4, 6e-4, 8e-4, 1e-3, 1.5e-3})
+    for (const double length : {0.4, 0.6, 0.8}) {
+      Layout layout = layout_of({box({5, 5, 0}, {1.2, 1, height}, 2), box({6.4, 5.2, 0}, {length, 0.5, 0.6})});
+      const Worst worst = worst_of(layout, constant(0.7 * kGravity, 0.8), settings);
+      CAPTURE(static_cast<int>(accuracy), height, length);
+      check_worst(worst, accuracy == Accuracy::screening ? Bounds{3e-4, 1e-3, 1e-3} : kExpected);
+      CHECK(worst.lost > 1e-3);
+    }
+}
+
 TEST_CASE("native_invariants: the deepest penetration that is reported is the deepest there was",
           "[physics][native_invariants]") {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {

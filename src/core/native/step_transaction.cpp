@@ -292,8 +292,10 @@ bool StepTransaction::overlap_with(const std::vector<std::uint8_t>& done) const 
   });
 }
 
-/// Residual of a body's island, over |g − a| times a whole step, also where it is halved.
-double StepTransaction::residual_of(std::size_t body) const { return reports_[body].residual / unit_; }
+/// Residual of a body's island, over |g − a| times a whole step, also where it is halved; of its impacts, over theirs.
+double StepTransaction::residual_of(std::size_t body) const {
+  return std::max(reports_[body].residual / unit_, reports_[body].impact_residual);
+}
 
 /// Accepts the step of bodies: counts what it has cost and reached, and lets go of contacts that carry nothing.
 /// @param moved a body: not 0 where it is meant

@@ -61,10 +61,14 @@ void Impacts::resolve(Scene& scene, const IslandView& island, const StepTerms& t
     prepared.prepare_impact(scene, island, terms, step, solve_.solver(), filter, impacting_);
     // What a contact carries is measured by the impact: by the weight in a step, R would be far too large.
     prepared.problem.impulse_per_mass = unit;
-    const SolveResult result = solve_.solve_once(limits, report);
+    SolveResult result = solve_.solve_once(limits, report);
+    if (result.residual > limits.worst_residual * unit) {
+      // Where friction makes normal impulses, as at a kerb, the splitting may diverge.
+      prepared.problem.reset_warm_start();
+      result = solve_.solve_by_points(kNegligible * unit, report);
+    }
     propagated = propagate(scene, island, terms, filter, step);
-    // In units of its own velocities, as that of other solves.
-    if (!propagated) report.residual = std::max(report.residual, terms.velocity_unit / unit * result.residual);
+    if (!propagated) report.impact_residual = std::max(report.impact_residual, result.residual / unit);
   }
   if (scene.side_forces.wanted()) prepared.add_pushes(scene, 1.0, scene.side_forces.of_step());
   for (const std::uint32_t body : island.bodies) {

@@ -20,14 +20,18 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
     if (is_within(result, kWorstResidual)) return result;
   }
   if (!is_within(result, kLarge)) prepared.problem.reset_warm_start();
-  result = gauss_seidel_.solve(prepared.problem, limits.worst_residual * limits.velocity_unit, kGaussSeidelSweeps);
-  report.iterations += static_cast<std::uint64_t>(result.iterations);
-  return result;
+  return solve_by_points(kWorstResidual * limits.velocity_unit, report);
 }
 
 SolveResult IslandSolve::solve_once(const SolveLimits& limits, IslandReport& report) {
   const SolveResult result = solver_->solve(prepared.problem, limits);
   assert(impulses_are_in_cones(prepared.problem));
+  report.iterations += static_cast<std::uint64_t>(result.iterations);
+  return result;
+}
+
+SolveResult IslandSolve::solve_by_points(double tolerance, IslandReport& report) {
+  const SolveResult result = gauss_seidel_.solve(prepared.problem, tolerance, kGaussSeidelSweeps);
   report.iterations += static_cast<std::uint64_t>(result.iterations);
   return result;
 }

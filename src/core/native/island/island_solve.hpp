@@ -14,8 +14,9 @@ namespace holdfast::internal::native {
 /// What an island's step has cost and reached.
 struct IslandReport {
   std::uint64_t iterations = 0;
-  double residual = 0.0;        ///< worst of its solves, m/s
-  bool missed_contact = false;  ///< bodies overlap where their last contact did not show it, see `is_missed_contact`
+  double residual = 0.0;         ///< worst of the solves of its parts, m/s
+  double impact_residual = 0.0;  ///< worst of the solves of its impacts, over the speed of the fastest one
+  bool missed_contact = false;   ///< bodies overlap where their last contact did not show it, see `is_missed_contact`
 };
 
 /// The contact problem of an island, and the solver that solves it. Holds work buffers alone.
@@ -33,6 +34,10 @@ class IslandSolve {
 
   /// Solves what is prepared, within these limits.
   SolveResult solve_once(const SolveLimits& limits, IslandReport& report);
+
+  /// Solves what is prepared point by point, from where it is.
+  /// @param tolerance of the velocities, m/s
+  SolveResult solve_by_points(double tolerance, IslandReport& report);
 
  private:
   std::unique_ptr<ContactSolver> solver_;
