@@ -36,6 +36,7 @@ CAVEATS = {1: ("not at rest", "the load was still moving when the acceleration b
            4: ("marginal", "a friction coefficient is within 2 % of what the acceleration asks for: what is not known so exactly decides")}
 REPLICA_VERDICTS = ("", "holds", "fails", "uncertain")
 SIDES = ("front", "rear", "left", "right")
+FIXED_BOXES = 7  # of what is pressed, behind the six sides and the ground
 PUSHED_BY = ((0, 1), (0, -1), (1, 1), (1, -1))  # axis and sign of the container's acceleration that pushes to each side
 GRAVITY = 9.81  # m/s2: what norms call 1 g
 ROUNDING = 1e-6  # of numbers that have two digits
@@ -49,7 +50,7 @@ TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_
 WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
 FEW_COLUMNS = 9  # of a table whose heads are in a line
 # Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations; those that
-# margins or walls take of them, those of the views of the end, those of the heads of a table, and the rows that each has anyway.
+# margins or walls take of them at least, those of the views of the end, those of the heads of a table, and the rows that each has anyway.
 LINES, LINES_OF_MARGINS, LINES_OF_END, LINES_OF_HEADS, LEAST_ROWS = 20, 6, 12, 4, 3
 LINES_OF_SECOND_PAGE = 20  # that a load has where these do not fit; names may take two of them
 LINE_HEIGHT = 18  # pixels
@@ -74,6 +75,12 @@ def check_types(file):
         if isinstance(item, h5py.Dataset) and item.dtype.kind not in ("S" if text else "iuf"):
             raise ValueError(f"/{path} is no column of {'texts' if text else 'numbers'}")
     file.visititems(check)
+
+
+def pressed_sides(forces):
+    """Of what is pressed, the four walls and the fixed boxes together; a file of an earlier version has nothing of the latter."""
+    fixed = forces[:, FIXED_BOXES] if forces.shape[1] > FIXED_BOXES else np.full(len(forces), np.nan)
+    return np.column_stack([forces[:, 1:5], fixed])  # the floor comes first there
 
 
 class Results:
@@ -111,9 +118,8 @@ class Results:
             self.box_peak = np.column_stack([file[f"boxes/peak_{name}"][:] for name in ("displacement", "drop", "tilt")])
             self.caveats = file["worlds/caveats"][:]
         self.margins = {name: values[:] for name, values in file["margins"].items()} if "margins" in file else None
-        # The floor comes first there, and the roof last.
-        self.wall_force = file["walls/lasting_force"][:, 1:5] if "walls" in file else None
-        self.wall_limit = file["walls/limit"][:, 1:5] if "walls" in file else None
+        self.wall_force = pressed_sides(file["walls/lasting_force"]) if "walls" in file else None
+        self.wall_limit = pressed_sides(file["walls/limit"]) if "walls" in file else None
         self.end_turn = self.last_orientations(file)
         self.replicas = {name: file[f"replicas/{name}"][:] for name in ("verdict", "failed", "count")} if "replicas" in file else None
         self.needed = self.needed_margins(file)
@@ -393,9 +399,10 @@ def walls_table(results, layout, worlds):
     force = results.wall_force[worlds]
     if np.isnan(force).all():
         return ""
+    walls, has_fixed = results.loads.openings(layout).walls, results.loads.is_fixed[results.span_of(layout)].any()
     rows = []
-    for i, side in enumerate(SIDES):
-        if results.loads.openings(layout).walls[side] == 0:
+    for i, side in enumerate([*SIDES, "fixed boxes"]):
+        if np.isnan(force[:, i]).all() or not (walls[side] > 0 if side in walls else has_fixed):
             continue
         world = worlds[np.nanargmax(force[:, i])]
         most, limit = results.wall_force[world, i], results.wall_limit[world, i]
@@ -406,6 +413,11 @@ def walls_table(results, layout, worlds):
     norm = str(results.settings.get("Screening/Walls", ""))
     return part(f"Force on the walls{', limits of ' + html.escape(norm) if norm else ''}",
                 table(["wall", "largest", "limit", "share", "under"], rows, text=(4,)))
+
+
+def lines_beside(parts):
+    """Lines that margins and walls take, which stand beside each other: a heading, and the rows of the longer table."""
+    return max(LINES_OF_MARGINS, *(1 + text.count("<tr>") for text in parts)) if any(parts) else 0
 
 
 def rows_for(room, wanted):
@@ -650,9 +662,9 @@ def page(results, layout):
     found = farthest_boxes(results, simulated)
     items = items_of(results, layout, simulated[0]) if simulated else {}
     left, end = departures(results, layout, simulated), end_views(results, layout, simulated)
-    beside = margins_table(results, layout) + (walls_table(results, layout, worlds) if simulated else "")
+    beside = [margins_table(results, layout), walls_table(results, layout, worlds) if simulated else ""]
     limited = limited_boxes(results, layout)
-    room = (LINES - (LINES_OF_MARGINS if beside else 0) - (LINES_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4)
+    room = (LINES - lines_beside(beside) - (LINES_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4)
             + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
     rows = rows_for(room, [len(found), len(limited), len(items)])
     tables = ((boxes_table(results, layout, found, rows[0]) if found else "") + bearing_table(results, layout, limited, rows[1])
@@ -664,7 +676,7 @@ def page(results, layout):
                else f"<span class=bad>fails under {len(failing)} of {every}</span>")
     return (f"<section><h2>{html.escape(results.layout_names[layout])}</h2><p>{counted(np.sum(~fixed), 'box')}{mass}, {percent(size)} of the "
             f"container's volume{also}; {verdict}.</p>{views}"
-            f"{key if boxes else ''}{facts_table(results, layout, simulated[0]) if simulated else ''}{worlds_table(results, layout, worlds)}{left}{end}<div class=beside>{beside}</div>"
+            f"{key if boxes else ''}{facts_table(results, layout, simulated[0]) if simulated else ''}{worlds_table(results, layout, worlds)}{left}{end}<div class=beside>{''.join(beside)}</div>"
             f"{tables}{hashes(results, layout, simulated) if simulated else ''}</section>")
 
 

@@ -230,13 +230,35 @@ class Report(CliTest):
                       "side.</p>", text)
         rows = re.findall(r"<td class=text>front.txt</td><td class=text>(.*?)</td>", text)
         self.assertEqual(rows, ["rear", "left side"])  # the farthest first
-        self.assertEqual(re.findall(r"<tr><td>(\w+)</td><td>[\d.]+ kN", text), ["front", "left", "right"])
+        self.assertEqual(re.findall(r"<tr><td>([\w ]+)</td><td>[\d.]+ kN", text), ["front", "left", "right", "fixed boxes"])
         self.assertIn("fixed, part of the container", text)
         self.assertIn("from above the rear", text)
         # A wall up to the roof lets nothing over it.
         text = self.trailer(**{"Container/DropSides": "left 220", "Container/OpenSides": "rear"})
         self.assertIn("leaves through the open rear.</p>", text)
         self.assertNotIn("left side", text.replace("from the left side", ""))
+
+    def test_the_force_on_fixed_boxes_stands_below_that_on_the_walls(self):
+        self.trailer()
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            force = file["walls/lasting_force"][:]
+            force[:, 7] = 8500
+            file["walls/lasting_force"][:] = force
+        row = "<tr><td>fixed boxes</td><td>8.5 kN</td><td>-</td><td>-</td><td class=text>front.txt</td></tr>"
+        self.assertIn(row, self.report()[1])
+        # A load without such boxes has no row of them, and neither has a file of an earlier version, whose last side is the roof.
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            file["inputs/settings"].attrs["Material 2/Fixed"] = "false"
+        self.assertNotIn("fixed boxes", self.report()[1])
+        with h5py.File(self.folder / "results.h5", "r+") as file:
+            file["inputs/settings"].attrs["Material 2/Fixed"] = "true"
+            for name in ("lasting_force", "limit"):
+                six = file[f"walls/{name}"][:, :6]
+                del file[f"walls/{name}"]
+                file[f"walls/{name}"] = six
+        text = self.report()[1]
+        self.assertRegex(text, r"<tr><td>right</td><td>[\d.]+ kN")
+        self.assertNotIn("fixed boxes", text)
 
     def test_views_show_walls_as_high_as_they_are_and_the_floor_on_the_ground(self):
         top, side, corner = views(self.trailer())

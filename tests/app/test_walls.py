@@ -72,6 +72,20 @@ class Walls(CliTest):
         self.assertRegex(done.stdout, r"in kN\n.*\n  row\.txt +2\.7 +0\.0 +0\.0 +0\.0  front, brake\.txt\n")
         self.assertEqual(datasets(self.folder / "results.h5")["/walls/force"].shape, (0, 8))
 
+    def test_a_bulkhead_that_carries_the_row_has_a_column(self):
+        self.write("row.txt", "1 7\n0 40 0 10 180 60 2\n" +
+                   "".join(f"{x + 10} {y} {z} {x2 + 10} {y2} {z2} 1\n" for x, y, z, x2, y2, z2 in ROW))
+        self.write("config.ini", CONFIG + "[Friction]\n1, 2 = 0\n[Material 2]\nFixed = true\n")
+        force = MASS * (7 - 0.3 * GRAVITY) / 1000
+        table = self.screen_row("--wall-forces").stdout
+        self.assertIn("in kN; fixed: on all fixed boxes together\n", table)
+        self.assertRegex(table, r"\n  layout +front +rear +left +right +fixed  largest\n")
+        self.assertRegex(table, rf"\n  row\.txt +0\.0 +0\.0 +0\.0 +0\.0 +{force:.1f}  fixed, brake\.txt\n")
+        # A norm tests no bulkhead.
+        table = self.screen_row("--walls", "en12642-l").stdout
+        self.assertRegex(table, rf"\n  row\.txt +0 % +0 % +0 % +0 % +{force:.1f} kN  -\n")
+        self.assertIn("exceeded in 0 of 1 accelerated worlds", table)
+
     def test_only_where_asked_for_and_without_a_change_of_the_rest(self):
         self.assertNotIn("walls", self.screen_row().stdout)
         without = datasets(self.folder / "results.h5")

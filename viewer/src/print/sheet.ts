@@ -43,7 +43,7 @@ import {
 
 /** Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations. */
 const LINES = 20;
-/** Those that margins or walls take of them, those of the views of the end, and those of the heads of a table. */
+/** Those that margins or walls take of them at least, those of the views of the end, and those of the heads of a table. */
 const LINES_OF_MARGINS = 6;
 const LINES_OF_END = 12;
 const LINES_OF_HEADS = 4;
@@ -274,9 +274,13 @@ function marginsTable(results: Results, layout: number, world: World): HTMLEleme
 function wallsTable(results: Results, worlds: readonly World[]): HTMLElement | null {
   const pressed = worlds.filter(({ walls }) => walls !== null);
   if (pressed.length === 0) return null;
-  const rows = UPRIGHT.flatMap(({ name }, side): Cell[][] => {
-    if (worlds[0].container.openings.walls[side] === 0) return [];
+  const { container, boxes } = worlds[0];
+  const sides = UPRIGHT.filter((_, side) => container.openings.walls[side] > 0).map(({ name }) => name);
+  const fixedBoxes = boxes.fixed.some((fixed) => fixed > 0) ? (["fixed boxes"] as const) : [];
+  const rows = [...sides, ...fixedBoxes].flatMap((name): Cell[][] => {
     const at = PRESSED.indexOf(name);
+    // A file of an earlier version does not have the force on fixed boxes.
+    if (!pressed.some(({ walls }) => (walls?.lasting[at] ?? Number.NaN) >= 0)) return [];
     const lasting = (world: World) => world.walls?.lasting[at] ?? 0;
     const world = pressed.reduce((most, next) => (lasting(next) > lasting(most) ? next : most));
     const [force, limit] = [lasting(world), world.walls?.limit[at] ?? Number.NaN];
@@ -356,6 +360,12 @@ function boxesTable(results: Results, found: readonly [number, World][], most: n
   );
 }
 
+/** Lines that margins and walls take, which stand beside each other: a heading, and the rows of the longer table. */
+function linesBeside(parts: readonly (HTMLElement | null)[]): number {
+  const rows = parts.map((part) => part?.querySelectorAll("tr").length ?? 0);
+  return parts.some((part) => part) ? Math.max(LINES_OF_MARGINS, 1 + Math.max(...rows)) : 0;
+}
+
 /**
  * Rows of the tables that share the room of a page, evenly but for those that want fewer.
  * @param room lines, with those of the heads of tables
@@ -420,7 +430,7 @@ export function loadSheet(
   const rooms = roomsOfViews(world.container);
   const room =
     LINES -
-    (margins || walls ? LINES_OF_MARGINS : 0) -
+    linesBeside([margins, walls]) -
     (end ? LINES_OF_END : 0) -
     left.length -
     Math.max(0, worlds.length - 4) +
