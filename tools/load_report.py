@@ -152,13 +152,14 @@ class Results:
         return turns
 
     def sides_left(self, world):
-        """The side at which each box left the container that is outside at the end, by index."""
+        """The side at which each box left the container that is outside at the end, by index: it was within as loaded, or has fallen since."""
         rows = self.rows_of(world)
         openings = self.loads.openings(int(self.worlds["layout"][world]))
         if openings.is_closed:
             return {}
+        fell = self.box_end[rows][:, 1] > self.limits["drop_threshold"]
         sides = {box: openings.side_beyond(end) for box, (start, end) in enumerate(zip(self.start[rows], self.end[rows]))
-                 if openings.side_beyond(start) is None}
+                 if fell[box] or openings.side_beyond(start) is None}
         return {box: side for box, side in sides.items() if side}
 
     def needed_margins(self, file):
@@ -227,6 +228,11 @@ class Results:
         verdict = self.world_summary["verdict"][world]
         early = self.worlds["stop_reason"][world] == DECIDED and verdict != UNSTABLE
         return ("at least " if early else "") + VERDICTS[verdict]
+
+    def under(self, world):
+        """What a world went under: the name of its acceleration, or gravity where the load did not stand as it was."""
+        unstable = self.world_summary["verdict"][world] == UNSTABLE
+        return "gravity alone" if unstable else html.escape(self.acceleration_names[self.worlds["acceleration"][world]])
 
     def is_beyond(self, world):
         """Per box of the world, whether it was ever beyond a limit."""
@@ -356,7 +362,7 @@ def note(results, explained):
 
 
 def departures(results, layout, worlds):
-    """How boxes leave the container under each acceleration, as sentences."""
+    """How boxes leave the container under each acceleration, or before any, as sentences."""
     sentences = []
     for world in worlds:
         ways = {box: results.loads.openings(layout).way(side) for box, side in results.sides_left(world).items()}
@@ -365,9 +371,8 @@ def departures(results, layout, worlds):
         more = " more" if told else ""
         told += [f"{number}{more} {'leaves' if number == 1 else 'leave'} {way}" for way, number in Counter(ways.values()).items()]
         if told:
-            name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
-            sentences.append(f"<p>Under {name}, {' and '.join(filter(None, [', '.join(told[:-1]), told[-1]]))}.</p>")
-    return "".join(sentences)
+            sentences.append(f"<p>Under {results.under(world)}, {' and '.join(filter(None, [', '.join(told[:-1]), told[-1]]))}.</p>")
+    return "".join(dict.fromkeys(sentences))  # all worlds under gravity alone are the same
 
 
 def margins_table(results, layout):
@@ -467,14 +472,12 @@ def boxes_table(results, layout, found, most):
         _, world = found[box]
         row, own = results.rows_of(world).start + box, span.start + box
         size = results.high[own] - results.low[own]
-        unstable = results.world_summary["verdict"][world] == UNSTABLE
-        under = "gravity alone" if unstable else html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
         excursion = [most_and_last(unit * most, unit * last, unit * limit)
                      for unit, most, last, limit in zip((100, 100, 1), results.box_peak[row], results.box_end[row], limits)]
         side = results.sides_left(world).get(box)
         lines.append([box + 1, html.escape(loads.short_name(own)), " × ".join(f"{round(100 * part, 1):g}" for part in size),
                       weight(results.box_mass[row]), weight(loads.bearing_limit[own]), *excursion,
-                      when(results.box_summary["first_beyond"][row]), under, side_name(side) if side else ""])
+                      when(results.box_summary["first_beyond"][row]), results.under(world), side_name(side) if side else ""])
     columns = {"box": True, "name": any(map(loads.name, range(span.start, span.stop))), "size, cm": True, "mass, kg": True,
                "may bear, kg": np.isfinite(loads.bearing_limit[span]).any(), "farthest, cm": True, "drop, cm": True, "tilt, °": True,
                "beyond from": True, "under": True, "leaves at": any(line[-1] for line in lines)}
@@ -542,11 +545,10 @@ def end_views(results, layout, worlds):
     for view, caption in (("top", CAPTIONS["top"]), ("corner", "from the corner")):
         faces = [(box, faces) for box, faces in turned_faces(boxes, view) if box not in far]
         figures += figure(draw(faces, states, openings, view, ROOM_OF_END), caption)
-    name = html.escape(results.acceleration_names[results.worlds["acceleration"][world]])
     key = colour_key({"first": "first to go", "later": "beyond a limit at some time", "still": "stayed"}, states)
     if far:
         key += (f"<p class=note>More than {SURROUNDINGS:g} m from the container, and not drawn: {numbers_text(far, MOST_ON_MATS)}.</p>")
-    return part(f"At the end under {name}", f"<div class=views>{figures}</div>", key)
+    return part(f"At the end under {results.under(world)}", f"<div class=views>{figures}</div>", key)
 
 
 def centre_text(results, layout, world):

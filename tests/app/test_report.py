@@ -238,6 +238,19 @@ class Report(CliTest):
         self.assertIn("leaves through the open rear.</p>", text)
         self.assertNotIn("left side", text.replace("from the left side", ""))
 
+    def test_a_box_that_tips_out_while_the_load_settles_leaves_under_gravity_alone(self):
+        # The first box tips over the sill, beyond which its centre of mass is as loaded; the last one holds the third, whose centre of mass is, too.
+        self.write("over.txt", "1 4\n560 10 0 640 60 40 1\n300 10 0 360 60 40 1\n540 100 0 646 160 20 1\n540 100 20 600 160 120 1\n")
+        self.write("brake.txt", "0 1 2 0 0\n")
+        self.write("left.txt", "0 1 0 2 0\n")
+        self.write("open.ini", "[Container]\nOpenSides = rear\n")
+        done = self.run_here("screen", "--quiet", "-c", "open.ini", "--layouts", "over.txt", "--accelerations", "brake.txt", "left.txt")
+        self.assert_exit(done, 0)
+        text = self.report()[1]
+        self.assertEqual(re.findall(r"<p>Under .*?</p>", text), ["<p>Under gravity alone, box 1, which goes first, leaves through the open rear.</p>"])
+        self.assertIn("<h3>At the end under gravity alone</h3>", text)
+        self.assertIn("<td class=text>gravity alone</td><td class=text>rear</td></tr>", text)
+
     def test_the_force_on_fixed_boxes_stands_below_that_on_the_walls(self):
         self.trailer()
         with h5py.File(self.folder / "results.h5", "r+") as file:

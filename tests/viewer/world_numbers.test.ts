@@ -204,6 +204,19 @@ test("a box leaves through an open side or over a low one, and falls to the grou
   const world = { boxes: { ...still, endDisplacement: new Float32Array(3) }, series: null, container };
   const results = { thresholds: LIMITS } as unknown as Results;
   assert.equal(departureOf(results, world as unknown as World, 0), null, "loaded outside, it leaves through nothing");
+  // Beyond the sill as loaded, it tips out before t = 0.
+  const fallen = Float32Array.of(0.2, 0, -1.2);
+  const settling = {
+    time: Float64Array.of(-2, -1.5),
+    displacement: Float32Array.of(0, 0, 0, ...fallen),
+    orientation: Float32Array.of(1, 0, 0, 0, 0, 0, 1, 0),
+  } as unknown as Series;
+  const tipped = { ...outside, end: excursionsTo(fallen, Float32Array.of(180)), endDisplacement: fallen };
+  const unstable = { boxes: tipped, series: settling, container };
+  assert.deepEqual(departureSentences(results, unstable as unknown as World, 0), [
+    "It left through the open rear while the load settled, and fell to the ground.",
+  ]);
+  assert.equal(departureOf(results, unstable as unknown as World, 0)?.time, -1.5, "not before it falls");
 });
 
 test("a base is supported by what it stands on", () => {

@@ -9,7 +9,7 @@ export interface Departure {
   side: number;
   /** "through the open rear", "over the low left side" */
   way: string;
-  /** s, of the first sample outside; NaN where the file has no series */
+  /** s, of the first sample outside, or fallen where it was outside as loaded; NaN where the file has no series */
   time: number;
   /** its tilt was beyond the limit when it was outside first */
   tipped: boolean;
@@ -35,23 +35,39 @@ export function sideBeyond(container: readonly number[], openings: Openings, poi
   return found < 0 && outside && !openings.roof ? UPRIGHT.length : found;
 }
 
-/** How a box left; null: its centre of mass is in the container at the end, or was outside as loaded. */
+/** Where the centre of mass of a box is; the displacement begins at an index of a table. */
+const centreOf = ({ boxes }: World, box: number, displacement: Float32Array, at: number) =>
+  [0, 1, 2].map((axis) => boxes.reference[3 * box + axis] + displacement[at + axis]);
+
+/** Whether the centre of mass of a box was outside as loaded. */
+const startsOutside = ({ boxes, container }: World, box: number) =>
+  sideBeyond(container.size, container.openings, boxes.reference.subarray(3 * box, 3 * box + 3)) >= 0;
+
+/** The side beyond which a box that left is at the end: it was within as loaded, or has fallen since; -1: it has not left. */
+export function sideLeft({ thresholds }: Results, world: World, box: number): number {
+  const { boxes, container } = world;
+  const fell = boxes.end.drop[box] > thresholds.drop;
+  const end = centreOf(world, box, boxes.endDisplacement, 3 * box);
+  return fell || !startsOutside(world, box) ? sideBeyond(container.size, container.openings, end) : -1;
+}
+
+/** How a box left; null: it did not. */
 export function departureOf(results: Results, world: World, box: number): Departure | null {
   const { thresholds } = results;
   const { boxes, series } = world;
   const { size: container, openings } = world.container;
-  const centre = (displacement: Float32Array, at: number) =>
-    [0, 1, 2].map((axis) => boxes.reference[3 * box + axis] + displacement[at + axis]);
-  const end = centre(boxes.endDisplacement, 3 * box);
-  let side = sideBeyond(container, openings, end);
-  if (side < 0 || sideBeyond(container, openings, boxes.reference.subarray(3 * box, 3 * box + 3)) >= 0) return null;
+  const end = centreOf(world, box, boxes.endDisplacement, 3 * box);
+  const outside = startsOutside(world, box);
+  let side = sideLeft(results, world, box);
+  if (side < 0) return null;
   let time = Number.NaN;
   let tilt = boxes.end.tilt[box];
   const count = boxes.id.length;
   for (let sample = 0; series && sample < series.time.length; ++sample) {
     const at = sample * count + box;
-    const beyond = sideBeyond(container, openings, centre(series.displacement, 3 * at));
-    if (beyond < 0) continue;
+    const beyond = sideBeyond(container, openings, centreOf(world, box, series.displacement, 3 * at));
+    const fell = -series.displacement[3 * at + 2] > thresholds.drop;
+    if (beyond < 0 || (outside && !fell)) continue;
     side = beyond;
     time = series.time[sample];
     tilt = tiltOf(series.orientation, 4 * box, 4 * at);
@@ -68,7 +84,7 @@ export function departureSentences(results: Results, world: World, box: number):
   if (!departure) return [];
   const { way, time, tipped, fell } = departure;
   const verb = way.startsWith("through") ? "left" : tipped ? "tipped" : "went";
-  const when = Number.isNaN(time) ? "" : ` by ${seconds(time)}`;
+  const when = Number.isNaN(time) ? "" : time < 0 ? " while the load settled" : ` by ${seconds(time)}`;
   return [
     `It ${verb} ${way}${when}${fell && world.container.openings.bedHeight > 0 ? ", and fell to the ground" : ""}.`,
   ];

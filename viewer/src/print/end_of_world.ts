@@ -1,6 +1,7 @@
-import { sideBeyond } from "../box/departure";
+import { sideLeft } from "../box/departure";
 import { sideName } from "../data/openings";
-import type { World } from "../data/results";
+import { VERDICT_CODES } from "../data/outcome";
+import type { Results, World } from "../data/results";
 import { element } from "../ui/dom";
 import { draw, type Room, type State, VIEW_NAMES } from "./drawing";
 import { isNear, type Point, SURROUNDINGS, type TurnedBox, turnedFaces } from "./faces";
@@ -18,23 +19,26 @@ const startOf = ({ boxes }: World, box: number): Point => [...boxes.reference.su
 const endOf = (world: World, box: number): Point =>
   startOf(world, box).map((part, axis) => part + world.boxes.endDisplacement[3 * box + axis]);
 
+/** What a world went under: its acceleration, or gravity where the load did not stand as it was. */
+export const underText = ({ verdict, acceleration }: World) =>
+  verdict === VERDICT_CODES.unstable ? "gravity alone" : acceleration;
+
 /** The side at which each box left that is outside at the end, of `UPRIGHT` or the roof after them. */
-export function sidesLeft(world: World): Map<number, number> {
-  const { size, openings } = world.container;
+export function sidesLeft(results: Results, world: World): Map<number, number> {
   const sides = new Map<number, number>();
   for (const box of world.boxes.id.keys()) {
-    const side = sideBeyond(size, openings, endOf(world, box));
-    if (side >= 0 && sideBeyond(size, openings, startOf(world, box)) < 0) sides.set(box, side);
+    const side = sideLeft(results, world, box);
+    if (side >= 0) sides.set(box, side);
   }
   return sides;
 }
 
-/** How boxes leave the container under each acceleration, as sentences. */
-export function departures(worlds: readonly World[]): HTMLElement[] {
-  return worlds.flatMap((world) => {
+/** How boxes leave the container under each acceleration, or before any, as sentences. */
+export function departures(results: Results, worlds: readonly World[]): HTMLElement[] {
+  const sentences = worlds.flatMap((world) => {
     const way = (side: number) =>
       `${world.container.openings.walls[side] > 0 ? "over the low" : "through the open"} ${sideName(side)}`;
-    const sides = sidesLeft(world);
+    const sides = sidesLeft(results, world);
     const first = firstBox(world);
     const firstSide = sides.get(first);
     sides.delete(first);
@@ -47,16 +51,18 @@ export function departures(worlds: readonly World[]): HTMLElement[] {
     if (told.length === 0) return [];
     const [last, ...others] = told.reverse();
     const list = [others.reverse().join(", "), last].filter((text) => text !== "").join(" and ");
-    return [element("p", {}, `Under ${world.acceleration}, ${list}.`)];
+    return [`Under ${underText(world)}, ${list}.`];
   });
+  // All worlds under gravity alone are the same.
+  return [...new Set(sentences)].map((sentence) => element("p", {}, sentence));
 }
 
 /**
  * The load as it lies at the end of the world in which most boxes leave the container, with those on the ground; null where none
  * leaves, or where it is not known how boxes have turned.
  */
-export function endViews(worlds: readonly World[]): HTMLElement | null {
-  const left = worlds.map((world) => sidesLeft(world).size);
+export function endViews(results: Results, worlds: readonly World[]): HTMLElement | null {
+  const left = worlds.map((world) => sidesLeft(results, world).size);
   const most = Math.max(0, ...left);
   const world = worlds[left.indexOf(most)];
   if (most === 0 || !world.series || world.series.time.length === 0) return null;
@@ -83,7 +89,7 @@ export function endViews(worlds: readonly World[]): HTMLElement | null {
   };
   const far = turned.flatMap(({ centre }, box) => (isNear(centre, container.size) ? [] : [boxes.id[box]]));
   return part(
-    `At the end under ${world.acceleration}`,
+    `At the end under ${underText(world)}`,
     element("div", { class: "views" }, viewOf("top", VIEW_NAMES.top), viewOf("corner", "from the corner")),
     colourKey(states, ["first to go", "beyond a limit at some time", "stayed"]),
     far.length > 0

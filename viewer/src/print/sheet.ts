@@ -20,7 +20,7 @@ import { element } from "../ui/dom";
 import { fixed, marginNumber, percent, plural } from "../ui/text";
 import { bearingTable, type LimitedBox } from "./bearing";
 import { draw, HIGHEST, roomsOfViews, type State, VIEW_NAMES } from "./drawing";
-import { departures, endViews, sidesLeft } from "./end_of_world";
+import { departures, endViews, sidesLeft, underText } from "./end_of_world";
 import { packedFaces, type View } from "./faces";
 import { NORM_SOURCES } from "./norm_sources";
 import { boundsOfBox, boxName, colourKey, drawnBoxes, figure, firstBox, isBeyond, shortName } from "./packed_load";
@@ -324,7 +324,7 @@ function boxesTable(results: Results, found: readonly [number, World][], most: n
   const rows = found.slice(0, most).map(([box, world]): Cell[] => {
     const { boxes } = world;
     const { peak, end } = boxes;
-    const side = sidesLeft(world).get(box);
+    const side = sidesLeft(results, world).get(box);
     return [
       String(boxes.id[box]),
       shortName(boxes.name[box]),
@@ -335,7 +335,7 @@ function boxesTable(results: Results, found: readonly [number, World][], most: n
       mostAndLast(100 * peak.drop[box], 100 * end.drop[box], 100 * thresholds.drop),
       mostAndLast(peak.tilt[box], end.tilt[box], thresholds.tilt),
       when(boxes.firstBeyond[box]),
-      world.verdict === VERDICT_CODES.unstable ? "gravity alone" : world.acceleration,
+      underText(world),
       side === undefined ? "" : sideName(side),
     ];
   });
@@ -425,7 +425,7 @@ export function loadSheet(
   const states = statesOf(simulated);
   const { size, openings } = world.container;
   const mats = matsSentence(world.boxes);
-  const [left, end] = [departures(simulated), endViews(simulated)];
+  const [left, end] = [departures(results, simulated), endViews(results, simulated)];
   const [margins, walls] = [marginsTable(results, layout, world), wallsTable(results, simulated)];
   const rooms = roomsOfViews(world.container);
   const room =
