@@ -11,6 +11,9 @@ namespace holdfast::internal {
 
 namespace {
 
+/// Fraction of a step that is taken for rounding, as where steps are planned.
+constexpr double kStepSlack = 1e-6;
+
 std::string at_most(double number) {
   return fmt::format("at most {:.0f}: a longer ResultsIntervallInSeconds, less RunOutSeconds, or --no-series", number);
 }
@@ -23,12 +26,13 @@ double most_steps(const Acceleration& acceleration, const Settings& settings, do
 
 std::optional<Error> check_steps(const std::string& path, const Acceleration& acceleration, const Settings& settings,
                                  double steps_per_second) {
-  const double steps = most_steps(acceleration, settings, steps_per_second);
+  const double steps = std::ceil(most_steps(acceleration, settings, steps_per_second) - kStepSlack);
   if (steps <= kMostSteps) return std::nullopt;
+  // With digits that tell one step too many from the limit, and a power of ten where the number is absurd.
   return Error{.file = path,
                .what = "would take a world too many steps",
-               .value = fmt::format("{:.2g}", steps),
-               .accepted = fmt::format("at most {:.0e}: fewer steps per second, or a shorter time", kMostSteps)};
+               .value = fmt::format("{:.10g}", steps),
+               .accepted = fmt::format("at most {:.0f}: fewer steps per second, or a shorter time", kMostSteps)};
 }
 
 double most_samples(const Acceleration& acceleration, const Settings& settings) {
