@@ -8,6 +8,7 @@
 
 #include "core/base/closest_word.hpp"
 #include "core/base/error_list.hpp"
+#include "core/model/container_sides.hpp"
 #include "core/model/setting_table.hpp"
 #include "io/input/text_lines.hpp"
 
@@ -190,12 +191,20 @@ class ConfigReader {
     }
   }
 
-  /// Keys that the chosen friction model does not read.
+  /// Keys that the chosen friction model does not read, and a ground that is no fall.
   void add_warnings() {
     const bool pairs = config_.settings.contact.friction_model == FrictionModel::pairs;
     for (const char* key : {"ContainerFriction", "BoxFriction"})
       if (const auto found = given_.find({"Simulation Settings", key}); pairs && found != given_.end())
         add_warning(found->second, std::string(key) + " has no effect while FrictionModel is pairs", "");
+    const ContainerSettings& container = config_.settings.container;
+    if (has_opening(container) && container.bed_height > 0.0 &&
+        container.bed_height <= config_.settings.screening.drop_threshold) {
+      auto found = given_.find({"Container", "BedHeight"});
+      if (found == given_.end()) found = given_.find({"Simulation Settings", "DropThreshold"});
+      add_warning(found == given_.end() ? Place{} : found->second,
+                  "BedHeight is not above DropThreshold, so that a box on the ground may be moved and not fallen", "");
+    }
     if (given_.empty()) add_warning({}, "sets no key, so that all keys have their defaults", "");
   }
 

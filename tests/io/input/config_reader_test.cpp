@@ -196,6 +196,15 @@ TEST_CASE("config_reader: keys without effect give a warning", "[io][config_read
                  "in/c.ini:4:1: UseRenderer has no effect yet: 0"});
   CHECK(warnings_of("[Contact]\nFrictionModel=pairs\n[Simulation Settings]\nBoxFriction = 0.5\n") ==
         Messages{"in/c.ini:4:1: BoxFriction has no effect while FrictionModel is pairs"});
+  const std::string open = "[Container]\nOpenSides = rear\nBedHeight = ";
+  const std::string low =
+      "BedHeight is not above DropThreshold, so that a box on the ground may be moved and not fallen";
+  CHECK(warnings_of(open + "5\n") == Messages{"in/c.ini:3:1: " + low});
+  CHECK(warnings_of(open + "6\n").empty());
+  CHECK(warnings_of(open + "0\n").empty());
+  CHECK(warnings_of("[Container]\nBedHeight = 5\n").empty());
+  CHECK(warnings_of("[Container]\nDropSides = left 60\n[Simulation Settings]\nDropThreshold = 1.5\n") ==
+        Messages{"in/c.ini:4:1: " + low});
   CHECK(warnings_of("; nothing\n") == Messages{"in/c.ini: sets no key, so that all keys have their defaults"});
 }
 
