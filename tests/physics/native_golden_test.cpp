@@ -66,7 +66,7 @@ constexpr Golden kGolden[] = {
     {"brake", brake, 0xaf70e991cab7da1b},
     {"lean", lean, 0xf12f63a14a6a9a1a},
     {"tumble", tumble, 0xd7d653e6a894f871},
-    {"drop", drop, 0x387b7bfa9fb373f9},
+    {"drop", drop, 0xc89d0cd014423d52},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <tuple>
 
 #include "core/native/native_engine.hpp"
 #include "physics/measures.hpp"
@@ -52,6 +53,27 @@ TEST_CASE("oscillation: a box walks under vibration as far as it sticks and slip
       const Run end = run(NativeEngine(settings), layout, acceleration, settings);
       for (std::size_t i = 0; i < layout.boxes.size(); ++i)
         CHECK(end.displacement(i).x() == Approx(exact.displacement.x()).epsilon(allowed));
+    }
+  }
+}
+
+TEST_CASE("oscillation: a box that vibrates across a steady acceleration goes as far as its slip turns",
+          "[physics][oscillation]") {
+  const auto accuracy = GENERATE(Accuracy::screening, Accuracy::standard);
+  Settings settings = open_floor(kFriction);
+  settings.native.accuracy = accuracy;
+  const Layout one = layout_of({box({9, 9, 0}, {1.0, 0.8, 0.3})});
+  const Layout tower = stack(3, {9, 9, 0}, {1.5, 1.5, 0.05});
+  for (const auto& [frequency, bias, across] : {std::tuple(5.0, 0.2, 0.75), {30.0, 0.15, 1.0}, {90.0, 0.35, 0.55}}) {
+    Acceleration acceleration = vibration(0.0, across, 0.0, frequency, 2.0, 20.0 * frequency);
+    for (Segment& segment : acceleration.segments) segment.acceleration.y() = bias * kGravity;
+    const SlidePath exact = slide_over(acceleration, kFriction, kGravity);
+    CAPTURE(frequency, exact.displacement.y());
+    REQUIRE(std::abs(exact.displacement.y()) > 1e-3);
+    for (const Layout& layout : {one, tower}) {
+      const Run end = run(NativeEngine(settings), layout, acceleration, settings);
+      for (std::size_t i = 0; i < layout.boxes.size(); ++i)
+        CHECK(end.displacement(i).y() == Approx(exact.displacement.y()).epsilon(0.04));
     }
   }
 }

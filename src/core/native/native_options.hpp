@@ -19,9 +19,9 @@ struct Effort {
   int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points.
   double mean_residual = kSlack;  // |g − a| h
-  /// Times that impacts may cut a step.
+  /// Times that impacts may cut a step, and times that slips which end or turn may where g − a oscillates.
   int impact_cuts = 8;  // times
-  /// Times that the end of a slip may cut a step.
+  /// Times that the end of a slip may cut a step elsewhere.
   int slip_end_cuts = 2;  // times
   /// Overlap from which positions are corrected. Where no impact may cut a step, contacts which close within the step
   /// and are solved as closed close by this length at most. Of large islands also: overlap of a missed contact from

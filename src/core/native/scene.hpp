@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/native/bodies.hpp"
 #include "core/native/collision/manifold.hpp"
+#include "core/native/constants.hpp"
 #include "core/native/known_balances.hpp"
 #include "core/native/side_forces.hpp"
 #include "core/native/sinking.hpp"
@@ -43,17 +45,24 @@ struct StepTerms {
   double longest_step = 0.0;              ///< that any step may have, s: contacts are found for it
   Vec3 effective_gravity = Vec3::Zero();  ///< gravity minus the container's acceleration, g − a, m/s²
   double velocity_unit = 0.0;             ///< |g − a| · step: what tolerances are measured in, m/s
-  double changed = 0.0;                   ///< time of the last change of g − a, s
-  bool to_and_fro = false;                ///< g − a has changed within `kToAndFro`
-  bool reset_warm_start = false;          ///< of an island: g − a has just changed, and its last step is no guess
-  bool implicit = false;     ///< of an island: its step is one of implicit Euler, since a solve of it has failed
-  bool refuted = false;      ///< of an island: its proof of rest has failed in this step
+  double changed = -std::numeric_limits<double>::infinity();  ///< time of the last change of g − a, s
+  bool changes_on = false;                                    ///< the change before it was within `kToAndFro` of it
+  bool to_and_fro = false;                                    ///< g − a has changed within `kToAndFro`
+  bool oscillates = false;                                    ///< and so it had before
+  bool reset_warm_start = false;  ///< of an island: g − a has just changed, and its last step is no guess
+  bool implicit = false;          ///< of an island: its step is one of implicit Euler, since a solve of it has failed
+  bool refuted = false;           ///< of an island: its proof of rest has failed in this step
   double fall_margin = 0.0;  ///< what the strongest g − a that contacts are found for moves a body by in a step, m
 
   void set_step(double length) {
     step = length;
     velocity_unit = effective_gravity.norm() * length;
   }
+
+  /// Slip that friction does not end within a part of the step, m/s. Where g − a oscillates, slips that turn cut steps:
+  /// a part counts alone.
+  /// @param length of the part, s
+  double lasting_slip(double length) const { return kLarge * effective_gravity.norm() * (oscillates ? length : step); }
 };
 
 }  // namespace holdfast::internal::native

@@ -15,12 +15,13 @@ std::vector<Case> noise_cases();          ///< noise of the sea and of a lorry
 /// Acceleration of gravity of the suite's scenes, m/s².
 inline constexpr double kOscillateGravity = 9.81;
 
-/// Boxes that move as one along y from rest, and what each moves by.
-/// @return the displacement of the box that is farthest off, relative to the exact one, and the largest displacement
-///         along x of any box over the length of the exact path; nothing if the engine cannot model the scene
-/// @param expected displacement along y of every box, m
-/// @param distance length of the exact path, m
-std::vector<Measurement> moved_as_one(Laboratory& laboratory, const Scene& scene, double expected, double distance,
+/// Boxes that move as one from rest, and what each moves by.
+/// @return the displacement along y of the box that is farthest off, relative to the exact one, and the largest error
+/// of
+///         the displacement along x of any box, both over a length; nothing if the engine cannot model the scene
+/// @param expected displacement of every box, m
+/// @param distance that length, such as that of the exact path, m
+std::vector<Measurement> moved_as_one(Laboratory& laboratory, const Scene& scene, const Vec3& expected, double distance,
                                       ToleranceClass tolerance);
 
 /// Boxes of equal size on each other, in the middle of a container without walls near.

@@ -43,7 +43,7 @@ std::vector<Measurement> slid_as_one(Laboratory& laboratory, std::size_t count, 
   scene.settings.contact.kinetic_friction = kShare;
   scene.acceleration = acceleration;
   const SlidePath path = slide_along(1, acceleration, kStatic, kGravity, 0.0, kShare);
-  return moved_as_one(laboratory, scene, path.displacement.y(), path.distance, tolerance);
+  return moved_as_one(laboratory, scene, path.displacement, path.distance, tolerance);
 }
 
 /// A small box on a wide flat one of four times its mass, compared with the exact paths (`slide_stacked` with a kinetic

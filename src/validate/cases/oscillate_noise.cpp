@@ -37,7 +37,7 @@ std::vector<Measurement> slid(Laboratory& laboratory, const Acceleration& accele
   scene.settings.contact.kinetic_friction = kinetic_share;
   scene.acceleration = acceleration;
   const SlidePath path = slide_along(1, acceleration, kFriction, kGravity, 0.0, kinetic_share);
-  return moved_as_one(laboratory, scene, path.displacement.y(), path.distance, tolerance);
+  return moved_as_one(laboratory, scene, path.displacement, path.distance, tolerance);
 }
 
 /// A stack of three rests under noise in all directions of which no sample uses up more than 0.98 of what friction

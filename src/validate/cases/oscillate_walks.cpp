@@ -21,14 +21,15 @@ const Vec3 kContainer = {30, 30, 5};
 const Vec3 kBox = {1.0, 0.8, 0.3};
 
 /// A vibration that moves a box by micrometres per cycle: along y mean + shake sin(2πft), along z heave
-/// sin(2πft + phase), in units of g.
+/// sin(2πft + phase), or along x across sin(2πft), in units of g.
 struct Walk {
   double frequency = 1.0;  ///< Hz
   double rate = 1000.0;    ///< samples per second
   double mean = 0.0;
   double shake = 0.0;
   double heave = 0.0;
-  double phase = 0.0;           ///< rad
+  double phase = 0.0;  ///< rad
+  double across = 0.0;
   double duration = 10.0;       ///< of one box, s
   double group_duration = 0.0;  ///< of several boxes, s; 0: only one box
 };
@@ -40,12 +41,16 @@ constexpr Walk kWalks[] = {
     {.frequency = 50, .mean = 0.35, .heave = 0.4},
     {.frequency = 100, .mean = 0.3, .shake = 0.5, .group_duration = 3.0},
     {.frequency = 200, .rate = 2000, .mean = 0.3, .shake = 0.5, .duration = 4.0},
+    {.frequency = 5, .rate = 100, .mean = 0.2, .across = 0.75, .group_duration = 3.0},
+    {.frequency = 30, .mean = 0.15, .across = 1.0, .group_duration = 3.0},
+    {.frequency = 90, .mean = 0.35, .across = 0.55},
 };
 
 Acceleration acceleration_of(const Walk& walk, double duration) {
   Oscillation oscillation = {walk.mean * kGravity * Vec3::UnitY(), {}};
   oscillation.waves.push_back({walk.shake * kGravity * Vec3::UnitY(), walk.frequency, 0.0});
   oscillation.waves.push_back({walk.heave * kGravity * Vec3::UnitZ(), walk.frequency, walk.phase});
+  oscillation.waves.push_back({walk.across * kGravity * Vec3::UnitX(), walk.frequency, 0.0});
   return sampled(oscillation, duration, walk.rate);
 }
 
@@ -64,12 +69,12 @@ Scene side_by_side(int along_x, int along_y, double gap) {
 
 /// The boxes slide alike, each on the floor alone or on one that it moves with: neighbours that touch do not push, and
 /// a tower neither slips, at friction 1.5, nor tips, at a height of 0.9 m on a depth of 0.8 m. The path is that of one
-/// block, piecewise in closed form (`slide_along`).
+/// block, piecewise in closed form (`slide_along`), or integrated where the slip turns (`slide_over`).
 std::vector<Measurement> walked(Laboratory& laboratory, Scene scene, const Walk& walk, double duration) {
   scene.acceleration = acceleration_of(walk, duration);
-  const SlidePath path = slide_along(1, scene.acceleration, kFriction, kGravity);
-  return moved_as_one(laboratory, scene, path.displacement.y(), std::abs(path.displacement.y()),
-                      ToleranceClass::coarse);
+  const SlidePath path = walk.across == 0.0 ? slide_along(1, scene.acceleration, kFriction, kGravity)
+                                            : slide_over(scene.acceleration, kFriction, kGravity);
+  return moved_as_one(laboratory, scene, path.displacement, std::abs(path.displacement.y()), ToleranceClass::coarse);
 }
 
 /// A shock of 8 g and 5 ms along y, and a constant acceleration before, during and after it.
@@ -157,12 +162,15 @@ std::vector<Measurement> shocked(Laboratory& laboratory, const Shock& shock) {
 void add_walks(std::vector<Case>& cases) {
   const char* const mean = "the mean of several samples hides the peaks that exceed friction";
   for (const Walk& walk : kWalks) {
-    const std::string name = fmt::format("walk_{}_hz", walk.frequency);
+    const bool turns = walk.across > 0.0;
+    const std::string name = fmt::format("walk_{}_hz{}", walk.frequency, turns ? "_across" : "");
     const auto add = [&](const std::string& who, const std::string& what, const char* failure_mode, bool quick,
                          double duration, const Scene& scene) {
       cases.push_back(
-          {"oscillate", name + who, fmt::format("path of {} under a vibration of {} Hz", what, walk.frequency),
-           failure_mode, quick,
+          {"oscillate", name + who,
+           fmt::format("path of {} under a vibration of {} Hz{}", what, walk.frequency,
+                       turns ? " across a steady acceleration" : ""),
+           turns ? "friction keeps its direction through a step in which the slip turns" : failure_mode, quick,
            [scene, walk, duration](Laboratory& laboratory) { return walked(laboratory, scene, walk, duration); }});
     };
     add("", "a box", mean, true, walk.duration, side_by_side(1, 1, 0.0));

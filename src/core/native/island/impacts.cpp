@@ -65,7 +65,8 @@ void Impacts::resolve(Scene& scene, const IslandView& island, const StepTerms& t
     if (result.residual > limits.worst_residual * unit) {
       // Where friction makes normal impulses, as at a kerb, the splitting may diverge.
       prepared.problem.reset_warm_start();
-      result = solve_.solve_by_points(kNegligible * unit, report);
+      result = solve_.solve_by_points({.tolerance = kNegligible * unit, .worst_residual = limits.worst_residual * unit},
+                                      report);
     }
     propagated = propagate(scene, island, terms, filter, step);
     if (!propagated) report.impact_residual = std::max(report.impact_residual, result.residual / unit);

@@ -223,7 +223,9 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
   });
   // Without rotation both sets of arms are the same.
   if (any_turns) problem.mid_arms.resize(problem.constraints.size());
-  has_late_impact_ = start_step({step, terms.velocity_unit, !terms.implicit}, start_, motion_, problem.constraints,
+  // Slip that is slower may end within the step.
+  const double lasting_slip = terms.implicit ? std::numeric_limits<double>::infinity() : terms.lasting_slip(step);
+  has_late_impact_ = start_step({step, terms.velocity_unit, lasting_slip}, start_, motion_, problem.constraints,
                                 problem.mid_arms, late_impact_);
   carries_missing_ = !has_late_impact_;
 }

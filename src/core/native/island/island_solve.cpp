@@ -20,7 +20,9 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
     if (is_within(result, kWorstResidual)) return result;
   }
   if (!is_within(result, kLarge)) prepared.problem.reset_warm_start();
-  return solve_by_points(kWorstResidual * limits.velocity_unit, report);
+  return solve_by_points({.tolerance = limits.worst_residual * limits.velocity_unit,
+                          .worst_residual = kWorstResidual * limits.velocity_unit},
+                         report);
 }
 
 SolveResult IslandSolve::solve_once(const SolveLimits& limits, IslandReport& report) {
@@ -30,8 +32,8 @@ SolveResult IslandSolve::solve_once(const SolveLimits& limits, IslandReport& rep
   return result;
 }
 
-SolveResult IslandSolve::solve_by_points(double tolerance, IslandReport& report) {
-  const SolveResult result = gauss_seidel_.solve(prepared.problem, tolerance, kGaussSeidelSweeps);
+SolveResult IslandSolve::solve_by_points(const PointLimits& limits, IslandReport& report) {
+  const SolveResult result = gauss_seidel_.solve(prepared.problem, limits);
   report.iterations += static_cast<std::uint64_t>(result.iterations);
   return result;
 }

@@ -36,8 +36,7 @@ class IslandSolve {
   SolveResult solve_once(const SolveLimits& limits, IslandReport& report);
 
   /// Solves what is prepared point by point, from where it is.
-  /// @param tolerance of the velocities, m/s
-  SolveResult solve_by_points(double tolerance, IslandReport& report);
+  SolveResult solve_by_points(const PointLimits& limits, IslandReport& report);
 
  private:
   std::unique_ptr<ContactSolver> solver_;

@@ -25,7 +25,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
   const std::size_t located = terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies;
   if (island.bodies.size() > located) effort_.impact_cuts = 0;
   const SolveLimits limits = step_limits(scene, island, terms);
-  impact_cuts_ = slip_end_cuts_ = 0;
+  impact_cuts_ = slip_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
     const ImpactTiming timing = impact_timing(scene.bodies, island, terms, effort_, impact_cuts_);
     find_sliding(scene, island, terms, effort_);
@@ -44,7 +44,7 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     for (const std::uint32_t index : island.manifolds)
       if (update_manifold(scene, index, terms)) report.missed_contact = true;
     remaining -= share * part.length;
-    ++(share < 1.0 ? impact_cuts_ : slip_end_cuts_);
+    ++(share < 1.0 ? impact_cuts_ : slip_cuts_);
   }
 }
 
@@ -72,11 +72,13 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
       if (event.activated) ++round;
       continue;
     }
-    if (slip_end_cuts_ >= effort_.slip_end_cuts || part.length != remaining) break;
-    const double slip_end = slips_.first_end(scene, terms, impact_cuts_ + slip_end_cuts_ == 0, part.length);
-    if (slip_end >= part.length || slip_end >= event.time) break;
-    // Forces change where a slip ends: what comes before is a step of its own.
-    part.length = slip_end;
+    if (part.length != remaining) break;
+    if (slip_cuts_ >= (terms.oscillates ? effort_.impact_cuts : effort_.slip_end_cuts)) break;
+    double change = slips_.first_end(scene, terms, impact_cuts_ + slip_cuts_ == 0, part.length);
+    if (terms.oscillates) change = std::min(change, slips_.first_turn(scene, terms, part.length));
+    if (change >= part.length || change >= event.time) break;
+    // Forces change where a slip ends or turns: what comes before is a step of its own.
+    part.length = change;
   }
   return part;
 }

@@ -54,8 +54,8 @@ class IslandStepper {
   Slips slips_{solve_.prepared, motion_};
   RestProof rest_proof_{options_, solve_};
   PositionCorrection correction_;
-  std::vector<BodyVector> found_;            ///< a body of the scene: velocity by the solve that is repeated
-  int impact_cuts_ = 0, slip_end_cuts_ = 0;  ///< of the step so far
+  std::vector<BodyVector> found_;        ///< a body of the scene: velocity by the solve that is repeated
+  int impact_cuts_ = 0, slip_cuts_ = 0;  ///< of the step so far
 };
 
 }  // namespace holdfast::internal::native

@@ -37,6 +37,11 @@ double beginning_slip(const StepTerms& terms, const Effort& effort, double resid
                   kResidualSlip * std::max(effort.reset_tolerance * terms.velocity_unit, residual));
 }
 
+/// The time of an event, or the whole step where a cut right at its start or its end would change nothing.
+double worth_a_cut(const StepTerms& terms, double time, double step) {
+  return time > kLeastCut * terms.step && time < step - kLeastCut * terms.step ? time : step;
+}
+
 }  // namespace
 
 void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms, const Effort& effort) {
@@ -79,6 +84,30 @@ bool Slips::find_begun(Scene& scene, const StepTerms& terms, const Effort& effor
   return any;
 }
 
+template <class Visit>
+void Slips::for_each_slip(const Scene& scene, const StepTerms& terms, Visit visit) const {
+  for (std::size_t p = 0; p < solved_.sources.size(); ++p) {
+    const Manifold& manifold = scene.manifolds[solved_.sources[p].manifold];
+    if (manifold.friction == 0.0) continue;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(solved_.problem.constraints[p].count); ++lane) {
+      if (!(solved_.problem.constraints[p].impulse.row[0][lane] > 0.0)) continue;
+      const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
+      const Vec3 slip = tangential(manifold, relative_velocity(scene.bodies, manifold, point));
+      if (slip.norm() <= kNegligible * terms.velocity_unit) continue;
+      visit(manifold, point, slip, tangential(manifold, motion_.end_velocity(scene.bodies, manifold, point)));
+    }
+  }
+}
+
+double Slips::first_turn(const Scene& scene, const StepTerms& terms, double step) const {
+  double first = step;
+  for_each_slip(scene, terms, [&](const Manifold&, const ContactPoint&, const Vec3& slip, const Vec3& end) {
+    if (slip.cross(end).norm() > kSmall * slip.norm() * end.norm())
+      first = std::min(first, (1.0 - kSlack) * slip.norm() / terms.lasting_slip(1.0));
+  });
+  return worth_a_cut(terms, first, step);
+}
+
 double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const {
   const Bodies& bodies = scene.bodies;
   const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
@@ -88,30 +117,21 @@ double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, 
   };
   const bool changed = terms.reset_warm_start && uncut;
   double first = step;
-  for (std::size_t p = 0; p < solved_.sources.size(); ++p) {
-    const Manifold& manifold = scene.manifolds[solved_.sources[p].manifold];
-    if (manifold.friction == 0.0) continue;
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(solved_.problem.constraints[p].count); ++lane) {
-      if (!(solved_.problem.constraints[p].impulse.row[0][lane] > 0.0)) continue;
-      const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
-      const Vec3 slip = tangential(manifold, relative_velocity(bodies, manifold, point));
-      const double speed = slip.norm();
-      if (speed <= kNegligible * terms.velocity_unit) continue;
-      const Vec3 end = tangential(manifold, motion_.end_velocity(bodies, manifold, point));
-      // A slip that keeps some speed in its direction goes on.
-      if (end.dot(slip) > kNegligible * speed * speed) continue;
-      double slowing =
-          -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
-      if (changed && is_fixed(bodies, manifold.a)) {
-        const Vec3& g = terms.effective_gravity;
-        slowing = manifold.friction_now() * std::max(0.0, -g.dot(manifold.contact.normal)) -
-                  slip.dot(tangential(manifold, g)) / speed;
-      }
-      if (slowing > 0.0) first = std::min(first, speed / slowing);
-    }
-  }
-  // A cut right at the start or the end of the step would change nothing.
-  return first > kLeastCut * terms.step && first < step - kLeastCut * terms.step ? first : step;
+  for_each_slip(
+      scene, terms, [&](const Manifold& manifold, const ContactPoint& point, const Vec3& slip, const Vec3& end) {
+        const double speed = slip.norm();
+        // A slip that keeps some speed in its direction goes on.
+        if (end.dot(slip) > kNegligible * speed * speed) return;
+        double slowing =
+            -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
+        if (changed && is_fixed(bodies, manifold.a)) {
+          const Vec3& g = terms.effective_gravity;
+          slowing = manifold.friction_now() * std::max(0.0, -g.dot(manifold.contact.normal)) -
+                    slip.dot(tangential(manifold, g)) / speed;
+        }
+        if (slowing > 0.0) first = std::min(first, speed / slowing);
+      });
+  return worth_a_cut(terms, first, step);
 }
 
 }  // namespace holdfast::internal::native

@@ -34,7 +34,18 @@ class Slips {
   /// @param step  length of the part, s
   double first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const;
 
+  /// Time through which every slip that turns lasts, at least: friction opposes the mean of a part of the step no
+  /// longer than this. `step` where none turns.
+  /// @param step length of the part, s
+  double first_turn(const Scene& scene, const StepTerms& terms, double step) const;
+
  private:
+  /// Visits the points that slide at the beginning of the part and press.
+  /// @param visit `void(const Manifold&, const ContactPoint&, const Vec3& slip, const Vec3& end)`: the slip at the
+  /// beginning and at the end, m/s
+  template <class Visit>
+  void for_each_slip(const Scene& scene, const StepTerms& terms, Visit visit) const;
+
   const IslandProblem& solved_;
   const SolvedMotion& motion_;
 };

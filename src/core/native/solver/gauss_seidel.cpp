@@ -25,14 +25,17 @@ void cut(double friction, Vec3& impulse) {
 
 }  // namespace
 
-SolveResult GaussSeidel::solve(ContactProblem& problem, double tolerance, int most) {
+SolveResult GaussSeidel::solve(ContactProblem& problem, const PointLimits& limits) {
   begin(problem);
-  SolveResult result;
-  while (!result.converged && result.iterations < most) {
+  SolveResult result{.residual = std::numeric_limits<double>::infinity()};
+  const auto most = [&] {
+    return result.residual <= limits.worst_residual ? limits.visits : limits.visits + limits.more_visits;
+  };
+  for (std::size_t visits = 0; !result.converged && visits < most(); visits += points_.size()) {
     result.residual = 0.0;
     for (Point& point : points_) result.residual = std::max(result.residual, visit(point));
     ++result.iterations;
-    result.converged = result.residual <= tolerance;
+    result.converged = result.residual <= limits.tolerance;
   }
   finish(problem);
   // The largest of numbers and of what is none does not show that.

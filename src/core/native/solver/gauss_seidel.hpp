@@ -8,6 +8,14 @@
 
 namespace holdfast::internal::native {
 
+/// How hard the Gauss-Seidel method tries.
+struct PointLimits {
+  double tolerance = 0.0;                   ///< the velocity of no point may be farther from its law, m/s
+  double worst_residual = 0.0;              ///< that may pass, m/s
+  std::size_t visits = kGaussSeidelVisits;  ///< to points, at most, where what is left may pass
+  std::size_t more_visits = kMoreIterations * kGaussSeidelVisits;  ///< on top of these, where it may not
+};
+
 /// Projected Gauss-Seidel method for contact problems (M. Jean, "The non-smooth contact dynamics method", Computer
 /// Methods in Applied Mechanics and Engineering 177, 1999), under-relaxed: every point in turn takes a share of the
 /// step to the impulse that Coulomb's law gives it while all others stay. In large islands its sweeps gain far less
@@ -18,11 +26,10 @@ class GaussSeidel {
  public:
   /// Replaces the problem's velocities, impulses and contact velocities by better ones, which start from the impulses
   /// that are there. Bounds of normal impulses are not looked at.
-  /// @param tolerance it ends after a sweep in which the velocity of no point is farther from its law, m/s
-  /// @param most      sweeps, at most
+  /// @param limits a sweep that has begun is finished
   /// @return with `iterations` sweeps, and the largest such distance of the last one as the residual; infinite where
   /// velocities are not numbers
-  SolveResult solve(ContactProblem& problem, double tolerance, int most);
+  SolveResult solve(ContactProblem& problem, const PointLimits& limits);
 
  private:
   using Velocity = Eigen::Matrix<double, kBodyRows, 1>;  ///< three linear and three angular components

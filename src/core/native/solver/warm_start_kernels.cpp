@@ -1,8 +1,6 @@
 // Arithmetic of start values, once for every instruction set, chosen at run time.
 #include "core/native/solver/warm_start_kernels.hpp"
 
-#include <limits>
-
 #include "core/native/constants.hpp"
 #include "core/native/solver/simd_targets.hpp"
 
@@ -78,10 +76,10 @@ HWY_INLINE bool set_bias(const StepScale& scale, const ContactStart& start, cons
   where_greater(gap, Four::all(kTouch), gap / step).store(constraint.velocity_bias.row[0].data());
   // Friction along the mean slip makes curved paths second order in the step.
   const Triple slip = velocity - along_normal * normal;
-  const double lasting = scale.mean_slip ? kLarge * scale.velocity_unit : std::numeric_limits<double>::infinity();
+  const Four lasting = Four::all(scale.lasting_slip * scale.lasting_slip);
   for (std::size_t i = 1; i < 3; ++i) {
     const Four bias = used * inner(slip, direction(constraint, i));
-    where_greater(inner(slip, slip), Four::all(lasting * lasting), bias).store(constraint.velocity_bias.row[i].data());
+    where_greater(inner(slip, slip), lasting, bias).store(constraint.velocity_bias.row[i].data());
   }
   const Four ends_at = max(gap, Four::all(0.0)) + step * along_normal;
   return total(where_greater(Four::all(-kNoticeable * scale.velocity_unit * scale.step), ends_at, used)) > 0.0;

@@ -31,7 +31,7 @@ struct alignas(64) ContactStart {
 struct StepScale {
   double step = 0.0;           ///< s
   double velocity_unit = 0.0;  ///< |g − a| times the whole step, m/s
-  bool mean_slip = true;       ///< friction opposes the mean of slip that lasts, and not that at the end
+  double lasting_slip = 0.0;   ///< above it, friction opposes the mean of a slip, and not that at the end, m/s
 };
 
 /// Makes the impulses and contact velocities with which a solve starts from those of the last step.

@@ -17,7 +17,7 @@ using namespace holdfast::internal::native;
 
 namespace {
 
-constexpr StepScale kScale{.step = 0.02, .velocity_unit = 0.2};
+constexpr StepScale kScale{.step = 0.02, .velocity_unit = 0.2, .lasting_slip = 0.4};
 
 /// Constraints as `start_step` takes them, of bodies half of which turn.
 struct Started {
@@ -86,7 +86,7 @@ double difference(const Started& before, const Started& after, std::size_t p, st
   double worst = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
     const Vec3 direction = direction_of(from, d);
-    const bool lasts = slip.norm() > kLarge * kScale.velocity_unit;
+    const bool lasts = slip.norm() > kScale.lasting_slip;
     const double bias = d == 0 ? std::max(0.0, gap) / kScale.step : lasts ? slip.dot(direction) : 0.0;
     const double force = arm_of(before.start[p].force.row, lane).dot(direction);
     const double z = arm_of(before.start[p].contact_velocity.row, lane).dot(direction) + (d > 0 ? bias : 0.0);
