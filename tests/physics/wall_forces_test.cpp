@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "analyses/walls/wall_forces.hpp"
 #include "core/native/native_scenes.hpp"
@@ -53,6 +54,33 @@ TEST_CASE("wall_forces: a row that is braked presses the front wall with m k (a 
                 text(walls(run).lasting_force[kFront] / exact - 1.0));
         CHECK(last_force(run, kFront) == Approx(exact).epsilon(1e-6));
       }
+    }
+  }
+}
+
+// A load that rests in its pose all the time: how the acceleration came to be must not show.
+TEST_CASE("wall_forces: of a real load at rest they depend on the pose alone", "[physics][walls]") {
+  constexpr double kStrength = 0.5 * kGravity;
+  constexpr std::size_t kLeft = 3;
+  std::vector<std::pair<double, Vec3>> rising;
+  for (int i = 0; i < 60; ++i) rising.emplace_back(0.01, Vec3(0, kStrength * i / 60.0, 0));
+  rising.emplace_back(0.4, Vec3(0, kStrength, 0));
+  std::optional<double> first;
+  for (const Accuracy accuracy : kAll) {
+    Settings settings = at_once();
+    settings.contact.friction_model = FrictionModel::pairs;
+    settings.contact.box_box = settings.contact.box_floor = settings.contact.box_wall = 0.52;
+    settings = measured(with(accuracy, settings));
+    const Layout layout = bundled_layout("BR0_012_block", settings);
+    for (const Acceleration& acceleration :
+         {acceleration_of({{1.0, Vec3(0, kStrength, 0)}}), acceleration_of(rising)}) {
+      const Run run = native_run(layout, acceleration, settings);
+      REQUIRE(run.record.row.steps == run.record.row.steps_skipped);
+      const double force = last_force(run, kLeft);
+      if (!first) first = force;
+      CAPTURE(static_cast<int>(accuracy), text(force));
+      CHECK(force > 1000.0);
+      CHECK(force == Approx(*first).epsilon(1e-4));
     }
   }
 }

@@ -62,6 +62,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
   if (change_ != Change::none) reset_small_islands(islands);
   std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
+  std::vector<std::uint8_t> begins(scene.side_forces.wanted() ? bodies.count() : 0, 0);
   for (std::size_t round = 0;; ++round) {
     for (std::size_t i = 0; i < islands.size(); ++i) {
       const IslandView island = islands[i];
@@ -72,8 +73,8 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
       const bool rests = known || (may_rest(bodies, island, terms) && (round > 0 || is_due(island)) &&
                                    prove(scene, terms, island, round > 0, proof, counters));
       if (rests) set_at_rest(scene, island);
-      if (rests && !known && scene.side_forces.wanted()) proof.find_resting_pushes(scene, island, terms);
       for (const std::uint32_t body : island.bodies) {
+        if (rests && !known && !begins.empty()) begins[body] = 1;
         if (!rests) bodies.activity[body] = Activity::moving;
         undecided_[body] = 0;
       }
@@ -81,6 +82,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
     if (change_ == Change::none || round == kRepairRounds || !activate_leaning(scene, terms)) break;
     islands.find(bodies, scene.manifolds);
   }
+  find_resting_pushes(scene, terms, begins, proof);
   for (std::size_t i = 0; i < refuted_.size(); ++i) {
     if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(2 * kHorizon, std::max(1U, 2 * next_wait_[i]));
     if (bodies.activity[i] != Activity::moving) wait_[i] = next_wait_[i] = 0;
@@ -105,6 +107,31 @@ bool RestDecision::prove(Scene& scene, const StepTerms& terms, const IslandView&
   counters.solve_iterations += report.iterations;
   for (const std::uint32_t body : island.bodies) refuted_[body] = rests ? 0 : 1;
   return rests;
+}
+
+/// Finds what bodies that rest do to the sides, where some of them begin to: with all contacts that touch, whichever of
+/// them the way to rest has made active, so that the forces depend on the pose alone.
+/// @param begins a body: whether it does; empty where nobody asks for the forces
+void RestDecision::find_resting_pushes(Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& begins,
+                                       RestProof& proof) const {
+  const auto is_marked = [&](std::uint32_t body) { return begins[body] != 0; };
+  if (std::none_of(begins.begin(), begins.end(), [](std::uint8_t mark) { return mark != 0; })) return;
+  const Bodies& bodies = scene.bodies;
+  const auto may_carry = [&](std::int32_t body) {
+    return is_fixed(bodies, body) || bodies.activity[at(body)] == Activity::resting;
+  };
+  std::vector<std::uint8_t> active;
+  for (Manifold& manifold : scene.manifolds) {
+    active.push_back(manifold.active ? 1 : 0);
+    const bool touches = manifold.nearest_gap <= leaning_gap(bodies, manifold);
+    manifold.active = manifold.active || (touches && may_carry(manifold.a) && may_carry(manifold.b));
+  }
+  Connectivity touching;
+  touching.find(bodies, scene.manifolds);
+  for (std::size_t i = 0; i < touching.size(); ++i)
+    if (std::any_of(touching[i].bodies.begin(), touching[i].bodies.end(), is_marked))
+      proof.find_resting_pushes(scene, touching[i], terms);
+  for (std::size_t i = 0; i < active.size(); ++i) scene.manifolds[i].active = active[i] != 0;
 }
 
 /// Activates contacts that touch and that the motion which refutes rest would close: a body that leans on a neighbour

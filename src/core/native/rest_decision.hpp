@@ -44,6 +44,8 @@ class RestDecision {
   bool is_due(const IslandView& island);
   bool prove(Scene& scene, const StepTerms& terms, const IslandView& island, bool leans, RestProof& proof,
              Counters& counters);
+  void find_resting_pushes(Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& begins,
+                           RestProof& proof) const;
   bool activate_leaning(Scene& scene, const StepTerms& terms);
 
   Change change_ = Change::none;
