@@ -113,8 +113,8 @@ inline constexpr double kNegligible = 1e-3;  // |g − a| h
 /// point method starts from this speed. As a share: of the residual that may pass, where bodies are slow, no less than
 /// this remains, since whether they move at all depends on it. And a change of g − a up to this share of it is little:
 /// accelerations so near count as samples of a curve, of which a proof of rest tries one ahead, and sleeping bodies are
-/// held by forces that are this much out of date at most. Over |g − a| h²: an overlap that a step may end with before a
-/// contact is solved.
+/// held by forces that are this much out of date at most. As an angle, in rad: a slip that turns by more cuts a step
+/// where g − a oscillates. Over |g − a| h²: an overlap that a step may end with before a contact is solved.
 /// @measured Rest, residual, interior point method, overlap: half and twice: insensitive. Impacts: of about 227 random
 /// worlds (bench/random_worlds.py) that an accuracy lets pass, those beyond a limit at `reference`, on average over
 /// steps around the accuracy's: 8.5 at `screening` and 3 at `standard`; half: 9 and 4, with 17 and 9 % more time;
@@ -124,7 +124,8 @@ inline constexpr double kNegligible = 1e-3;  // |g − a| h
 inline constexpr double kSmall = 0.025;  // |g − a| h
 
 /// What is above this matters: an approach, or a change of velocity beyond that of the step before, is an impact; a
-/// solve goes on, for `kMoreIterations`, while a component of its residual is larger; and bodies that lean on others
+/// solve goes on, for `kMoreIterations`, while a component of its residual is larger, and an impact that leaves as much
+/// of its speed is solved by the Gauss-Seidel method; and bodies that lean on others
 /// are asked for a proof of rest where none begins to move faster. As a length, over |g − a| h²: where a hit makes
 /// boxes overlap, pairs of the island that end the step this near are solved as well.
 /// @measured Impacts: half: case `rocking_0.25_by_1_from_0.5` fails; twice: insensitive. Residual: five times as much:
@@ -188,7 +189,8 @@ inline constexpr std::size_t kSmallIslandBodies = 8;  // bodies
 /// @measured Half and a quarter: no bit changes.
 inline constexpr double kLargestTurn = 0.5;  // rad
 
-/// How long ago g − a has changed at most, where the acceleration goes to and fro.
+/// How long ago g − a has changed at most, where the acceleration goes to and fro; where the change before it was at
+/// most as long before, it oscillates, and slips that turn cut steps.
 /// @measured On the same random worlds half and twice are insensitive. Twice: loads under the road accelerations take
 /// 4 % more time.
 inline constexpr double kToAndFro = 0.15;  // s
@@ -316,11 +318,12 @@ inline constexpr int kLeastIterations = 3;  // iterations
 inline constexpr double kRepeatedShare = 0.5;  // of the iterations
 
 /// Iterations that a solve may take on top of its cap where the residual may not pass, over the cap; and those of a
-/// second solve where it still may not, over those of the first.
+/// second solve where it still may not, over those of the first. Likewise visits of the Gauss-Seidel method.
 /// @measured Twice: 7 % more iterations at `standard`, and no measurement passes or fails.
 inline constexpr int kMoreIterations = 2;  // of the cap
 
-/// No component of a residual may be larger: this one moves a box by half of what it falls freely in a step.
+/// No component of a residual may be larger: this one moves a box by half of what it falls freely in a step. As a
+/// share: of the speed of an impact, what its solve may leave.
 /// @measured Half and twice: insensitive.
 inline constexpr double kWorstResidual = 0.5;  // |g − a| h
 

@@ -154,7 +154,6 @@ double NativeWorld::take_next_step(const Phase& phase) {
   const StepPlan plan(phase, 1.0 / state_.terms.longest_step);
   state_.terms.set_step(plan.step());
   state_.terms.to_and_fro = std::max(phase.begin, reached_) < state_.terms.changed + kToAndFro;
-  state_.terms.oscillates = state_.terms.to_and_fro && state_.terms.changes_on;
   state_.sleeping.wake(state_.scene);
   state_.rest.decide(state_.scene, state_.terms, state_.islands, options_.freeze, memory_->stepper.rest_proof(),
                      counters_);

@@ -48,7 +48,6 @@ struct StepTerms {
   double changed = -std::numeric_limits<double>::infinity();  ///< time of the last change of g − a, s
   bool changes_on = false;                                    ///< the change before it was within `kToAndFro` of it
   bool to_and_fro = false;                                    ///< g − a has changed within `kToAndFro`
-  bool oscillates = false;                                    ///< and so it had before
   bool reset_warm_start = false;  ///< of an island: g − a has just changed, and its last step is no guess
   bool implicit = false;          ///< of an island: its step is one of implicit Euler, since a solve of it has failed
   bool refuted = false;           ///< of an island: its proof of rest has failed in this step
@@ -59,10 +58,15 @@ struct StepTerms {
     velocity_unit = effective_gravity.norm() * length;
   }
 
+  /// Whether g − a has changed, and before that too, within `kToAndFro` each.
+  bool oscillates() const { return to_and_fro && changes_on; }
+
   /// Slip that friction does not end within a part of the step, m/s. Where g − a oscillates, slips that turn cut steps:
   /// a part counts alone.
   /// @param length of the part, s
-  double lasting_slip(double length) const { return kLarge * effective_gravity.norm() * (oscillates ? length : step); }
+  double lasting_slip(double length) const {
+    return kLarge * effective_gravity.norm() * (oscillates() ? length : step);
+  }
 };
 
 }  // namespace holdfast::internal::native

@@ -73,9 +73,9 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
       continue;
     }
     if (part.length != remaining) break;
-    if (slip_cuts_ >= (terms.oscillates ? effort_.impact_cuts : effort_.slip_end_cuts)) break;
+    if (slip_cuts_ >= (terms.oscillates() ? effort_.impact_cuts : effort_.slip_end_cuts)) break;
     double change = slips_.first_end(scene, terms, impact_cuts_ + slip_cuts_ == 0, part.length);
-    if (terms.oscillates) change = std::min(change, slips_.first_turn(scene, terms, part.length));
+    if (terms.oscillates()) change = std::min(change, slips_.first_turn(scene, terms, part.length));
     if (change >= part.length || change >= event.time) break;
     // Forces change where a slip ends or turns: what comes before is a step of its own.
     part.length = change;
