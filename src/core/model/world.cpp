@@ -3,13 +3,23 @@
 #include <limits>
 
 #include "core/base/byte_hash.hpp"
+#include "core/model/container_sides.hpp"
 
 namespace holdfast::internal {
 
 namespace {
 
-void append_box(WorldBatch& batch, const Box& box, const Settings& settings) {
-  const BoxProperties properties = properties_of(settings, box);
+/// A fixed box as boxes meet it. What is on it stands where it stands; beside it and beneath it is the least play.
+Box with_play(Box fixed) {
+  const Vec3 play = (0.25 * (fixed.corner_max - fixed.corner_min)).cwiseMin(kLeastPlay);
+  fixed.corner_min += play;
+  fixed.corner_max.head<2>() -= play.head<2>();
+  return fixed;
+}
+
+void append_box(WorldBatch& batch, const Box& given, const Settings& settings) {
+  const BoxProperties properties = properties_of(settings, given);
+  const Box box = properties.fixed ? with_play(given) : given;
   const Vec3 size = box.corner_max - box.corner_min;
   const double mass = properties.fixed ? std::numeric_limits<double>::infinity() : properties.mass;
   const Vec3 square = size.cwiseProduct(size);
