@@ -111,6 +111,10 @@ bool is_missed_contact(const ContactSet& contact, double gap_before, double deep
 /// @param least no less than this, m
 double penetration_slop(const StepTerms& terms, double least);
 
+/// The same of a contact: none where it can carry weight. A box that slides from one support to the next would sink at
+/// each by as much.
+double penetration_slop(const StepTerms& terms, double least, const Bodies& bodies, const Manifold& manifold);
+
 /// Gap up to which contacts are looked for: two bodies this near may meet within the next step, however long it is, m.
 /// @param approach bound of the speed at which their surfaces approach each other, m/s
 double speculative_margin(const StepTerms& terms, double approach);

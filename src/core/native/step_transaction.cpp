@@ -103,7 +103,6 @@ void StepTransaction::attempt(double step, int halvings, int attempts) {
 bool StepTransaction::activate_predicted() {
   const Bodies& bodies = scene_.bodies;
   const StepTerms& terms = world_.terms;
-  const double overlap = penetration_slop(terms, 0.0);
   const auto mean_twist = [&](std::int32_t body) -> Twist {
     if (body < 0 || bodies.activity[at(body)] != Activity::moving) return {};
     const std::size_t i = at(body);
@@ -115,6 +114,7 @@ bool StepTransaction::activate_predicted() {
     if (manifold.active || !has_end_in(manifold, bodies, Activity::moving)) continue;
     if (has_end_in(manifold, bodies, Activity::ahead)) continue;
     const RelativeTwist mean(mean_twist(manifold.a), mean_twist(manifold.b), manifold.contact.normal);
+    const double overlap = penetration_slop(terms, 0.0, bodies, manifold);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = mean.normal_velocity(point);
@@ -186,7 +186,7 @@ bool StepTransaction::merge_overlapping() {
     if (of_a == of_b || !has_end_in(manifold, bodies, Activity::moving)) continue;
     if (has_end_in(manifold, bodies, Activity::ahead)) continue;
     const std::size_t together = islands[of_a].bodies.size() + islands[of_b].bodies.size();
-    const double overlap = penetration_slop(world_.terms, options_.effort(together).penetration_slop);
+    const double overlap = penetration_slop(world_.terms, options_.effort(together).penetration_slop, bodies, manifold);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double gap =

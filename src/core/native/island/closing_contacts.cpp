@@ -35,7 +35,6 @@ ClosingContacts::Event ClosingContacts::find(Scene& scene, const IslandView& isl
   Event event;
   const Bodies& bodies = scene.bodies;
   const PointFilter filter = timing.filter(step);
-  const double overlap = penetration_slop(terms, effort.penetration_slop);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
     const auto in_solve = [&](const ContactPoint& point) { return manifold.active && filter.is_closed(point.gap); };
@@ -44,6 +43,7 @@ ClosingContacts::Event ClosingContacts::find(Scene& scene, const IslandView& isl
     const RelativeTwist now(twist_of(bodies, manifold.a), twist_of(bodies, manifold.b), manifold.contact.normal);
     const RelativeTwist mean(motion_.mean(bodies, manifold.a), motion_.mean(bodies, manifold.b),
                              manifold.contact.normal);
+    const double overlap = penetration_slop(terms, effort.penetration_slop, bodies, manifold);
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       if (in_solve(point)) continue;
