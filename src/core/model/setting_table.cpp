@@ -300,7 +300,8 @@ std::vector<SettingKey> make_table() {
       "Largest net force on a box in static equilibrium, relative to its weight.");
   add(Whole<CutRange>{}, "ImpactCuts", "", "", MEMBER(native.impact_cuts),
       "How many times impacts may divide a step of an island. In large islands they do while the acceleration goes to "
-      "and fro, and in islands of up to 16 boxes only.");
+      "and fro, and in islands of up to 16 boxes only. Where the acceleration oscillates, slips that end or turn may "
+      "divide it twice as often.");
   add(Truth{}, "Sleep", "", "", MEMBER(native.sleep),
       "Whether slow boxes of large islands sleep while others move: they stay where they are for some steps.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),

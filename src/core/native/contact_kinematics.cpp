@@ -8,9 +8,9 @@ bool is_missed_contact(const ContactSet& contact, double gap_before, double deep
   return contact.nearest_gap() < std::min(0.0, gap_before) - deep;
 }
 
-bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
+bool is_slow(const Bodies& bodies, const IslandView& island, double speed) {
   return std::all_of(island.bodies.begin(), island.bodies.end(),
-                     [&](std::uint32_t body) { return bodies.largest_speed(body) <= kSmall * terms.velocity_unit; });
+                     [&](std::uint32_t body) { return bodies.largest_speed(body) <= speed; });
 }
 
 std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end) {

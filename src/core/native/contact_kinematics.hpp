@@ -75,8 +75,8 @@ inline bool stays(const Bodies& bodies, std::int32_t body) {
 /// boxes, or the floor where the end sleeps. None where there is no floor.
 std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manifold, std::int32_t end);
 
-/// Whether the bodies are all slow enough to be at rest.
-bool may_rest(const Bodies& bodies, const IslandView& island, const StepTerms& terms);
+/// Whether no body of an island is faster than `speed`, m/s.
+bool is_slow(const Bodies& bodies, const IslandView& island, double speed);
 
 /// Whether the contact can carry weight: one body is on the other, or on something fixed.
 inline bool supports(const Bodies& bodies, const Manifold& manifold) {

@@ -19,7 +19,7 @@ struct Effort {
   int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points.
   double mean_residual = kSlack;  // |g − a| h
-  /// Times that impacts may cut a step, and times that slips which end or turn may where g − a oscillates.
+  /// Times that impacts may cut a step. Where g − a oscillates, slips that end or turn may twice as often.
   int impact_cuts = 8;  // times
   /// Times that the end of a slip may cut a step elsewhere.
   int slip_end_cuts = 2;  // times

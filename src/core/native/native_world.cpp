@@ -85,7 +85,7 @@ Phase NativeWorld::next_part(const Phase& phase) const {
     LoneBlock block{manifold.friction, manifold.kinetic_friction, Vec3::Zero()};
     block.slip = relative_velocity(bodies, manifold, manifold.contact.points[0]);
     block.slip.z() = 0.0;
-    if (block.slip.norm() <= slow) block.slip = Vec3::Zero();
+    if (block.slip.norm() <= kNegligible * slow) block.slip = Vec3::Zero();
     if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) blocks.push_back(block);
   }
   const bool goes_on = phase.begin < reached_ && reached_ < phase.end;

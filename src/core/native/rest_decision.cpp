@@ -70,8 +70,9 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
       const auto is_resting = [&](std::uint32_t body) { return bodies.activity[body] == Activity::resting; };
       if (std::none_of(island.bodies.begin(), island.bodies.end(), is_undecided)) continue;
       const bool known = freeze && std::all_of(island.bodies.begin(), island.bodies.end(), is_resting);
-      const bool rests = known || (may_rest(bodies, island, terms) && (round > 0 || is_due(island)) &&
-                                   prove(scene, terms, island, round > 0, proof, counters));
+      const bool rests =
+          known || (is_slow(bodies, island, kNegligible * terms.velocity_unit) && (round > 0 || is_due(island)) &&
+                    prove(scene, terms, island, round > 0, proof, counters));
       if (rests) set_at_rest(scene, island);
       for (const std::uint32_t body : island.bodies) {
         if (rests && !known && !begins.empty()) begins[body] = 1;

@@ -44,7 +44,7 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
     if (island.bodies.size() <= kSmallIslandBodies) continue;
     if (bodies.activity[island.bodies.front()] != Activity::moving) continue;
     // What begins to move may be as slow as rounding, and asleep it would be held: a proof decides whether all rest.
-    if (may_rest(bodies, island, terms)) continue;
+    if (is_slow(bodies, island, kSmall * terms.velocity_unit)) continue;
     for (const std::uint32_t body : island.bodies)
       if (slow_steps_[body] >= kSlowSteps) bodies.activity[body] = Activity::asleep;
   }

@@ -62,10 +62,11 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
                           closing_.predicted());
     if (repeated) prepared.start_from(island, [&](std::uint32_t body) { return found_[body]; });
     part.result = solve_.solve(repeated ? repeated_limits(limits, island) : limits, terms, part.length, report);
+    const double residual = part.result.residual;
     motion_.find(scene.bodies, island, terms, part.length);
     const ClosingContacts::Event event = closing_.find(scene, island, terms, effort_, timing, part.length);
     part.impact_time = event.time;
-    repeated = event.activated || slips_.find_begun(scene, terms, effort_, part.result.residual);
+    repeated = event.activated || slips_.find_begun(scene, terms, effort_, residual);
     if (repeated) {
       prepared.store_step_impulses(scene, island, part.length);
       keep_solution(island, scene.bodies.count());
@@ -73,9 +74,12 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
       continue;
     }
     if (part.length != remaining) break;
-    if (slip_cuts_ >= (terms.oscillates() ? effort_.impact_cuts : effort_.slip_end_cuts)) break;
-    double change = slips_.first_end(scene, terms, impact_cuts_ + slip_cuts_ == 0, part.length);
-    if (terms.oscillates()) change = std::min(change, slips_.first_turn(scene, terms, part.length));
+    const int cuts = terms.oscillates() ? 2 * effort_.impact_cuts : effort_.slip_end_cuts;
+    if (slip_cuts_ >= cuts) break;
+    // The last cut is for a slip that ends: what follows it would be wrong by more than the turn of a slower slip.
+    const bool turns = terms.oscillates() && slip_cuts_ + 1 < cuts;
+    const bool uncut = impact_cuts_ + slip_cuts_ == 0;
+    const double change = slips_.first_change(scene, terms, residual, uncut, turns, part.length);
     if (change >= part.length || change >= event.time) break;
     // Forces change where a slip ends or turns: what comes before is a step of its own.
     part.length = change;

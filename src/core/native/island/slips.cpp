@@ -85,7 +85,7 @@ bool Slips::find_begun(Scene& scene, const StepTerms& terms, const Effort& effor
 }
 
 template <class Visit>
-void Slips::for_each_slip(const Scene& scene, const StepTerms& terms, Visit visit) const {
+void Slips::for_each_slip(const Scene& scene, const StepTerms& terms, double residual, Visit visit) const {
   for (std::size_t p = 0; p < solved_.sources.size(); ++p) {
     const Manifold& manifold = scene.manifolds[solved_.sources[p].manifold];
     if (manifold.friction == 0.0) continue;
@@ -94,43 +94,51 @@ void Slips::for_each_slip(const Scene& scene, const StepTerms& terms, Visit visi
       const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
       const Vec3 slip = tangential(manifold, relative_velocity(scene.bodies, manifold, point));
       if (slip.norm() <= kNegligible * terms.velocity_unit) continue;
-      visit(manifold, point, slip, tangential(manifold, motion_.end_velocity(scene.bodies, manifold, point)));
+      const Vec3 end = tangential(manifold, motion_.end_velocity(scene.bodies, manifold, point));
+      visit(manifold, point, slip, end.norm() > kResidualSlip * residual ? end : Vec3(Vec3::Zero()));
     }
   }
 }
 
-double Slips::first_turn(const Scene& scene, const StepTerms& terms, double step) const {
-  double first = step;
-  for_each_slip(scene, terms, [&](const Manifold&, const ContactPoint&, const Vec3& slip, const Vec3& end) {
-    if (slip.cross(end).norm() > kSmall * slip.norm() * end.norm())
-      first = std::min(first, (1.0 - kSlack) * slip.norm() / terms.lasting_slip(1.0));
-  });
-  return worth_a_cut(terms, first, step);
-}
-
-double Slips::first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const {
+/// How a slip changes at the beginning of the part, m/s²: as in the last step, or, where the effective gravity has
+/// changed since, on something fixed, as of a block that slides there alone.
+/// @param changed the effective gravity has
+Vec3 Slips::rate(const Scene& scene, const StepTerms& terms, bool changed, const Manifold& manifold,
+                 const ContactPoint& point, const Vec3& slip) const {
   const Bodies& bodies = scene.bodies;
-  const auto rate = [&](std::int32_t body, const Vec3& point) -> Vec3 {
+  if (changed && is_fixed(bodies, manifold.a)) {
+    const Vec3& g = terms.effective_gravity;
+    const double pressure = std::max(0.0, -g.dot(manifold.contact.normal));
+    return tangential(manifold, g) - manifold.friction_now() * pressure * slip.normalized();
+  }
+  const auto of = [&](std::int32_t body, const Vec3& at_body) -> Vec3 {
     if (stays(bodies, body)) return Vec3::Zero();
     const LastStep& last = bodies.last_step[at(body)];
-    return last.acceleration + last.angular_acceleration.cross(point - bodies.state.position[at(body)]);
+    return last.acceleration + last.angular_acceleration.cross(at_body - bodies.state.position[at(body)]);
   };
+  return tangential(manifold, of(manifold.b, point.on_b) - of(manifold.a, point.on_a));
+}
+
+double Slips::first_change(const Scene& scene, const StepTerms& terms, double residual, bool uncut, bool turns,
+                           double step) const {
   const bool changed = terms.reset_warm_start && uncut;
   double first = step;
-  for_each_slip(
-      scene, terms, [&](const Manifold& manifold, const ContactPoint& point, const Vec3& slip, const Vec3& end) {
-        const double speed = slip.norm();
-        // A slip that keeps some speed in its direction goes on.
-        if (end.dot(slip) > kNegligible * speed * speed) return;
-        double slowing =
-            -slip.dot(tangential(manifold, rate(manifold.b, point.on_b) - rate(manifold.a, point.on_a))) / speed;
-        if (changed && is_fixed(bodies, manifold.a)) {
-          const Vec3& g = terms.effective_gravity;
-          slowing = manifold.friction_now() * std::max(0.0, -g.dot(manifold.contact.normal)) -
-                    slip.dot(tangential(manifold, g)) / speed;
-        }
-        if (slowing > 0.0) first = std::min(first, speed / slowing);
-      });
+  for_each_slip(scene, terms, residual,
+                [&](const Manifold& manifold, const ContactPoint& point, const Vec3& slip, const Vec3& end) {
+                  const double speed = slip.norm();
+                  const double part = (1.0 - kSlack) * speed / terms.lasting_slip(1.0);
+                  Vec3 turned = end;
+                  // A slip that keeps some speed in its direction goes on.
+                  if (end.dot(slip) <= kNegligible * speed * speed) {
+                    const Vec3 change = rate(scene, terms, changed, manifold, point, slip);
+                    const double slowing = -slip.dot(change) / speed;
+                    if (slowing > 0.0) first = std::min(first, speed / slowing);
+                    // It ends where it has turned to.
+                    if (slowing > 0.0) turned = change;
+                  }
+                  if (turns && slip.cross(turned).norm() > kSmall * speed * turned.norm())
+                    first = std::min(first, part);
+                });
   return worth_a_cut(terms, first, step);
 }
 

@@ -27,24 +27,26 @@ class Slips {
   /// @param residual of the solve, m/s
   bool find_begun(Scene& scene, const StepTerms& terms, const Effort& effort, double residual) const;
 
-  /// Time until the first slip ends or reverses within the step; `step` where none does. How fast it slows down is what
-  /// it did in the last step, or, where the effective gravity has changed since, on something fixed, what a block does
-  /// that slides there alone.
-  /// @param uncut the part begins where the step does
-  /// @param step  length of the part, s
-  double first_end(const Scene& scene, const StepTerms& terms, bool uncut, double step) const;
-
-  /// Time through which every slip that turns lasts, at least: friction opposes the mean of a part of the step no
-  /// longer than this. `step` where none turns.
-  /// @param step length of the part, s
-  double first_turn(const Scene& scene, const StepTerms& terms, double step) const;
+  /// Time until the first slip ends or reverses within the step, and, where that is asked for, through which every slip
+  /// that turns lasts at least: friction opposes the mean of a part of the step no longer than this. `step` where none
+  /// does.
+  /// @param residual of the solve, m/s
+  /// @param uncut    the part begins where the step does
+  /// @param turns    slips that turn are asked for
+  /// @param step     length of the part, s
+  double first_change(const Scene& scene, const StepTerms& terms, double residual, bool uncut, bool turns,
+                      double step) const;
 
  private:
   /// Visits the points that slide at the beginning of the part and press.
-  /// @param visit `void(const Manifold&, const ContactPoint&, const Vec3& slip, const Vec3& end)`: the slip at the
-  /// beginning and at the end, m/s
+  /// @param residual of the solve, m/s: it may be all of a slip at the end, which then is zero
+  /// @param visit    `void(const Manifold&, const ContactPoint&, const Vec3& slip, const Vec3& end)`: the slip at the
+  ///                 beginning and at the end, m/s
   template <class Visit>
-  void for_each_slip(const Scene& scene, const StepTerms& terms, Visit visit) const;
+  void for_each_slip(const Scene& scene, const StepTerms& terms, double residual, Visit visit) const;
+
+  Vec3 rate(const Scene& scene, const StepTerms& terms, bool changed, const Manifold& manifold,
+            const ContactPoint& point, const Vec3& slip) const;
 
   const IslandProblem& solved_;
   const SolvedMotion& motion_;

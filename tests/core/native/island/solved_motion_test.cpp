@@ -96,13 +96,30 @@ TEST_CASE("slips: a block that slides comes to rest after v / (mu g)", "[core][s
   const double stop = speed / (friction * step.world.settings.gravity);
   REQUIRE(stop < kStep);
   step.terms.reset_warm_start = true;
-  CHECK(slips.first_end(step.world.state.scene, step.terms, true, kStep) == Approx(stop).epsilon(1e-6));
+  for (const double residual : {0.0, 1e-6})
+    CHECK(slips.first_change(step.world.state.scene, step.terms, residual, true, false, kStep) ==
+          Approx(stop).epsilon(1e-6));
+}
+
+TEST_CASE("slips: one that ends where it is pushed aside is followed as it turns", "[core][slips]") {
+  const double friction = 0.5, speed = 0.01;
+  const Vec3 across(0, 0.3 * Settings().gravity, 0);
+  SolvedStep step(open_floor(friction), layout_of({box({5, 5, 0}, {1, 1, 0.1})}), across, {speed, 0, 0});
+  const Slips slips(step.solve.prepared, step.motion);
+  step.terms.reset_warm_start = step.terms.to_and_fro = step.terms.changes_on = true;
+  const double stop = speed / (friction * step.world.settings.gravity);
+  const auto change = [&](bool turns) {
+    return slips.first_change(step.world.state.scene, step.terms, 1e-6, true, turns, kStep);
+  };
+  CHECK(change(false) == Approx(stop).epsilon(1e-6));
+  CHECK(change(true) < stop);
+  CHECK(step.terms.lasting_slip(change(true)) < speed);
 }
 
 TEST_CASE("slips: one that keeps its direction goes on through the step", "[core][slips]") {
   SolvedStep step(open_floor(0.5), layout_of({box({5, 5, 0}, {1, 1, 0.1})}), Vec3::Zero(), {1, 0, 0});
   const Slips slips(step.solve.prepared, step.motion);
-  CHECK(slips.first_end(step.world.state.scene, step.terms, true, kStep) == kStep);
+  CHECK(slips.first_change(step.world.state.scene, step.terms, 0.0, true, true, kStep) == kStep);
 }
 
 TEST_CASE("slips: friction is kinetic where surfaces slide, and where they begin to", "[core][slips]") {
