@@ -1,7 +1,11 @@
 // Containers that boxes can get out of: floors that end, walls that are low, and what is fixed to the container.
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "analyses/walls/wall_forces.hpp"
@@ -200,23 +204,85 @@ TEST_CASE("open_container: what is fixed holds a box, and does not move", "[phys
   CHECK(walls.impulse[1] == Vec3(Vec3::Zero()));
 }
 
-TEST_CASE("open_container: boxes that fit exactly between fixed boxes, and beneath one, slide freely", "[physics][open]") {
-  const Way way = any_way();
-  CAPTURE(way.engine, static_cast<int>(way.accuracy));
-  if (way.engine == "bullet" || way.engine == "bullet-f64") return;  // no play helps a soft contact
-  const double friction = 0.3;
-  Settings settings = open_floor(friction);
+TEST_CASE("open_container: boxes that fit exactly between fixed boxes are not clamped", "[physics][open]") {
+  Settings settings = with(Accuracy::reference, open_rear(0.4));
+  settings.container.size = {6, 2.4, 3};
+  settings.density_value = 250.0;
+  settings.contact.box_floor = 0.4;
+  settings.contact.box_box = 0.35;
+  settings.contact.box_wall = 0.3;
   settings.materials[2].fixed = true;
-  Layout layout = layout_of({box({2, 1, 0}, {3, 0.5, 1}), box({2, 3, 0}, {3, 0.5, 1}), box({2, 1, 0.5}, {3, 2, 0.5})});
-  layout.boxes[2].corner_min.y() += 0.5;
-  layout.boxes[2].corner_max.y() = 3.0;
-  for (Box& fixed : layout.boxes) fixed.material = 2;
-  for (int i = 0; i < 3; ++i) layout.boxes.push_back(box({3, 1.5 + 0.5 * i, 0}, {0.6, 0.5, 0.5}));
-  const double acceleration = 5.0;
-  const double duration = 0.6;
-  const Run one = run_by(way, layout, constant(-acceleration, duration), settings);
-  const double path = 0.5 * (acceleration - friction * kGravity) * duration * duration;
-  for (std::size_t i = 3; i < 6; ++i) CHECK(one.displacement(i).x() == Approx(path).epsilon(1e-3));
+  settings.materials[3].mass = 30.0;
+  settings.materials[4].mass = 150.0;
+  const struct {
+    Vec3 corner, size;
+    int material;
+  } boxes[] = {{{1, 0, 0}, {1.2, 0.3, 0.35}, 2},        {{1, 2.1, 0}, {1.2, 0.3, 0.35}, 2},
+               {{0, 0, 0}, {0.8, 0.4, 0.55}, 1},        {{0, 0, 0.55}, {0.8, 0.4, 0.55}, 3},
+               {{0, 0.4, 0}, {0.8, 0.4, 0.4}, 3},       {{0, 0.4, 0.4}, {0.8, 0.4, 0.25}, 1},
+               {{0, 0.8, 0}, {0.8, 0.4, 0.55}, 4},      {{0, 0.8, 0.55}, {0.8, 0.4, 0.55}, 3},
+               {{0, 1.2, 0}, {0.8, 0.6, 0.4}, 1},       {{0, 1.2, 0.4}, {0.8, 0.6, 0.25}, 1},
+               {{0, 1.8, 0}, {0.8, 0.6, 0.25}, 3},      {{0.8, 0.3, 0}, {0.6, 0.4, 0.55}, 3},
+               {{0.8, 0.7, 0}, {0.6, 0.5, 0.4}, 3},     {{0.8, 1.2, 0}, {0.6, 0.9, 0.25}, 3},
+               {{1.4, 0.3, 0}, {0.6, 0.9, 0.25}, 3},    {{1.4, 0.3, 0.25}, {0.6, 0.9, 0.25}, 1},
+               {{1.4, 1.2, 0}, {0.6, 0.5, 0.4}, 1},     {{1.4, 1.7, 0}, {0.6, 0.4, 0.55}, 3},
+               {{1.4, 1.7, 0.55}, {0.6, 0.4, 0.55}, 4}, {{2, 0.3, 0}, {0.8, 0.6, 0.55}, 4},
+               {{2, 0.3, 0.55}, {0.8, 0.6, 0.4}, 3},    {{2, 0.9, 0}, {0.8, 0.9, 0.25}, 1},
+               {{2, 0.9, 0.25}, {0.8, 0.9, 0.25}, 4},   {{2, 1.8, 0}, {0.8, 0.3, 0.4}, 1}};
+  const auto run = [&](double gap) {
+    Layout layout;
+    for (const auto& of : boxes) {
+      layout.boxes.push_back(box(of.corner, of.size));
+      layout.boxes.back().material = of.material;
+    }
+    layout.boxes[1].corner_min.y() += gap;
+    layout.boxes[1].corner_max.y() += gap;
+    return native_run(layout, constant(-6, 0.4), settings);
+  };
+  const Run exact = run(0.0), gapped = run(1e-5);
+  for (std::size_t i = 2; i < std::size(boxes); ++i) {
+    CAPTURE(i);
+    CHECK(exact.displacement(i).x() == Approx(gapped.displacement(i).x()).margin(0.02));
+  }
+}
+
+TEST_CASE("open_container: forces at rest balance what still rests where others are hit away", "[physics][open]") {
+  // Loads of which some boxes come to rest, and are hit.
+  Settings settings = open_rear(0.4);
+  settings.container.size = {3, 1.2, 3};
+  settings.container.drop_sides = {{"left", 0.4}, {"right", 0.4}};
+  settings.density_value = 250.0;
+  settings.contact.box_floor = 0.4;
+  settings.contact.box_box = 0.35;
+  settings.contact.box_wall = 0.3;
+  settings.screening.wall_forces = true;
+  settings.screening.run_out_seconds = 8.0;
+  settings.materials[2].fixed = true;
+  std::mt19937 random(1);
+  const auto one_of = [&](std::initializer_list<double> sizes) { return sizes.begin()[random() % sizes.size()]; };
+  const Acceleration acceleration = acceleration_of({{0.5, {4, 6, 0}}, {0.8, {-7, -2, 0}}});
+  for (int number = 0; number < 30; ++number) {
+    CAPTURE(number);
+    Layout layout = layout_of({box({0, 0, 0}, {0.1, 1.2, one_of({0.6, 0.9})})});
+    layout.boxes[0].material = 2;
+    double x = 0.1;
+    for (int column = 0; column < 3; ++column) {
+      const double length = one_of({0.4, 0.6});
+      for (double y = 0.0; y < 1.0;) {
+        const double width = std::min(1.2 - y, one_of({0.4, 0.6}));
+        double z = 0.0;
+        for (std::size_t layers = 1 + random() % 3; layers > 0; --layers) {
+          const double height = one_of({0.2, 0.4, 0.5});
+          layout.boxes.push_back(box({x, y, z}, {length, width, height}));
+          z += height;
+        }
+        y += width;
+      }
+      x += length;
+    }
+    const Run one = native_run(layout, acceleration, settings);
+    CHECK(imbalance(layout, acceleration, settings, one) < 1e-5);
+  }
 }
 
 TEST_CASE("open_container: sides, ground and fixed boxes together balance weight and change of momentum",

@@ -160,7 +160,8 @@ double NativeWorld::take_next_step(const Phase& phase) {
   rests_ = !state_.scene.bodies.any(Activity::moving);
   const std::uint64_t steps = rests_ && options_.jump ? plan.step_count() - phase_step_ : 1;
   if (rests_) {
-    side_forces.add_resting(state_.scene.bodies, plan.step() * static_cast<double>(steps));
+    state_.rest.add_pushes(state_.scene, state_.terms, plan.step() * static_cast<double>(steps),
+                           memory_->stepper.rest_proof());
     counters_.steps_skipped += steps;
   } else {
     step_.correct_positions();

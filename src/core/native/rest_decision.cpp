@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/byte_hash.hpp"
 #include "core/native/contact_kinematics.hpp"
 
 namespace holdfast::internal::native {
@@ -62,7 +63,6 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
   if (change_ != Change::none) reset_small_islands(islands);
   std::fill(refuted_.begin(), refuted_.end(), 0);
   std::fill(undecided_.begin(), undecided_.end(), 1);
-  std::vector<std::uint8_t> begins(scene.side_forces.wanted() ? bodies.count() : 0, 0);
   for (std::size_t round = 0;; ++round) {
     for (std::size_t i = 0; i < islands.size(); ++i) {
       const IslandView island = islands[i];
@@ -75,7 +75,7 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
                     prove(scene, terms, island, round > 0, proof, counters));
       if (rests) set_at_rest(scene, island);
       for (const std::uint32_t body : island.bodies) {
-        if (rests && !known && !begins.empty()) begins[body] = 1;
+        if (!known) pushes_with_[body] = 0;
         if (!rests) bodies.activity[body] = Activity::moving;
         undecided_[body] = 0;
       }
@@ -83,7 +83,6 @@ void RestDecision::decide(Scene& scene, const StepTerms& terms, Connectivity& is
     if (change_ == Change::none || round == kRepairRounds || !activate_leaning(scene, terms)) break;
     islands.find(bodies, scene.manifolds);
   }
-  find_resting_pushes(scene, terms, begins, proof);
   for (std::size_t i = 0; i < refuted_.size(); ++i) {
     if (refuted_[i] != 0) wait_[i] = next_wait_[i] = std::min(2 * kHorizon, std::max(1U, 2 * next_wait_[i]));
     if (bodies.activity[i] != Activity::moving) wait_[i] = next_wait_[i] = 0;
@@ -110,14 +109,17 @@ bool RestDecision::prove(Scene& scene, const StepTerms& terms, const IslandView&
   return rests;
 }
 
-/// Finds what bodies that rest do to the sides, where some of them begin to: with all contacts that touch, whichever of
-/// them the way to rest has made active, so that the forces depend on the pose alone.
-/// @param begins a body: whether it does; empty where nobody asks for the forces
-void RestDecision::find_resting_pushes(Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& begins,
-                                       RestProof& proof) const {
-  const auto is_marked = [&](std::uint32_t body) { return begins[body] != 0; };
-  if (std::none_of(begins.begin(), begins.end(), [](std::uint8_t mark) { return mark != 0; })) return;
+void RestDecision::add_pushes(Scene& scene, const StepTerms& terms, double duration, RestProof& proof) {
+  if (scene.side_forces.wanted()) find_resting_pushes(scene, terms, proof);
+  scene.side_forces.add_resting(scene.bodies, duration);
+}
+
+/// Finds what bodies that rest do to the sides, where some of them begin to, or others than before rest with them: with
+/// all contacts that touch, whichever of them the way to rest has made active, so that the forces depend on the pose
+/// alone.
+void RestDecision::find_resting_pushes(Scene& scene, const StepTerms& terms, RestProof& proof) {
   const Bodies& bodies = scene.bodies;
+  if (!bodies.any(Activity::resting)) return;
   const auto may_carry = [&](std::int32_t body) {
     return is_fixed(bodies, body) || bodies.activity[at(body)] == Activity::resting;
   };
@@ -129,9 +131,16 @@ void RestDecision::find_resting_pushes(Scene& scene, const StepTerms& terms, con
   }
   Connectivity touching;
   touching.find(bodies, scene.manifolds);
-  for (std::size_t i = 0; i < touching.size(); ++i)
-    if (std::any_of(touching[i].bodies.begin(), touching[i].bodies.end(), is_marked))
-      proof.find_resting_pushes(scene, touching[i], terms);
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    const IslandView island = touching[i];
+    if (bodies.activity[island.bodies.front()] != Activity::resting) continue;
+    ByteHash hash;
+    hash.add(island.bodies.data(), island.bodies.size_bytes());
+    const auto is_known = [&](std::uint32_t body) { return pushes_with_[body] == hash.value(); };
+    if (std::all_of(island.bodies.begin(), island.bodies.end(), is_known)) continue;
+    proof.find_resting_pushes(scene, island, terms);
+    for (const std::uint32_t body : island.bodies) pushes_with_[body] = hash.value();
+  }
   for (std::size_t i = 0; i < active.size(); ++i) scene.manifolds[i].active = active[i] != 0;
 }
 

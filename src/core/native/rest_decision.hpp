@@ -21,7 +21,12 @@ enum class Change : std::uint8_t {
 class RestDecision {
  public:
   explicit RestDecision(std::size_t bodies = 0)
-      : reset_(bodies, 0), refuted_(bodies, 0), undecided_(bodies, 0), wait_(bodies, 0), next_wait_(bodies, 0) {}
+      : reset_(bodies, 0),
+        refuted_(bodies, 0),
+        undecided_(bodies, 0),
+        wait_(bodies, 0),
+        next_wait_(bodies, 0),
+        pushes_with_(bodies, 0) {}
 
   /// Takes down what acts in the steps to come. No body rests any longer, if it has changed.
   /// @param disturbed a force or a coefficient has changed
@@ -32,6 +37,10 @@ class RestDecision {
   /// @param freeze islands that rest are left alone until something touches them
   void decide(Scene& scene, const StepTerms& terms, Connectivity& islands, bool freeze, RestProof& proof,
               Counters& counters);
+
+  /// Adds what the bodies that rest have done to the sides, where that is asked for.
+  /// @param duration of what has been taken of the step, s
+  void add_pushes(Scene& scene, const StepTerms& terms, double duration, RestProof& proof);
 
   /// The terms of the step for an island, with whether it is reset, and refuted.
   StepTerms terms_for(const StepTerms& terms, const IslandView& island) const;
@@ -44,8 +53,7 @@ class RestDecision {
   bool is_due(const IslandView& island);
   bool prove(Scene& scene, const StepTerms& terms, const IslandView& island, bool leans, RestProof& proof,
              Counters& counters);
-  void find_resting_pushes(Scene& scene, const StepTerms& terms, const std::vector<std::uint8_t>& begins,
-                           RestProof& proof) const;
+  void find_resting_pushes(Scene& scene, const StepTerms& terms, RestProof& proof);
   bool activate_leaning(Scene& scene, const StepTerms& terms);
 
   Change change_ = Change::none;
@@ -54,6 +62,7 @@ class RestDecision {
   std::vector<std::uint8_t> refuted_;            ///< a body: its proof of rest has failed in this step
   std::vector<std::uint8_t> undecided_;          ///< a body: whether it rests in this step is not known yet
   std::vector<std::uint32_t> wait_, next_wait_;  ///< a body: steps until rest is tried again, and the wait after that
+  std::vector<std::uint64_t> pushes_with_;  ///< a body: hash of those with which its pushes at rest are known; none: 0
 };
 
 }  // namespace holdfast::internal::native

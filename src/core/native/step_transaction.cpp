@@ -93,7 +93,7 @@ void StepTransaction::attempt(double step, int halvings, int attempts) {
     retake(step, halvings, attempts);
   } else {
     accept(scene_.bodies.marked(Activity::moving));
-    scene_.side_forces.add_resting(scene_.bodies, step);
+    world_.rest.add_pushes(scene_, world_.terms, step, stepper_.rest_proof());
     if (scene_.side_forces.wanted()) scene_.side_forces.add_sleeping(scene_, world_.terms, step);
   }
 }

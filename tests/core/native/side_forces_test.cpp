@@ -45,12 +45,14 @@ TEST_CASE("side forces: bodies at rest press for as long as they rest, with thei
                           counters);
   const std::size_t floor = floor_of(world.state.scene)->index;
   const double weight = world.bodies().mass[0] * world.settings.gravity;
-  forces.begin_sum();
-  forces.add_resting(world.bodies(), 2.0);
+  const auto press = [&] {
+    forces.begin_sum();
+    world.state.rest.add_pushes(world.state.scene, world.state.terms, 2.0, world.stepper.rest_proof());
+  };
+  press();
   CHECK(impulse_on(forces, floor).z() == Approx(-2.0 * 2.0 * weight).epsilon(1e-7));
   world.bodies().activity[1] = Activity::moving;
-  forces.begin_sum();
-  forces.add_resting(world.bodies(), 2.0);
+  press();
   CHECK(impulse_on(forces, floor).z() == Approx(-2.0 * weight).epsilon(1e-7));
 }
 
