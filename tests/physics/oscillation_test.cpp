@@ -57,6 +57,24 @@ TEST_CASE("oscillation: a box walks under vibration as far as it sticks and slip
   }
 }
 
+// Pressure falls for some milliseconds in each cycle, and the box slips by a micrometre. It stops slowly.
+TEST_CASE("oscillation: a box walks by less than a micrometre in a cycle", "[physics][oscillation]") {
+  const double friction = 0.3;
+  Settings settings = open_floor(friction);
+  settings.native.accuracy = GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference);
+  const Layout layout = layout_of({box({9, 9, 0}, {1.0, 0.8, 0.3})});
+  const struct {
+    double bias, vertical, frequency, rate;
+  } walks[] = {{0.231, 0.252, 29.4, 1000}, {0.213, 0.366, 90.6, 500}, {0.2, 0.345, 6.3, 100}};
+  for (const auto& walk : walks) {
+    const Acceleration acceleration = vibration(walk.bias, 0.0, walk.vertical, walk.frequency, 10.0, walk.rate);
+    const SlidePath exact = slide_along(0, acceleration, friction, kGravity);
+    const Run end = run(NativeEngine(settings), layout, acceleration, settings);
+    CAPTURE(walk.frequency, exact.displacement.x(), static_cast<int>(settings.native.accuracy));
+    CHECK(end.displacement().x() == Approx(exact.displacement.x()).epsilon(0.005));
+  }
+}
+
 TEST_CASE("oscillation: a box that vibrates across a steady acceleration goes as far as its slip turns",
           "[physics][oscillation]") {
   const auto accuracy = GENERATE(Accuracy::screening, Accuracy::standard);
