@@ -281,7 +281,7 @@ TEST_CASE("open_container: forces at rest balance what still rests where others 
       x += length;
     }
     const Run one = native_run(layout, acceleration, settings);
-    CHECK(imbalance(layout, acceleration, settings, one) < 1e-5);
+    CHECK(imbalance(layout, acceleration, settings, one) < 1e-6);
   }
 }
 
@@ -303,7 +303,7 @@ TEST_CASE("open_container: sides, ground and fixed boxes together balance weight
     CAPTURE(static_cast<int>(accuracy), text(unbalanced));
     CHECK(walls.peak_force[kGround] > 0.0);
     CHECK(walls.peak_force[kFixedBoxes] > 0.0);
-    CHECK(unbalanced < (accuracy == Accuracy::screening ? 1e-4 : accuracy == Accuracy::standard ? 1e-5 : 3e-6));
+    CHECK(unbalanced < 1e-6);
   }
 }
 

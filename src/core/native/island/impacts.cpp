@@ -71,7 +71,10 @@ void Impacts::resolve(Scene& scene, const IslandView& island, const StepTerms& t
     propagated = propagate(scene, island, terms, filter, step);
     if (!propagated) report.impact_residual = std::max(report.impact_residual, result.residual / unit);
   }
-  if (scene.side_forces.wanted()) prepared.add_pushes(scene, 1.0, scene.side_forces.of_step());
+  if (scene.side_forces.wanted()) {
+    prepared.complete_impulses();
+    prepared.add_pushes(scene, 1.0, scene.side_forces.of_step());
+  }
   for (const std::uint32_t body : island.bodies) {
     bodies.state.velocity[body] = linear(prepared.solution(body));
     bodies.state.angular_velocity[body] = angular(prepared.solution(body));

@@ -73,7 +73,7 @@ void IslandProblem::begin(const Scene& scene, const IslandView& island, const St
   sources.clear();
   motion_.assign(count + 1, BodyMotion{});
   late_impact_.assign(count + 1, 0);
-  has_late_impact_ = carries_missing_ = false;
+  has_late_impact_ = false;
   outside_impulse_ = 0.0;
 }
 
@@ -227,7 +227,6 @@ void IslandProblem::prepare_step(const Scene& scene, const IslandView& island, c
   const double lasting_slip = terms.implicit ? std::numeric_limits<double>::infinity() : terms.lasting_slip(step);
   has_late_impact_ = start_step({step, terms.velocity_unit, lasting_slip}, start_, motion_, problem.constraints,
                                 problem.mid_arms, late_impact_);
-  carries_missing_ = !has_late_impact_;
 }
 
 void IslandProblem::prepare_impact(const Scene& scene, const IslandView& island, const StepTerms& terms, double step,
@@ -317,37 +316,33 @@ void IslandProblem::store_rest_impulses(Scene& scene, const IslandView& island, 
   });
 }
 
-void IslandProblem::find_missing_velocities() {
-  if (!carries_missing_) {
-    missing_velocity_.assign(problem.bodies.size(), BodyVector{});
-    return;
+void IslandProblem::complete_impulses() {
+  const auto velocity = [&](std::int32_t row, const std::array<Lanes, 3>& arm, std::size_t lane) -> Vec3 {
+    const BodyVector& v = problem.velocity[at(row)];
+    return linear(v) + angular(v).cross(Vec3(arm[0][lane], arm[1][lane], arm[2][lane]));
+  };
+  for (ContactConstraint& constraint : problem.constraints) {
+    for (std::size_t lane = 0; lane < at(constraint.count); ++lane) {
+      const Vec3 relative =
+          velocity(constraint.b, constraint.arms.b, lane) - velocity(constraint.a, constraint.arms.a, lane);
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double u =
+            relative.dot(Vec3::Map(constraint.directions[d].data())) + constraint.velocity_bias.row[d][lane];
+        const double z = constraint.contact_velocity.row[d][lane];
+        constraint.impulse.row[d][lane] += constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u);
+      }
+    }
   }
+}
+
+void IslandProblem::find_missing_velocities() {
+  if (has_late_impact_) complete_impulses();
   find_missing_momentum(problem, wrench_, missing_velocity_);
   for (std::size_t row = 0; row < problem.bodies.size(); ++row) {
     const ProblemBody& body = problem.bodies[row];
     BodyVector& missing = missing_velocity_[row];
     missing = body_vector(linear(missing) / body.mass, body.inertia.inverse() * angular(missing));
   }
-}
-
-/// The impulse on b that velocities and missing velocities follow from: y where the latter are carried into the next
-/// step, and y + R (z − u) elsewhere, which is y once the solve has converged. Momentum changes by it to rounding.
-Vec3 IslandProblem::acting_impulse(std::size_t p, std::size_t lane) const {
-  const ContactConstraint& constraint = problem.constraints[p];
-  const auto velocity = [&](std::int32_t row, const std::array<Lanes, 3>& arm) -> Vec3 {
-    const BodyVector& v = problem.velocity[at(row)];
-    return linear(v) + angular(v).cross(Vec3(arm[0][lane], arm[1][lane], arm[2][lane]));
-  };
-  const Vec3 relative = velocity(constraint.b, constraint.arms.b) - velocity(constraint.a, constraint.arms.a);
-  Vec3 impulse = Vec3::Zero();
-  for (std::size_t d = 0; d < 3; ++d) {
-    const auto direction = Vec3::Map(constraint.directions[d].data());
-    const double u = relative.dot(direction) + constraint.velocity_bias.row[d][lane];
-    const double z = constraint.contact_velocity.row[d][lane];
-    const double left = carries_missing_ ? 0.0 : constraint.penalty[d > 0 ? 1 : 0][lane] * (z - u);
-    impulse += (constraint.impulse.row[d][lane] + left) * direction;
-  }
-  return impulse;
 }
 
 void IslandProblem::minimise_wall_forces(const Scene& scene, double cost) {
@@ -374,10 +369,14 @@ void IslandProblem::add_pushes(const Scene& scene, double factor, std::vector<Si
     if (!on_a && !stays(scene.bodies, manifold.b)) continue;
     const std::optional<std::size_t> side = pushed_side(scene, manifold, on_a ? manifold.a : manifold.b);
     if (!side) continue;
-    for (std::size_t lane = 0; lane < at(problem.constraints[p].count); ++lane)
+    const ContactConstraint& constraint = problem.constraints[p];
+    for (std::size_t lane = 0; lane < at(constraint.count); ++lane) {
+      Vec3 impulse = Vec3::Zero();
+      for (std::size_t d = 0; d < 3; ++d)
+        impulse += constraint.impulse.row[d][lane] * Vec3::Map(constraint.directions[d].data());
       pushes.push_back({static_cast<std::uint32_t>(on_a ? manifold.b : manifold.a), *side,
-                        (on_a ? -factor : factor) * acting_impulse(p, lane),
-                        manifold.contact.points[sources[p].point[lane]].on_a});
+                        (on_a ? -factor : factor) * impulse, manifold.contact.points[sources[p].point[lane]].on_a});
+    }
   }
 }
 

@@ -70,8 +70,7 @@ class IslandProblem {
   /// The cost of the impulses on the walls, kg m²/s².
   double wall_cost() const;
 
-  /// Adds the impulses on the sides of the container that velocities and missing velocities follow from, times a
-  /// factor. What sleeping bodies take counts as the floor's.
+  /// Adds the impulses on the sides of the container, times a factor. What sleeping bodies take counts as the floor's.
   void add_pushes(const Scene& scene, double factor, std::vector<SidePush>& pushes) const;
 
   /// Sum of the impulses from outside in the step, as numbers, N s.
@@ -83,8 +82,13 @@ class IslandProblem {
   /// What is solved for, of a body of the island.
   const BodyVector& solution(std::uint32_t body) const { return problem.velocity[row_[body]]; }
 
-  /// Finds what the velocities of the solution lack of those that its impulses give the bodies, for the next step. Zero
-  /// where something hits: the impulses of an impact end with it, and what is left of them would drive bodies apart.
+  /// Makes the impulses y of the solution those that its velocities follow from, y + R (z − u), which are y once the
+  /// solve has converged, and may lie outside of the cones.
+  void complete_impulses();
+
+  /// Finds what the velocities of the solution lack of those that its impulses give the bodies, for the next step.
+  /// Where something hits, the impulses are completed first, and nothing but rounding and the turn of arms is missing:
+  /// the impulses of an impact end with it, and what is left of them would drive bodies apart.
   void find_missing_velocities();
   /// That of a body of the island, after `find_missing_velocities`.
   const BodyVector& missing_velocity(std::uint32_t body) const { return missing_velocity_[row_[body]]; }
@@ -120,7 +124,6 @@ class IslandProblem {
   void for_each_active(const Scene& scene, const IslandView& island, AddManifold add);
   template <class Store>
   void store_impulses(Scene& scene, double step, Store store);
-  Vec3 acting_impulse(std::size_t constraint, std::size_t lane) const;
   End end_of(const Bodies& bodies, std::int32_t body) const;
 
   std::vector<std::uint32_t> row_;         ///< a body of the scene
@@ -128,7 +131,6 @@ class IslandProblem {
   std::vector<BodyMotion> motion_;         ///< a row
   std::vector<std::uint8_t> late_impact_;  ///< a row
   bool has_late_impact_ = false;
-  bool carries_missing_ = false;
   double outside_impulse_ = 0.0;
   std::vector<LaneWrench> wrench_;
   std::vector<BodyVector> missing_velocity_;  ///< a row
