@@ -85,6 +85,7 @@ Phase NativeWorld::next_part(const Phase& phase) const {
     LoneBlock block{manifold.friction, manifold.kinetic_friction, Vec3::Zero()};
     block.slip = relative_velocity(bodies, manifold, manifold.contact.points[0]);
     block.slip.z() = 0.0;
+    // What sticks slips by what solves leave; what walks by micrometres slips by more.
     if (block.slip.norm() <= kNegligible * slow) block.slip = Vec3::Zero();
     if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) blocks.push_back(block);
   }

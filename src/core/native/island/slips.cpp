@@ -126,18 +126,19 @@ double Slips::first_change(const Scene& scene, const StepTerms& terms, double re
   for_each_slip(scene, terms, residual,
                 [&](const Manifold& manifold, const ContactPoint& point, const Vec3& slip, const Vec3& end) {
                   const double speed = slip.norm();
-                  const double part = (1.0 - kSlack) * speed / terms.lasting_slip(1.0);
                   Vec3 turned = end;
                   // A slip that keeps some speed in its direction goes on.
                   if (end.dot(slip) <= kNegligible * speed * speed) {
                     const Vec3 change = rate(scene, terms, changed, manifold, point, slip);
                     const double slowing = -slip.dot(change) / speed;
-                    if (slowing > 0.0) first = std::min(first, speed / slowing);
-                    // It ends where it has turned to.
-                    if (slowing > 0.0) turned = change;
+                    if (slowing > 0.0) {
+                      first = std::min(first, speed / slowing);
+                      // Until it ends it turns towards this.
+                      turned = change;
+                    }
                   }
                   if (turns && slip.cross(turned).norm() > kSmall * speed * turned.norm())
-                    first = std::min(first, part);
+                    first = std::min(first, (1.0 - kSlack) * speed / terms.lasting_slip(1.0));
                 });
   return worth_a_cut(terms, first, step);
 }
