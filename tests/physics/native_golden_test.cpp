@@ -64,8 +64,8 @@ struct Golden {
 };
 constexpr Golden kGolden[] = {
     {"brake", brake, 0x5a9697ed87cefab3},
-    {"lean", lean, 0xf12f63a14a6a9a1a},
-    {"tumble", tumble, 0x0d538d177c593dd8},
+    {"lean", lean, 0x39ee2ff3a35c344a},
+    {"tumble", tumble, 0x036301e9657e0aa6},
     {"drop", drop, 0x6fe249d3bf55d67b},
 };
 

@@ -14,7 +14,7 @@ namespace holdfast::internal::native {
 /// How hard the moving steps of an island are solved.
 struct Effort {
   /// Residual with which a solve of a step ends.
-  double tolerance = 1e-4;  // |g − a| h
+  double tolerance = 1e-5;  // |g − a| h
   /// Iterations of a solve, at most, where what is left may pass.
   int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points.
@@ -45,8 +45,9 @@ struct NativeOptions {
   /// Steps per second of simulated time, at least.
   double steps_per_second = 240.0;  // 1/s
   Effort small_island;              ///< for islands of at most `kSmallIslandBodies`
-  /// For larger ones. Their impacts are solved at the end of a step, but for islands of up to `kLocatedIslandBodies`
-  /// while the acceleration goes to and fro: there are many at any time, and to locate them takes five times as long.
+  /// For larger ones. Their impacts are solved at the end of a step, since there are many at any time, and to locate
+  /// them takes five times as long. They are located while one body moves alone, and, while the acceleration goes to
+  /// and fro, in islands of up to `kLocatedIslandBodies`.
   Effort large_island{.iterations = 12,
                       .impact_cuts = 2,
                       .slip_end_cuts = 0,

@@ -344,4 +344,30 @@ TEST_CASE("native_impacts: restitution is the box's on the floor, the smaller on
   }
 }
 
+// Expected: of a box that slides with v against a row of n that stands, what is left of v² after the gap is
+// v² - 2 μ g gap. All go on with 1/(n + 1) of the speed, and friction slows them down from then on: they come
+// v² / (2 μ g) far. If friction acted for the whole step in which the row is hit, it would come up to a quarter less
+// far.
+TEST_CASE("native_impacts: friction opposes a row of twenty from the time at which a box hits it",
+          "[core][native_impacts]") {
+  constexpr double kFriction = 0.3, kSpeed = 6.0;
+  constexpr std::size_t kRow = 20;
+  for (const double gap : {0.03, 0.07, 0.11, 0.15}) {
+    Layout layout = layout_of({box({5.1, 5, 0}, {0.4, 0.5, 0.25})});
+    for (std::size_t i = 0; i < kRow; ++i)
+      layout.boxes.push_back(box({5.5 + gap + 0.4 * static_cast<double>(i), 5, 0}, {0.4, 0.5, 0.25}));
+    const double hit = std::sqrt(kSpeed * kSpeed - 2.0 * kFriction * kGravity * gap);
+    const double expected = std::pow(hit / (kRow + 1.0), 2) / (2.0 * kFriction * kGravity);
+    for (const auto& [accuracy, error] : {std::pair(Accuracy::screening, 0.05), std::pair(Accuracy::standard, 0.05),
+                                          std::pair(Accuracy::reference, 0.01)}) {
+      const Run run =
+          native_run(layout, constant(0, 0.5), with(accuracy, open_floor(kFriction)), [&](StateColumns& state) {
+            state.velocity[0] = {kSpeed, 0, 0};
+          });
+      CAPTURE(gap, static_cast<int>(accuracy));
+      for (std::size_t i = 1; i <= kRow; ++i) CHECK(run.displacement(i).x() == Approx(expected).epsilon(error));
+    }
+  }
+}
+
 }  // namespace native_impacts_test

@@ -67,8 +67,8 @@ TEST_CASE("sinking: what is less than 50 micrometres higher lets a box pass, and
     }
     for (const double step : {1e-4, 2e-4, 1e-3}) {
       CAPTURE(static_cast<int>(accuracy), step);
-      // It meets the step after 0.8 m, and tips on.
-      CHECK(path_over(row_with_slider(0.9, 0.6, step), with(accuracy, kContainer)) < 1.0);
+      // It meets the step after 0.8 m, and tips on. Past the step it would come 1.47 m far.
+      CHECK(path_over(row_with_slider(0.9, 0.6, step), with(accuracy, kContainer)) < 1.1);
     }
   }
 }

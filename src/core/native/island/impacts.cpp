@@ -16,10 +16,10 @@ double turning_speed(const Bodies& bodies, const IslandView& island, const StepT
 }  // namespace
 
 ImpactTiming impact_timing(const Bodies& bodies, const IslandView& island, const StepTerms& terms, const Effort& effort,
-                           int cuts) {
-  return {.located_speed =
-              std::max(kSmall * terms.velocity_unit,
-                       effort.impact_cuts > 0 ? turning_speed(bodies, island, terms) : effort.slop / terms.step),
+                           bool crowd, int cuts) {
+  return {.located_speed = std::max(kSmall * terms.velocity_unit, effort.impact_cuts > 0 && !crowd
+                                                                      ? turning_speed(bodies, island, terms)
+                                                                      : effort.slop / terms.step),
           .locates = cuts < effort.impact_cuts};
 }
 

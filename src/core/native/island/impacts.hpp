@@ -23,9 +23,10 @@ struct ImpactTiming {
 };
 
 /// The timing of a part of a step.
-/// @param cuts times that impacts have cut the step so far
+/// @param crowd boxes of the island meet at any time: contacts count as closed that close by the slop in the step
+/// @param cuts  times that impacts have cut the step so far
 ImpactTiming impact_timing(const Bodies& bodies, const IslandView& island, const StepTerms& terms, const Effort& effort,
-                           int cuts);
+                           bool crowd, int cuts);
 
 /// Solves the impacts at the start of a part of a step: bodies leave with the velocities after them.
 class Impacts {

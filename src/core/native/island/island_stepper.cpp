@@ -18,16 +18,22 @@ double mean_speed(const Bodies& bodies, const IslandView& island) {
   return std::sqrt(squares / static_cast<double>(island.bodies.size()));
 }
 
+/// Whether one body of the island moves at most: it may hit what stands.
+bool one_moves(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
+  const auto moves = [&](std::uint32_t body) { return bodies.largest_speed(body) > kSmall * terms.velocity_unit; };
+  return std::count_if(island.bodies.begin(), island.bodies.end(), moves) <= 1;
+}
+
 }  // namespace
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
-  const std::size_t located = terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies;
-  if (island.bodies.size() > located) effort_.impact_cuts = 0;
+  const bool crowd = island.bodies.size() > (terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies);
+  if (crowd && !one_moves(scene.bodies, island, terms)) effort_.impact_cuts = 0;
   const SolveLimits limits = step_limits(scene, island, terms);
   impact_cuts_ = slip_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
-    const ImpactTiming timing = impact_timing(scene.bodies, island, terms, effort_, impact_cuts_);
+    const ImpactTiming timing = impact_timing(scene.bodies, island, terms, effort_, crowd, impact_cuts_);
     find_sliding(scene, island, terms, effort_);
     impacts_.resolve(scene, island, terms, effort_, timing, remaining, report);
     const Part part = solve_part(scene, island, terms, limits, timing, remaining, report);

@@ -28,7 +28,7 @@ Vec3 velocity_after(double restitution, const Vec3& velocity, double friction = 
   IslandReport report;
   const IslandView island = world.state.islands[0];
   const Effort& effort = world.options.effort(1);
-  const ImpactTiming timing = impact_timing(world.bodies(), island, world.state.terms, effort, 0);
+  const ImpactTiming timing = impact_timing(world.bodies(), island, world.state.terms, effort, false, 0);
   impacts.resolve(world.state.scene, island, world.state.terms, effort, timing, kStep, report);
   return world.bodies().state.velocity[0];
 }
@@ -55,13 +55,13 @@ TEST_CASE("impacts: those above a share of |g - a| h are located in time, as oft
   Effort effort;
   effort.impact_cuts = 2;
   const double unit = kSmall * world.state.terms.velocity_unit;
-  ImpactTiming timing = impact_timing(world.bodies(), island, world.state.terms, effort, 1);
+  ImpactTiming timing = impact_timing(world.bodies(), island, world.state.terms, effort, false, 1);
   CHECK(timing.locates);
   CHECK(timing.located_speed == unit);
-  CHECK_FALSE(impact_timing(world.bodies(), island, world.state.terms, effort, 2).locates);
+  CHECK_FALSE(impact_timing(world.bodies(), island, world.state.terms, effort, false, 2).locates);
   // A body that turns by w moves its corners by w^2 R h in the step: slower impacts may not be there.
   world.bodies().state.angular_velocity[0] = {0, 0, 3};
-  timing = impact_timing(world.bodies(), island, world.state.terms, effort, 0);
+  timing = impact_timing(world.bodies(), island, world.state.terms, effort, false, 0);
   CHECK(timing.located_speed == Approx(kStep * 9.0 * world.bodies().radius[0]));
   CHECK(timing.filter(kStep).is_closed(0.9 * timing.located_speed * kStep));
   CHECK_FALSE(timing.filter(kStep).is_closed(1.1 * timing.located_speed * kStep));

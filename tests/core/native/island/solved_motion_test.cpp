@@ -36,7 +36,7 @@ struct SolvedStep {
     world.state.find_contacts(std::vector<std::uint8_t>(world.bodies().count(), 1));
     world.state.find_islands();
     terms = world.state.rest.terms_for(world.state.terms, island());
-    timing = impact_timing(world.bodies(), island(), terms, effort(), 0);
+    timing = impact_timing(world.bodies(), island(), terms, effort(), false, 0);
     closing.begin(world.state.scene);
     find_sliding(world.state.scene, island(), terms, effort());
     solve.prepared.prepare_step(world.state.scene, island(), terms, kStep, solve.solver(), timing.filter(kStep),

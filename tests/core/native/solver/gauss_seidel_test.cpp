@@ -46,9 +46,9 @@ TEST_CASE("gauss_seidel: it finds the velocities that the splitting finds", "[co
       continue;
     ++(problem.given.problem.mid_arms.empty() ? sliding : turning);
     ContactProblem by_points = problem.given.problem;
-    const SolveResult result = GaussSeidel().solve(by_points, {.tolerance = 1e-5 * unit, .visits = kManyVisits});
+    const SolveResult result = GaussSeidel().solve(by_points, {.tolerance = 1e-6 * unit, .visits = kManyVisits});
     CHECK(result.converged);
-    CHECK(result.residual <= 1e-5 * unit);
+    CHECK(result.residual <= 1e-6 * unit);
     CHECK(largest_difference(by_points, by_splitting) < kSmall * unit);
     CHECK(impulses_are_in_cones(by_points));
     CHECK(largest_missing_momentum(by_points) < 1e-9);
