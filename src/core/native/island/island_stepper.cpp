@@ -18,7 +18,7 @@ double mean_speed(const Bodies& bodies, const IslandView& island) {
   return std::sqrt(squares / static_cast<double>(island.bodies.size()));
 }
 
-/// Whether one body of the island moves at most: it may hit what stands.
+/// Whether at most one body of the island moves: it may hit what stands.
 bool one_moves(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
   const auto moves = [&](std::uint32_t body) { return bodies.largest_speed(body) > kSmall * terms.velocity_unit; };
   return std::count_if(island.bodies.begin(), island.bodies.end(), moves) <= 1;
