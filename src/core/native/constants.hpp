@@ -108,15 +108,15 @@ inline constexpr double kPenetrationSlop = 0.5 * kContactTolerance;  // m
 inline constexpr double kNegligible = 1e-3;  // |g − a| h
 
 /// Where no body of an island is faster none of them sleeps. Without this, 1 in 200 stacks of 9 to 40 boxes is held at
-/// 1.002 of its limit. Impacts that are slower are not located in time: they close at the end of their step. What
-/// gravity does between the impact and the end of the step is then lost, which is what a block that rocks lives on.
-/// Slip that is faster, and more where a solve may leave more of it, makes friction kinetic: what sticks shows some
-/// slip until its solve has converged. The interior point method starts from this speed. As a share: of the residual
-/// that may pass, where bodies are slow, no less than this remains, since whether they move at all depends on it. And a
-/// change of g − a up to this share of it is little: accelerations so near count as samples of a curve, of which a
-/// proof of rest tries one ahead, and sleeping bodies are held by forces that are this much out of date at most. As an
-/// angle, in rad: a slip that turns by more cuts a step where g − a oscillates. Over |g − a| h²: an overlap that a step
-/// may end with before a contact is solved.
+/// 1.002 of its limit. Where at most one of a large island is faster its impacts are located in time. Impacts that are
+/// slower are not located in time: they close at the end of their step. What gravity does between the impact and the
+/// end of the step is then lost, which is what a block that rocks lives on. Slip that is faster, and more where a solve
+/// may leave more of it, makes friction kinetic: what sticks shows some slip until its solve has converged. The
+/// interior point method starts from this speed. As a share: of the residual that may pass, where bodies are slow, no
+/// less than this remains, since whether they move at all depends on it. And a change of g − a up to this share of it
+/// is little: accelerations so near count as samples of a curve, of which a proof of rest tries one ahead, and sleeping
+/// bodies are held by forces that are this much out of date at most. As an angle, in rad: a slip that turns by more
+/// cuts a step where g − a oscillates. Over |g − a| h²: an overlap that a step may end with before a contact is solved.
 /// @measured Residual, interior point method, overlap: half and twice: insensitive. Impacts: of about 227 random
 /// worlds (bench/random_worlds.py) that an accuracy lets pass, those beyond a limit at `reference`, on average over
 /// steps around the accuracy's: 8.5 at `screening` and 3 at `standard`; half: 9 and 4, with 17 and 9 % more time;

@@ -23,10 +23,10 @@ struct Effort {
   int impact_cuts = 8;  // times
   /// Times that the end of a slip may cut a step elsewhere.
   int slip_end_cuts = 2;  // times
-  /// Overlap from which positions are corrected. Where no impact may cut a step, contacts which close within the step
-  /// and are solved as closed close by this length at most. Of large islands also: overlap of a missed contact from
-  /// which a step is taken again; and twice the overlap that a step may end with before a contact is solved, which is
-  /// less than any real step that stops a box.
+  /// Overlap from which positions are corrected. Where no impact may cut a step, and in large islands, contacts which
+  /// close within the step and are solved as closed close by this length at most. Of large islands also: overlap of a
+  /// missed contact from which a step is taken again; and twice the overlap that a step may end with before a contact
+  /// is solved, which is less than any real step that stops a box.
   double slop = kContactTolerance;  // m
   /// Penalty R along the normal, and along the tangents where a contact sticks.
   double sticking_penalty = kStickingPenalty;  // of the carried mass

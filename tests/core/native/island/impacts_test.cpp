@@ -65,6 +65,11 @@ TEST_CASE("impacts: those above a share of |g - a| h are located in time, as oft
   CHECK(timing.located_speed == Approx(kStep * 9.0 * world.bodies().radius[0]));
   CHECK(timing.filter(kStep).is_closed(0.9 * timing.located_speed * kStep));
   CHECK_FALSE(timing.filter(kStep).is_closed(1.1 * timing.located_speed * kStep));
+  // In a crowd contacts count as closed that close by the slop.
+  effort.slop = 5e-3;
+  timing = impact_timing(world.bodies(), island, world.state.terms, effort, true, 0);
+  CHECK(timing.locates);
+  CHECK(timing.located_speed == effort.slop / kStep);
 }
 
 }  // namespace impacts_test
