@@ -27,6 +27,12 @@ inline constexpr double kGravity = 9.81;  ///< m/s², the default of the setting
 /// A box of that size with its lowest corner at `corner`, m.
 inline Box box(const Vec3& corner, const Vec3& size, int material = 1) { return {corner, corner + size, material, 0}; }
 
+/// The box with a mass of its own, kg.
+inline Box weighing(Box box, double mass) {
+  box.mass = mass;
+  return box;
+}
+
 inline Layout layout_of(std::vector<Box> boxes) { return {"layout.txt", "", "header", std::move(boxes)}; }
 
 /// Equal boxes on top of each other, the lowest on the floor at `corner`, m.

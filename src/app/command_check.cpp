@@ -145,7 +145,8 @@ class InputCheck {
     for (const ReadLoad& load : loads.loads) {
       const std::vector<Box>& all = load.layout.boxes;
       boxes += all.size();
-      for (const Box& box : all) mass += box.mass.value_or(0.0);
+      for (const Box& box : all)
+        if (!properties_of(settings_, box).fixed) mass += box.mass.value_or(0.0);
       if (load.errors.empty()) layouts_.push_back({path, all.size()});
       finding.errors.insert(finding.errors.end(), load.errors.begin(), load.errors.end());
       finding.warnings.insert(finding.warnings.end(), load.warnings.begin(), load.warnings.end());

@@ -45,6 +45,25 @@ TEST_CASE("kinetic_friction: a box starts at the static limit and slides with ki
   }
 }
 
+TEST_CASE("kinetic_friction: what holds while its load slides gives way at the static limit", "[physics][kinetic]") {
+  // 50 kg slide on 100 kg, which hold until a second acceleration is above what friction holds of them.
+  Settings settings = kinetic_settings(GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference));
+  settings.contact.friction_model = FrictionModel::pairs;
+  settings.contact.box_floor = 0.4;
+  settings.contact.box_box = 0.3;
+  const Layout layout =
+      layout_of({weighing(box({9, 9, 0}, {1, 1, 0.2}), 100.0), weighing(box({9, 9, 0.2}, {1, 1, 0.15}), 50.0)});
+  const double floor = 0.4 * 150.0 * kGravity, between = kShare * 0.3 * 50.0 * kGravity;
+  const double limit = (floor - between) / 100.0;
+  for (const double share : {0.999, 1.001, 1.01, 1.1}) {
+    CAPTURE(share);
+    const Run end = run(NativeEngine(settings), layout,
+                        acceleration_of({{0.1, Vec3(4.0, 0, 0)}, {0.1, Vec3(share * limit, 0, 0)}}), settings);
+    const double gain = share < 1.0 ? 0.0 : (100.0 * share * limit + between - kShare * floor) / 100.0;
+    CHECK(-end.displacement(0).x() == Approx(0.5 * gain * 0.01).epsilon(1e-3).margin(1e-7));
+  }
+}
+
 TEST_CASE("kinetic_friction: a load that slides as a whole does so at every size", "[physics][kinetic]") {
   // More than the eight boxes of a small island, whose solves stop sooner.
   const Settings settings = kinetic_settings(GENERATE(Accuracy::screening, Accuracy::standard));

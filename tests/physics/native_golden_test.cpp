@@ -66,7 +66,7 @@ constexpr Golden kGolden[] = {
     {"brake", brake, 0x5a9697ed87cefab3},
     {"lean", lean, 0x39ee2ff3a35c344a},
     {"tumble", tumble, 0x036301e9657e0aa6},
-    {"drop", drop, 0x6fe249d3bf55d67b},
+    {"drop", drop, 0x3c92742f4c00be0c},
 };
 
 }  // namespace

@@ -86,7 +86,6 @@ class Contacts {
 
 LayoutIndicators find_indicators(const Layout& layout, const Settings& settings) {
   LayoutIndicators found;
-  if (layout.boxes.empty()) return found;
   double load_volume = 0.0;
   double load_mass = 0.0;
   Vec3 moment = Vec3::Zero();
@@ -97,13 +96,7 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
     load_mass += properties.mass;
     moment += properties.mass * (0.5 * (box.corner_min + box.corner_max) + properties.centre_of_mass);
   }
-  if (load_mass == 0.0) return found;
   const ContainerSettings container = container_of(settings, layout);
-  const Vec3& size = container.size;
-  found.centre_of_gravity = moment / load_mass;
-  found.centre_offset = found.centre_of_gravity.cwiseQuotient(size) - Vec3(0.5, 0.5, 0.5);
-  found.fill = load_volume / size.prod();
-
   const Contacts contacts(layout, container);
   std::size_t badly_based = 0;
   std::size_t badly_braced = 0;
@@ -118,6 +111,10 @@ LayoutIndicators find_indicators(const Layout& layout, const Settings& settings)
     badly_based += base < kGoodBase ? 1U : 0U;
     badly_braced += sides < kGoodBracing ? 1U : 0U;
   }
+  if (loaded == 0) return found;
+  found.centre_of_gravity = moment / load_mass;
+  found.centre_offset = found.centre_of_gravity.cwiseQuotient(container.size) - Vec3(0.5, 0.5, 0.5);
+  found.fill = load_volume / container.size.prod();
   const auto count = static_cast<double>(loaded);
   found.badly_based = static_cast<double>(badly_based) / count;
   found.badly_braced = static_cast<double>(badly_braced) / count;

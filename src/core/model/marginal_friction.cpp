@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <tuple>
 
 #include "core/model/contact_law.hpp"
@@ -23,12 +23,13 @@ bool has_marginal_friction(const World& world, const BoxView& boxes, double grav
   const auto order = [](const Surface& a, const Surface& b) {
     return std::tie(a.friction, a.material, a.mat) < std::tie(b.friction, b.material, b.mat);
   };
-  const std::set<Surface, decltype(order)> surfaces(boxes.surface.begin(), boxes.surface.end(), order);
+  std::map<Surface, std::size_t, decltype(order)> boxes_with(order);
+  for (const Surface& surface : boxes.surface) ++boxes_with[surface];
   const Surface floor{.kind = SurfaceKind::floor, .friction = world.container.friction};
-  for (const Surface& above : surfaces) {
+  for (const auto& [above, count] : boxes_with) {
     if (is_marginal(floor, above, 1.0)) return true;
-    for (const Surface& below : surfaces)
-      if (boxes.surface.size() > 1 && is_marginal(below, above, 1.0)) return true;
+    for (const auto& [below, others] : boxes_with)
+      if ((&below != &above || count > 1) && is_marginal(below, above, 1.0)) return true;
   }
   return false;
 }

@@ -202,8 +202,8 @@ inline constexpr double kToAndFro = 0.15;  // s
 /// bundled loads under the noise of a truck take 1.5 (`screening`) and 1.3 times as long (`standard`).
 inline constexpr std::size_t kLocatedIslandBodies = 2 * kSmallIslandBodies;  // bodies
 
-/// Slip above this many times what a solve leaves, or may leave after a reset, is not due to the solve: in the step in
-/// which a proof of rest fails it makes friction kinetic, and what slides slips on as long as it has it.
+/// Slip above this many times what a solve leaves, or may leave after a reset, is not due to the solve: it makes
+/// friction kinetic, and what slides slips on as long as it has it.
 /// @measured Five and ten times: insensitive, also the suite `oscillate` of `validate`.
 inline constexpr double kResidualSlip = 2.0;  // of the residual
 

@@ -17,7 +17,7 @@ struct Effort {
   double tolerance = 1e-5;  // |g − a| h
   /// Iterations of a solve, at most, where what is left may pass.
   int iterations = 30;  // iterations
-  /// Residual that may pass: root mean square over the contact points.
+  /// Residual that may pass: root mean square over the contact points. `kNegligible` where g − a oscillates.
   double mean_residual = kSlack;  // |g − a| h
   /// Times that impacts may cut a step. Where g − a oscillates, slips that end or turn may twice as often.
   int impact_cuts = 8;  // times

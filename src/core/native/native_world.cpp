@@ -70,15 +70,31 @@ void NativeWorld::rewind() {
   begin_anew();
 }
 
+/// Whether some body follows each push, and not their mean: it turns, or touches nothing, or a sample lifts it.
+/// @param slow m/s: what turns no faster rests
+bool NativeWorld::follows_pushes(const Phase& phase, double slow) const {
+  const Bodies& bodies = state_.scene.bodies;
+  const auto lifts = [&](const Phase& sample) { return gravity_.z() >= sample.acceleration.z(); };
+  if (std::any_of(phase.samples.begin(), phase.samples.end(), lifts)) return true;
+  std::vector<std::uint8_t> touches(bodies.count(), 0);
+  for (const Manifold& manifold : state_.scene.manifolds) {
+    if (!manifold.active) continue;
+    for (const std::int32_t body : {manifold.a, manifold.b})
+      if (body >= 0) touches[at(body)] = 1;
+  }
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.activity[i] != Activity::fixed && (touches[i] == 0 || bodies.largest_rotational_speed(i) > slow))
+      return true;
+  return false;
+}
+
 /// Of a phase that is sampled, what the next step takes with the mean of its samples.
 Phase NativeWorld::next_part(const Phase& phase) const {
   if (phase.samples.empty()) return phase;
   const Bodies& bodies = state_.scene.bodies;
   const double slow = kNegligible * state_.terms.longest_step * gravity_.norm();
   std::vector<LoneBlock> blocks;
-  // What rocks follows each push, and not their mean.
-  for (std::size_t i = 0; i < bodies.count() && blocks.empty(); ++i)
-    if (bodies.largest_rotational_speed(i) > slow) blocks.emplace_back();
+  if (follows_pushes(phase, slow)) blocks.emplace_back();
   for (const Manifold& manifold : state_.scene.manifolds) {
     if (!manifold.active || manifold.contact.count == 0 || manifold.friction == 0.0) continue;
     if (!supports(bodies, manifold)) continue;
@@ -102,6 +118,7 @@ void NativeWorld::begin_phase(const Phase& phase) {
   const Change change = state_.rest.note(state_.scene.bodies, state_.terms, effective_gravity, disturbed_);
   if (change == Change::none) return;
   disturbed_ = false;
+  state_.terms.gravity_change = effective_gravity - state_.terms.effective_gravity;
   state_.terms.effective_gravity = effective_gravity;
   state_.terms.changes_on = phase.begin < state_.terms.changed + kToAndFro;
   state_.terms.changed = phase.begin;
@@ -151,6 +168,7 @@ double NativeWorld::advance(const Phase& phase) {
 double NativeWorld::take_next_step(const Phase& phase) {
   SideForces& side_forces = state_.scene.side_forces;
   side_forces.begin_sum();
+  state_.terms.gravity_change.setZero();
   begin_phase(phase);
   const StepPlan plan(phase, 1.0 / state_.terms.longest_step);
   state_.terms.set_step(plan.step());

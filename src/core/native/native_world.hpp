@@ -51,6 +51,7 @@ class NativeWorld {
 
  private:
   void begin_anew();
+  bool follows_pushes(const Phase& phase, double slow) const;
   Phase next_part(const Phase& phase) const;
   void begin_phase(const Phase& phase);
   void find_farther_contacts(const Vec3& acceleration);

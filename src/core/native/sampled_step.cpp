@@ -16,7 +16,7 @@ namespace {
 /// @measured Half and twice: insensitive, also the suite `oscillate` of `validate`.
 constexpr double kSampledShift = 2.0 * kContactTolerance;  // m
 
-/// How a block has moved, horizontally.
+/// How a block has moved: horizontally, and one that nothing holds also vertically.
 struct Path {
   Vec3 shift = Vec3::Zero();  ///< m
   Vec3 slip = Vec3::Zero();   ///< velocity, m/s
@@ -24,18 +24,20 @@ struct Path {
 
 Vec3 horizontal(const Vec3& v) { return {v.x(), v.y(), 0.0}; }
 
+Vec3 vertical(const Vec3& v) { return {0.0, 0.0, v.z()}; }
+
 /// What presses a block on the surface, over its mass, m/s².
 double pressure(const Vec3& effective_gravity) { return std::max(0.0, -effective_gravity.z()); }
 
 /// Takes a block through a time of constant effective gravity: exact along a line and without friction, and else
 /// along the direction in which it slides at the begin.
 void slide(const LoneBlock& block, const Vec3& effective_gravity, double duration, Path& path) {
-  const Vec3 drive = horizontal(effective_gravity);
   if (block.friction == 0.0) {
-    path.shift += duration * (path.slip + 0.5 * duration * drive);
-    path.slip += duration * drive;
+    path.shift += duration * (path.slip + 0.5 * duration * effective_gravity);
+    path.slip += duration * effective_gravity;
     return;
   }
+  const Vec3 drive = horizontal(effective_gravity);
   const double hold = pressure(effective_gravity);
   if (path.slip == Vec3::Zero() && drive.norm() <= block.friction * hold) return;
   const Vec3 direction = (path.slip != Vec3::Zero() ? path.slip : drive).stableNormalized();
@@ -57,9 +59,13 @@ bool follows(const LoneBlock& block, std::span<const Phase> samples, const Phase
   for_each_within(samples, mean.begin, mean.end,
                   [&](const Vec3& acceleration, double length) { slide(block, gravity - acceleration, length, path); });
   slide(block, gravity - mean.acceleration, duration, with_mean);
-  const double away = (path.shift - with_mean.shift).norm() + duration * (path.slip - with_mean.slip).norm();
-  const double way = path.shift.norm() + duration * path.slip.norm();
-  return away <= std::min(kSlack * way, kSampledShift);
+  const auto is_near = [&](auto part_of) {
+    const double away =
+        part_of(path.shift - with_mean.shift).norm() + duration * part_of(path.slip - with_mean.slip).norm();
+    const double way = part_of(path.shift).norm() + duration * part_of(path.slip).norm();
+    return away <= std::min(kSlack * way, kSampledShift);
+  };
+  return is_near(horizontal) && is_near(vertical);
 }
 
 /// How far the container is from where it is under the samples, at most at their ends, where a step with their mean

@@ -24,9 +24,8 @@ struct LoneBlock {
 /// @param phase   with samples
 /// @param begin   s, within the phase
 /// @param gravity without the acceleration, m/s²
-/// @param blocks  one for each kind of contact; where a body turns also one that nothing holds, since what rocks
-/// follows
-///                each push, and not their mean
+/// @param blocks  one for each kind of contact; where a body turns, flies or is lifted also one that nothing
+///                holds, since it follows each push, and not their mean
 Phase next_part(const Phase& phase, double begin, const Vec3& gravity, std::span<const LoneBlock> blocks);
 
 }  // namespace holdfast::internal::native

@@ -197,9 +197,8 @@ class ConfigReader {
     for (const char* key : {"ContainerFriction", "BoxFriction"})
       if (const auto found = given_.find({"Simulation Settings", key}); pairs && found != given_.end())
         add_warning(found->second, std::string(key) + " has no effect while FrictionModel is pairs", "");
-    const ContainerSettings& container = config_.settings.container;
-    if (has_opening(container) && container.bed_height > 0.0 &&
-        container.bed_height <= config_.settings.screening.drop_threshold) {
+    const Settings& settings = config_.settings;
+    if (ground_is_no_fall(settings.container, settings.screening.drop_threshold)) {
       auto found = given_.find({"Container", "BedHeight"});
       if (found == given_.end()) found = given_.find({"Simulation Settings", "DropThreshold"});
       add_warning(found == given_.end() ? Place{} : found->second,

@@ -276,6 +276,16 @@ void warn_of_weights(const Layout& layout, const std::string& path, const Settin
                                     rounded_text(type->payload) + " kg"});
 }
 
+/// A ground that is no fall, where it is the load's own; of that of the configuration its reader warns.
+void warn_of_ground(const Layout& layout, const std::string& path, const Settings& settings,
+                    std::vector<Error>& warnings) {
+  const double drop = settings.screening.drop_threshold;
+  if (ground_is_no_fall(settings.container, drop) || !ground_is_no_fall(container_of(settings, layout), drop)) return;
+  warnings.push_back(
+      {.file = path,
+       .what = "bed_height is not above DropThreshold, so that a box on the ground may be moved and not fallen"});
+}
+
 }  // namespace
 
 void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
@@ -302,6 +312,7 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
                              .accepted = "up to " + millimetres(tolerance) + " by [Loads] OverlapTolerance"});
   warn_of_materials(layout, path, settings, load.warnings);
   warn_of_weights(layout, path, settings, load.warnings);
+  warn_of_ground(layout, path, settings, load.warnings);
 }
 
 }  // namespace holdfast::internal

@@ -36,6 +36,17 @@ TEST_CASE("indicators: what a box stands on, as a share of its bottom face", "[c
   CHECK(found.badly_based == Approx(0.4));
 }
 
+TEST_CASE("indicators: a load of fixed boxes has what is known of each box, and nothing of the load",
+          "[core][indicators]") {
+  Settings settings = small_container();
+  settings.materials[2].fixed = true;
+  const LayoutIndicators found = find_indicators(layout_of({box({0, 0, 0}, {1, 1, 1}, 2)}), settings);
+  CHECK(found.base_support == std::vector<float>{1.0F});
+  CHECK(found.supported_sides.size() == 1);
+  CHECK(std::isnan(found.fill));
+  CHECK(std::isnan(found.badly_based));
+}
+
 TEST_CASE("indicators: sides that touch a wall or a box", "[core][indicators]") {
   Settings settings = small_container();
   // In the corner of front and left, beside it with a gap of 5 mm, beside that with a gap of 5 cm, and diagonally.

@@ -28,11 +28,10 @@ double kinetic_slip(const StepTerms& terms, const Effort& effort) {
   return std::max(kSmall, effort.mean_residual) * terms.velocity_unit;
 }
 
-/// Slip from which friction becomes kinetic within a step, m/s. Where a proof of rest has just failed, what does not
-/// stick slips, however slowly: all that the solve may leave of it does not count.
+/// Slip from which friction becomes kinetic within a step, m/s: what does not stick slips, however slowly. All that the
+/// solve may leave of it does not count.
 /// @param residual of the solve that the slip is from, m/s
 double beginning_slip(const StepTerms& terms, const Effort& effort, double residual) {
-  if (!terms.refuted) return kinetic_slip(terms, effort);
   return std::min(kinetic_slip(terms, effort),
                   kResidualSlip * std::max(effort.reset_tolerance * terms.velocity_unit, residual));
 }
@@ -100,23 +99,28 @@ void Slips::for_each_slip(const Scene& scene, const StepTerms& terms, double res
   }
 }
 
-/// How a slip changes at the beginning of the part, m/s²: as in the last step, or, where the effective gravity has
-/// changed since, on something fixed, as of a block that slides there alone.
+/// How a slip changes at the beginning of the part, m/s²: as in the last step. Where the effective gravity has changed
+/// since, on something fixed, as of a block that slides there alone; elsewhere what does not stand gains the change,
+/// and friction what it presses more.
 /// @param changed the effective gravity has
 Vec3 Slips::rate(const Scene& scene, const StepTerms& terms, bool changed, const Manifold& manifold,
                  const ContactPoint& point, const Vec3& slip) const {
   const Bodies& bodies = scene.bodies;
-  if (changed && is_fixed(bodies, manifold.a)) {
-    const Vec3& g = terms.effective_gravity;
-    const double pressure = std::max(0.0, -g.dot(manifold.contact.normal));
-    return tangential(manifold, g) - manifold.friction_now() * pressure * slip.normalized();
-  }
+  const Vec3& g = terms.effective_gravity;
+  const auto friction_under = [&](const Vec3& gravity) -> Vec3 {
+    return manifold.friction_now() * std::max(0.0, -gravity.dot(manifold.contact.normal)) * slip.normalized();
+  };
+  if (changed && is_fixed(bodies, manifold.a)) return tangential(manifold, g) - friction_under(g);
+  const Vec3 gained = changed ? terms.gravity_change : Vec3(Vec3::Zero());
   const auto of = [&](std::int32_t body, const Vec3& at_body) -> Vec3 {
     if (stays(bodies, body)) return Vec3::Zero();
     const LastStep& last = bodies.last_step[at(body)];
-    return last.acceleration + last.angular_acceleration.cross(at_body - bodies.state.position[at(body)]);
+    const Vec3 before = last.acceleration + last.angular_acceleration.cross(at_body - bodies.state.position[at(body)]);
+    const bool stands = bodies.largest_speed(at(body)) <= kNegligible * terms.velocity_unit;
+    return stands ? before : before + gained;
   };
-  return tangential(manifold, of(manifold.b, point.on_b) - of(manifold.a, point.on_a));
+  const Vec3 friction_gained = friction_under(g) - friction_under(g - gained);
+  return tangential(manifold, of(manifold.b, point.on_b) - of(manifold.a, point.on_a)) - friction_gained;
 }
 
 double Slips::first_change(const Scene& scene, const StepTerms& terms, double residual, bool uncut, bool turns,
