@@ -13,9 +13,10 @@ namespace holdfast::internal::native {
 
 /// How hard the moving steps of an island are solved.
 struct Effort {
-  /// Residual with which a solve of a step ends.
+  /// Residual with which a solve of a step ends. Where g − a oscillates, that of small islands holds for large ones
+  /// too.
   double tolerance = 1e-5;  // |g − a| h
-  /// Iterations of a solve, at most, where what is left may pass.
+  /// Iterations of a solve, at most, where what is left may pass. `reset_iterations` where g − a oscillates.
   int iterations = 30;  // iterations
   /// Residual that may pass: root mean square over the contact points. `kNegligible` where g − a oscillates.
   double mean_residual = kSlack;  // |g − a| h

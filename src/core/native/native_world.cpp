@@ -168,7 +168,6 @@ double NativeWorld::advance(const Phase& phase) {
 double NativeWorld::take_next_step(const Phase& phase) {
   SideForces& side_forces = state_.scene.side_forces;
   side_forces.begin_sum();
-  state_.terms.gravity_change.setZero();
   begin_phase(phase);
   const StepPlan plan(phase, 1.0 / state_.terms.longest_step);
   state_.terms.set_step(plan.step());

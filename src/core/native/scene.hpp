@@ -44,7 +44,7 @@ struct StepTerms {
   double step = 0.0;                      ///< s
   double longest_step = 0.0;              ///< that any step may have, s: contacts are found for it
   Vec3 effective_gravity = Vec3::Zero();  ///< gravity minus the container's acceleration, g − a, m/s²
-  Vec3 gravity_change = Vec3::Zero();     ///< g − a minus that of the step before, m/s²
+  Vec3 gravity_change = Vec3::Zero();     ///< by which g − a has changed last, m/s²
   double velocity_unit = 0.0;             ///< |g − a| · step: what tolerances are measured in, m/s
   double changed = -std::numeric_limits<double>::infinity();  ///< time of the last change of g − a, s
   bool changes_on = false;                                    ///< the change before it was within `kToAndFro` of it
