@@ -18,6 +18,17 @@ void add_wrong(ErrorList& errors, const char* what, std::string value, const cha
   errors.add({.what = what, .value = std::move(value), .accepted = accepted});
 }
 
+/// The same, with the place of what a load says.
+/// @param key beneath its container in JSON; may be empty
+void add_wrong(ErrorList& errors, const GivenContainer& given, const std::string& key, const char* what,
+               std::string value, const char* accepted) {
+  if (errors.full()) return errors.count_more();
+  errors.add({.line = given.line,
+              .what = (given.pointer.empty() ? "" : given.pointer + key + ": ") + what,
+              .value = std::move(value),
+              .accepted = accepted});
+}
+
 }  // namespace
 
 std::optional<ContainerShape> shape_of_type(std::string_view type, ErrorList& errors) {
@@ -36,10 +47,10 @@ ContainerShape shape_of(const GivenContainer& given, const Settings& settings, E
   if (given.size) {
     shape.size = *given.size;
     if (!(shape.size.array() >= kLeastLength && shape.size.array() <= kMostOfLoad).all())
-      add_wrong(errors, "the size of the container is not possible",
+      add_wrong(errors, given, "/size", "the size of the container is not possible",
                 rounded_text(shape.size.x()) + " x " + rounded_text(shape.size.y()) + " x " +
                     rounded_text(shape.size.z()) + " m",
-                "three lengths above 0");
+                "three lengths of at least 1 mm, up to 1000000 m");
   }
   if (given.open_sides) {
     shape.open_sides = *given.open_sides;
@@ -52,13 +63,13 @@ ContainerShape shape_of(const GivenContainer& given, const Settings& settings, E
       if (!can_be_open(drop.side) || drop.side == "roof")
         add_wrong(errors, "a drop side that is no wall", drop.side, "front, rear, left or right");
       if (!(drop.height >= kLeastLength && drop.height <= kMostOfLoad))
-        add_wrong(errors, "the height of a drop side is not possible", rounded_text(drop.height) + " m",
-                  "a length above 0");
+        add_wrong(errors, given, "/drop_sides/" + drop.side, "the height of a drop side is not possible",
+                  rounded_text(drop.height) + " m", "a length of at least 1 mm, up to 1000000 m");
     }
   }
   for (const DropSide& drop : shape.drop_sides)
     if (std::find(shape.open_sides.begin(), shape.open_sides.end(), drop.side) != shape.open_sides.end())
-      add_wrong(errors, "a side is both open and a drop side", drop.side, "each side in one of the two");
+      add_wrong(errors, given, "", "a side is both open and a drop side", drop.side, "each side in one of the two");
   if (given.bed_height) {
     shape.bed_height = *given.bed_height;
     if (!(shape.bed_height >= 0.0 && shape.bed_height <= kMostOfLoad))

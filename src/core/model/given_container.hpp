@@ -18,6 +18,8 @@ struct GivenContainer {
   std::optional<std::vector<std::string>> open_sides;
   std::optional<std::vector<DropSide>> drop_sides;
   std::optional<double> bed_height;  ///< m
+  long line = 0;                     ///< of the file that says it, from 1
+  std::string pointer;               ///< of JSON that says it
 };
 
 /// The container that is meant: what is not said is as its type or the settings say.

@@ -12,7 +12,7 @@ inline constexpr double kLeastMass = 1e-6;
 /// Largest mass, coefficient or length of a load: more is a mistake.
 inline constexpr double kMostOfLoad = 1e6;
 
-/// Shortest length of a container, m.
+/// Shortest length of a container, and lowest drop side, m.
 inline constexpr double kLeastLength = 1e-3;
 
 /// Whether a number is that of a material.

@@ -217,8 +217,8 @@ Mistake BoxReader::box_ends() const {
 
 ContainerReader::ContainerReader() : given_(kContainerKeys) {}
 
-void ContainerReader::begin() {
-  container_ = {};
+void ContainerReader::begin(long line, std::string pointer) {
+  container_ = {.line = line, .pointer = std::move(pointer)};
   key_ = Key::none;
   given_.reset();
 }
@@ -296,7 +296,9 @@ Mistake ContainerReader::side(std::string_view key) {
 Mistake ContainerReader::read_element(const JsonValue& value) {
   const bool positive = is_number(value, 0.0, kMostOfLoad) && value.number > 0.0;
   if (key_ == Key::size) {
-    if (!positive) return mistake("the size of the container is not possible", value.written, "three numbers above 0");
+    if (!positive)
+      return mistake("the size of the container is not possible", value.written,
+                     "three lengths of at least 1 mm, up to 1000000");
     if (elements_ < 3) (*container_.size)[static_cast<Eigen::Index>(elements_)] = value.number;
     ++elements_;
   } else if (key_ == Key::open_sides) {
@@ -304,7 +306,9 @@ Mistake ContainerReader::read_element(const JsonValue& value) {
       return mistake("an open side that is none", value.written, "front, rear, left, right or roof");
     container_.open_sides->emplace_back(value.text);
   } else if (key_ == Key::drop_sides && !container_.drop_sides->empty()) {
-    if (!positive) return mistake("the height of a drop side is not possible", value.written, "a number above 0");
+    if (!positive)
+      return mistake("the height of a drop side is not possible", value.written,
+                     "a length of at least 1 mm, up to 1000000");
     container_.drop_sides->back().height = value.number;
   }
   return std::nullopt;

@@ -130,7 +130,10 @@ class ContainerReader {
  public:
   ContainerReader();
 
-  void begin();
+  /// Begins with a container.
+  /// @param line    of the file, from 1; 0 where it does not matter
+  /// @param pointer of it in JSON, for messages; may be empty
+  void begin(long line, std::string pointer);
   Mistake whole(const JsonValue& value);  ///< the value of the key `container`
   Mistake key(std::string_view key);
   Mistake value(const JsonValue& value);    ///< of the key

@@ -332,7 +332,7 @@ class OwnJson::Reader {
   }
 
   What take_container(const JsonValue& value, std::optional<GivenContainer>& container) {
-    container_reader_.begin();
+    container_reader_.begin(line_, pointer());
     if (note(container_reader_.whole(value), &value)) return What::none;
     container = container_reader_.container();
     return What::container;
@@ -396,11 +396,17 @@ class OwnJson::Reader {
         turn_to_metres(*container, unit_of_container);
         growing.load.layout.container = shape_of(*container, settings_, errors_);
         growing.load.errors = errors_.take();
-        for (Error& error : growing.load.errors) error.line = line_;
       }
       found_.loads.push_back(std::move(growing.load));
     }
     pending_.clear();
+  }
+
+  /// Of the value at hand.
+  std::string pointer() const {
+    std::string joined;
+    for (const Level& level : levels_) joined += pointer_part(level.is_list ? std::to_string(level.index) : level.key);
+    return joined;
   }
 
   /// Adds a mistake, if there is one, with the place of the value at hand. Whether there is one.
@@ -413,10 +419,9 @@ class OwnJson::Reader {
       errors.count_more();
       return true;
     }
-    std::string pointer;
-    for (const Level& level : levels_) pointer += pointer_part(level.is_list ? std::to_string(level.index) : level.key);
+    const std::string place = shown(pointer());
     mistake->line = line_;
-    mistake->what = shown(pointer) + (pointer.empty() ? "" : ": ") + mistake->what;
+    mistake->what = place + (place.empty() ? "" : ": ") + mistake->what;
     mistake->value = value != nullptr ? value_text(*value) : shown(mistake->value);
     errors.add(std::move(*mistake));
     return true;

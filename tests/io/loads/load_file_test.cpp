@@ -300,7 +300,8 @@ TEST_CASE("load_file: all mistakes of JSON of ours are told, each with its place
             "a.json: /loads/0/boxes/2: the box has no corner_max; corner_min and corner_max, each a list of three "
             "numbers",
             "a.json: /loads/0/boxes/3: no box: 7; an object, or a list of seven numbers: two corners and a material",
-            "a.json: /loads/1/container/size/2: the size of the container is not possible: -1; three numbers above 0",
+            "a.json: /loads/1/container/size/2: the size of the container is not possible: -1; three lengths "
+            "of at least 1 mm, up to 1000000",
             "a.json: /loads/1/container/drop_sides/roof: a drop side that is no wall: roof; front, rear, left or right",
             "a.json: /loads/2/unit: unknown unit: \"yd\"; \"m\", \"dm\", \"cm\", \"mm\", \"in\" or \"ft\"",
             "a.json: /loads/2/unit: a key that is given twice: unit; each key once",
@@ -312,7 +313,7 @@ TEST_CASE("load_file: all mistakes of JSON of ours are told, each with its place
             "a material",
             "a.json: /loads/5/boxes/1: the material is not an id: 1.5; a whole number from 0",
             "a.json: /loads/5/order: unknown key: order; accepted are name, container, unit, boxes",
-            "a.json: a side is both open and a drop side: rear; each side in one of the two"});
+            "a.json: /loads/6/container: a side is both open and a drop side: rear; each side in one of the two"});
   CHECK(all_errors(R"({"holdfast": 2, "loads": [{"boxes": [[0, 0, 0, 1, 1, 1, 1]]}]})", {}, "a.json") ==
         Messages{"a.json: /holdfast: a version that is not known: 2; 1"});
   CHECK(all_errors("{\"holdfast\": 1}\n{\"boxes\": [[0, 0, 0, 1, 1, 1, 1]]}\n{\"boxes\": [[}\n", {}, "a.jsonl")[0]
@@ -321,6 +322,29 @@ TEST_CASE("load_file: all mistakes of JSON of ours are told, each with its place
         Messages{"a.json:1:43: a number that is too large"});
   const std::string deep(1'000'000, '[');
   CHECK(all_errors("{\"holdfast\": 1, \"loads\": " + deep, {}, "a.json").size() == 1);
+}
+
+TEST_CASE("load_file: lengths of a container begin at 1 mm, which is said with their place", "[io][loads]") {
+  const std::string boxes = R"("boxes": [[1, 0, 0, 2, 1, 1, 1]])";
+  const auto errors = [&](const std::string& container) {
+    return all_errors(R"({"holdfast": 1, "loads": [{"container": {)" + container + "}, " + boxes + "}]}", {}, "a.json");
+  };
+  CHECK(errors(R"("drop_sides": {"rear": 0.001})") == Messages{});
+  CHECK(errors(R"("drop_sides": {"left": 0.6, "rear": 0.0001})") ==
+        Messages{"a.json: /loads/0/container/drop_sides/rear: the height of a drop side is not possible: 0.0001 m; a "
+                 "length of at least 1 mm, up to 1000000 m"});
+  CHECK(errors(R"("drop_sides": {"rear": 0})") ==
+        Messages{"a.json: /loads/0/container/drop_sides/rear: the height of a drop side is not possible: 0; a length "
+                 "of at least 1 mm, up to 1000000"});
+  CHECK(errors(R"("size": [6, 2, 0.0005])") ==
+        Messages{"a.json: /loads/0/container/size: the size of the container is not possible: 6 x 2 x 0.0005 m; three "
+                 "lengths of at least 1 mm, up to 1000000 m"});
+  // That of a file is in its first line.
+  CHECK(all_errors(
+            "{\"holdfast\": 1, \"unit\": \"mm\", \"container\": {\"drop_sides\": {\"left\": 0.1}}}\n{" + boxes + "}\n",
+            {}, "a.jsonl") ==
+        Messages{"a.jsonl:1: /container/drop_sides/left: the height of a drop side is not possible: 0.0001 m; a length "
+                 "of at least 1 mm, up to 1000000 m"});
 }
 
 TEST_CASE("load_file: what JSON of ours says of all loads may come after them", "[io][loads]") {
