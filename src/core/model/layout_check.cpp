@@ -172,7 +172,7 @@ class LayoutCheck {
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[b].line,
                  .what = box_name(b) + " overlaps " + box_name(a) +
-                         (boxes_[a].line > 0 ? " of line " + std::to_string(boxes_[a].line) : ""),
+                         (boxes_[a].line != boxes_[b].line ? " of line " + std::to_string(boxes_[a].line) : ""),
                  .value = millimetres(depth) + " deep",
                  .accepted = "boxes may touch; up to " + millimetres(kLayoutTolerance) + " is taken as rounding",
                  .box = place_of(b)});

@@ -286,6 +286,14 @@ void warn_of_ground(const Layout& layout, const std::string& path, const Setting
        .what = "bed_height is not above DropThreshold, so that a box on the ground may be moved and not fallen"});
 }
 
+/// JSON pointer of a box; empty in other files.
+/// @param number of the box, from 1
+std::string pointer_of(const ReadLoad& load, long number) {
+  const auto index = static_cast<std::size_t>(number - 1);
+  if (!load.box_pointers.empty()) return load.box_pointers.at(index);
+  return load.list_pointer.empty() ? "" : load.list_pointer + '/' + std::to_string(index);
+}
+
 }  // namespace
 
 void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
@@ -301,6 +309,9 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
   if (const auto warning = look.tiny_in_stated_unit()) load.warnings.push_back(*warning);
   const Trimmed trimmed = trim_overlaps(layout, settings, tolerance);
   load.errors = check_layout(layout, settings, path, load.warnings);
+  for (Error& error : load.errors)
+    if (const std::string pointer = error.box > 0 ? pointer_of(load, error.box) : ""; !pointer.empty())
+      error.what = shown(pointer) + ": " + error.what;
   if (!load.errors.empty()) return;
   if (trimmed.pairs > 0)
     load.warnings.push_back({.file = path,

@@ -48,18 +48,18 @@ class JsonRows final : public LoadRows {
     return static_cast<std::size_t>(column) < row.size() ? std::string_view(row[static_cast<std::size_t>(column)]) : "";
   }
   Error at(int column, std::string what) const override {
-    std::string pointer = pointer_ + pointer_part(row_places_[at_ - 1]);
+    std::string place = pointer();
     if (column >= 0) {
       std::string key = pointer_part(headers_[static_cast<std::size_t>(column)]);
       std::replace(key.begin(), key.end(), '.', '/');
-      pointer += key;
+      place += key;
     }
-    return {.file = path_, .what = shown(pointer) + ": " + std::move(what)};
+    return {.file = path_, .what = shown(place) + ": " + std::move(what)};
   }
   long line() const override { return 0; }
+  std::string pointer() const override { return pointer_ + pointer_part(row_places_[at_ - 1]); }
   bool has_exact_numbers() const override { return true; }
 
-  const std::string& pointer() const { return pointer_; }
   std::size_t row_count() const { return rows_.size(); }
   /// A list of objects with so many different keys is none of boxes.
   bool has_too_many_keys() const { return headers_.size() > kMostCells; }

@@ -54,8 +54,10 @@ void join_parts(std::vector<ReadLoad>& loads, const std::string& name) {
   ReadLoad joined = std::move(loads.front());
   for (std::size_t i = 1; i < loads.size(); ++i) {
     std::move(loads[i].layout.boxes.begin(), loads[i].layout.boxes.end(), std::back_inserter(joined.layout.boxes));
+    std::move(loads[i].box_pointers.begin(), loads[i].box_pointers.end(), std::back_inserter(joined.box_pointers));
     std::move(loads[i].warnings.begin(), loads[i].warnings.end(), std::back_inserter(joined.warnings));
   }
+  // In JSON, where boxes have pointers, they have no lines, and stay in their order.
   std::stable_sort(joined.layout.boxes.begin(), joined.layout.boxes.end(),
                    [](const Box& a, const Box& b) { return a.line < b.line; });
   joined.layout.name = name;

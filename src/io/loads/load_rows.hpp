@@ -32,6 +32,9 @@ class LoadRows {
   /// Line of the row in the file, from 1; 0 where it has none.
   virtual long line() const = 0;
 
+  /// JSON pointer of the row; empty where it has none.
+  virtual std::string pointer() const { return {}; }
+
   /// Whether numbers are written in one way only, as JSON has them.
   virtual bool has_exact_numbers() const { return false; }
 

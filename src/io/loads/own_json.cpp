@@ -309,7 +309,10 @@ class OwnJson::Reader {
         note(read_unit(value, growing_.unit), &value);
         break;
       case LoadKey::boxes:
-        if (value.token == Token::list_begins) return What::boxes;
+        if (value.token == Token::list_begins) {
+          growing_.load.list_pointer = pointer();
+          return What::boxes;
+        }
         note(Error{.what = "no list of boxes", .accepted = kSomeBoxes}, &value);
         break;
       case LoadKey::none:

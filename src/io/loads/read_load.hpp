@@ -19,7 +19,9 @@ struct ReadLoad {
   std::vector<Error> warnings;  ///< of this load
   std::size_t box_count = 0;    ///< also of a load that cannot be used
   std::size_t outside = 0;      ///< boxes outside the container, where neither unit nor container explains them
-  double guessed_unit = 0.0;    ///< in which lengths were read without a word of it in the file, m; 0: it is known
+  std::string list_pointer;     ///< of the list of its boxes, in JSON of ours
+  std::vector<std::string> box_pointers;  ///< of its boxes, in other JSON
+  double guessed_unit = 0.0;  ///< in which lengths were read without a word of it in the file, m; 0: it is known
 };
 
 /// All loads of a file.

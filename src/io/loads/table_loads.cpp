@@ -235,6 +235,8 @@ class TableReader {
     if (!read_corners(growing, box, of_box)) return;
     read_properties(growing, box, of_box);
     growing.load.layout.boxes.push_back(std::move(box));
+    if (std::string pointer = rows_.pointer(); !pointer.empty())
+      growing.load.box_pointers.push_back(std::move(pointer));
     growing.of_boxes.push_back(of_box);
   }
 

@@ -347,6 +347,30 @@ TEST_CASE("load_file: lengths of a container begin at 1 mm, which is said with t
                  "of at least 1 mm, up to 1000000 m"});
 }
 
+TEST_CASE("load_file: boxes that overlap or are outside are told with their places", "[io][loads]") {
+  const std::string overlaps = "overlaps box 1: 500 mm deep; boxes may touch; up to 0.1 mm is taken as rounding";
+  const std::string outside = "is outside the container at the rear: 130 mm; the container is 587 x 233 x 220 cm";
+  const std::string boxes = R"({"boxes": [[0, 0, 0, 1, 1, 1, 1], [0.5, 0, 0, 1.5, 1, 1, 1],
+                                          {"corner_min": [5, 0, 0], "corner_max": [6, 1, 1]}]})";
+  CHECK(all_errors(R"({"holdfast": 1, "loads": [{"boxes": [[0, 0, 0, 1, 1, 1, 1]]}, )" + boxes + "]}", {}, "a.json") ==
+        Messages{"a.json: /loads/1/boxes/2: box 3 " + outside, "a.json: /loads/1/boxes/1: box 2 " + overlaps});
+  CHECK(all_errors("{\"holdfast\": 1}\n{\"boxes\": [[0, 0, 0, 1, 1, 1, 1], [0.5, 0, 0, 1.5, 1, 1, 1]]}\n", {},
+                   "a.jsonl") == Messages{"a.jsonl:2: /boxes/1: box 2 " + overlaps});
+  // The second item is not placed.
+  const std::string items = R"("items": [{"x": 0, "y": 0, "z": 0, "l": 100, "w": 100, "h": 100},
+                                         {"x": "", "y": "", "z": "", "l": 100, "w": 100, "h": 100},
+                                         {"x": 50, "y": 0, "z": 0, "l": 100, "w": 100, "h": 100}])";
+  CHECK(all_errors('{' + items + '}', {}, "a.json") == Messages{"a.json: /items/2: box 2 " + overlaps});
+  const auto layer = [](int x, int z) {
+    const std::string place = R"({"x": )" + std::to_string(x) + R"(, "y": 0, "z": )" + std::to_string(z);
+    return R"({"items": [)" + place + R"(, "l": 100, "w": 100, "h": 100}]})";
+  };
+  CHECK(all_errors(R"({"layers": [)" + layer(0, 0) + ", " + layer(200, 0) + ", " + layer(500, 100) + "]}", {},
+                   "a.json") == Messages{"a.json: /layers/2/items/0: box 3 " + outside});
+  CHECK(all_errors("x,y,z,l,w,h\n0,0,0,100,100,100\n,,,100,100,100\n500,0,0,100,100,100\n") ==
+        Messages{"a.csv:4: box 2 " + outside});
+}
+
 TEST_CASE("load_file: what JSON of ours says of all loads may come after them", "[io][loads]") {
   const LoadsOfFile loads = loads_of(
       R"({"loads": [{"boxes": [[0, 0, 0, 80, 60, 50, 3]]},
