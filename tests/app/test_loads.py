@@ -209,6 +209,19 @@ class Loads(CliTest):
             again = run(*arguments, "-o", self.folder / results, "--resume")
             self.assertEqual([json.loads(line).get("critical_box_name") for line in again.stdout.splitlines()], names)
 
+    def test_a_box_stands_on_a_drop_side_and_falls_beyond_it_as_check_says(self):
+        rest = self.write("rest.txt", "0 1 0 0 0\n")
+        for low, high, verdict in ((-0.08, 0, "stayed"), (-0.5, -0.06, "unstable")):
+            load = {"container": {"size": [6, 2.4, 2.4], "drop_sides": {"left": 0.6}},
+                    "boxes": [{"corner_min": [1, low, 0.6], "corner_max": [2, high, 0.8]}]}
+            file = self.write("load.json", json.dumps({"holdfast": 1, "loads": [load]}))
+            checked = run("check", file)
+            self.assertEqual(checked.returncode, 0, checked.stderr)
+            self.assertEqual("wholly beyond the floor" in checked.stderr, verdict != "stayed", checked.stderr)
+            done = run("screen", "--layouts", file, "--accelerations", rest, "--json", "--quiet", "--overwrite",
+                       "-o", self.folder / "side.h5")
+            self.assertEqual(json.loads(done.stdout)["verdict"], verdict)
+
     def test_a_spreadsheet_file_is_told_to_be_saved_as_text(self):
         path = self.folder / "load.xlsx"
         path.write_bytes(b"PK\x03\x04 and so on")

@@ -150,6 +150,22 @@ TEST_CASE("open_container: a box leans on a drop side, and tips over it as stati
   }
 }
 
+// The wall is 5 cm thick; the box has no floor beneath it.
+TEST_CASE("open_container: a box stands on a drop side as long as its centre is over the wall", "[physics][open]") {
+  const Way way = any_way();
+  CAPTURE(way.engine, static_cast<int>(way.accuracy));
+  const double wall = 0.6;
+  for (const double width : {0.08, 0.12}) {
+    CAPTURE(width);
+    const Layout layout = layout_of({box({4, -width, wall}, {0.6, width, 0.2})});
+    const Run one = run_by(way, layout, constant(0, 3), drop_sides(wall, 0.8));
+    if (width < 2.0 * kWallThickness)
+      CHECK(one.displacement().norm() < 2e-3);
+    else
+      CHECK(one.displacement().z() < -0.5 * wall);
+  }
+}
+
 TEST_CASE("open_container: a plank slides along the edges of two drop sides", "[physics][open]") {
   const Way way = any_way();
   CAPTURE(way.engine, static_cast<int>(way.accuracy));

@@ -25,6 +25,11 @@ double wall_height(const ContainerSettings& container, const ContainerSide& wall
   return container.size.z();
 }
 
+bool is_above_drop_side(const ContainerSettings& container, const ContainerSide& side, double bottom) {
+  const double height = wall_height(container, side);
+  return side.axis != 2 && height < container.size.z() && bottom >= height;
+}
+
 bool has_opening(const ContainerSettings& container) {
   return std::any_of(kContainerSides.begin() + 1, kContainerSides.end(),
                      [&](const ContainerSide& side) { return wall_height(container, side) < container.size.z(); });

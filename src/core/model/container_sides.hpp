@@ -52,6 +52,9 @@ bool is_open(const ContainerSettings& container, const ContainerSide& side);
 /// Height of a wall above the floor, m: that of the container, less at a drop side, 0 at an open side.
 double wall_height(const ContainerSettings& container, const ContainerSide& wall);
 
+/// Whether what begins at a height above the floor, m, is above a drop side, and may stand out over it.
+bool is_above_drop_side(const ContainerSettings& container, const ContainerSide& side, double bottom);
+
 /// Whether any side is open, or a wall lower than the container, so that boxes can get out.
 bool has_opening(const ContainerSettings& container);
 

@@ -7,6 +7,7 @@
 #include "core/base/error_list.hpp"
 #include "core/base/number_text.hpp"
 #include "core/model/box_overlaps.hpp"
+#include "core/model/container_panels.hpp"
 #include "core/model/container_sides.hpp"
 #include "core/model/setting_kinds.hpp"
 
@@ -74,13 +75,16 @@ class LayoutCheck {
   }
 
  private:
-  /// Boxes that have no floor beneath them: what stands on an overhang is meant, what lies outside is a mistake.
+  /// Boxes that have neither floor nor wall beneath them: what stands on an overhang is meant, what lies outside is a
+  /// mistake.
   void warn_of_boxes_beyond(const std::string& file, std::vector<Error>& warnings) const {
     std::size_t count = 0;
     std::size_t first = boxes_.size();
+    // The floor reaches under the walls, on which a box may stand.
+    const Panel panel = container_panels(container_, kWallThickness).front();
+    const BoxExtents floor{panel.centre - panel.half_extents, panel.centre + panel.half_extents};
     for (const BoxExtents& box : sound_) {
-      const bool above_floor = (box.max.head<2>().array() > kExactLength).all() &&
-                               (box.min.head<2>().array() < container_.size.head<2>().array() - kExactLength).all();
+      const bool above_floor = depths_of(box, floor).head<2>().minCoeff() > kExactLength;
       if (above_floor || is_fixed(box.index) || is_above_fixed(box)) continue;
       ++count;
       first = std::min(first, box.index);
@@ -136,7 +140,9 @@ class LayoutCheck {
   }
 
   void check_side(std::size_t i, const ContainerSide& side, double depth) {
-    if (depth <= kExactLength || is_open(container_, side) || is_above(i, side) || tolerates(depth)) return;
+    if (depth <= kExactLength || is_open(container_, side) ||
+        is_above_drop_side(container_, side, boxes_[i].corner_min.z() + kLayoutTolerance) || tolerates(depth))
+      return;
     if (errors_.full()) return errors_.count_more();
     errors_.add({.line = boxes_[i].line,
                  .what = box_name(i) + " is outside the container at the " + std::string(side.name),
@@ -144,12 +150,6 @@ class LayoutCheck {
                  .accepted = "the container is " + centimetres(container_.size),
                  .box = place_of(i),
                  .box_number = number_of(side.axis, side.far)});
-  }
-
-  /// Whether a box is above a drop side.
-  bool is_above(std::size_t i, const ContainerSide& side) const {
-    const double height = wall_height(container_, side);
-    return side.axis != 2 && height < container_.size.z() && boxes_[i].corner_min.z() >= height - kLayoutTolerance;
   }
 
   void check_centre_of_mass(std::size_t i) {

@@ -39,7 +39,9 @@ bool is_sound(const Box& box) {
 bool is_inside(const ContainerSettings& container, const Vec3& low, const Vec3& high) {
   for (const ContainerSide& side : kContainerSides) {
     const double depth = side.far ? high[side.axis] - container.size[side.axis] : -low[side.axis];
-    if (depth > kLayoutTolerance + 1e-9 && !is_open(container, side)) return false;
+    if (depth > kLayoutTolerance + 1e-9 && !is_open(container, side) &&
+        !is_above_drop_side(container, side, low.z() + kLayoutTolerance))
+      return false;
   }
   return true;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/model/container_panels.hpp"
+
 namespace holdfast::internal {
 
 namespace {
@@ -20,7 +22,13 @@ bool share_area(const Box& a, const Box& b) {
 
 FloatingBoxes count_floating(const Layout& layout, const Settings& settings) {
   const std::vector<Box>& boxes = layout.boxes;
+  std::vector<Box> walls;  // on which boxes may stand
+  for (const Panel& panel : container_panels(container_of(settings, layout), kWallThickness))
+    if (panel.ends)
+      walls.push_back(
+          {.corner_min = panel.centre - panel.half_extents, .corner_max = panel.centre + panel.half_extents});
   std::vector<const Box*> by_top;
+  for (const Box& wall : walls) by_top.push_back(&wall);
   for (const Box& box : boxes) by_top.push_back(&box);
   std::sort(by_top.begin(), by_top.end(),
             [](const Box* a, const Box* b) { return a->corner_max.z() < b->corner_max.z(); });

@@ -19,9 +19,9 @@ struct FloatingBoxes {
   }
 };
 
-/// Counts the boxes of a load that float: whose bottom is neither on the floor nor on the top of a box below with which
-/// it has an area in common, within a centimetre, which rounding and play of packing programs leave. Fixed boxes may
-/// float, and are not counted.
+/// Counts the boxes of a load that float: whose bottom is neither on the floor nor on the top of a box or wall below
+/// with which it has an area in common, within a centimetre, which rounding and play of packing programs leave. Fixed
+/// boxes may float, and are not counted.
 FloatingBoxes count_floating(const Layout& layout, const Settings& settings);
 
 }  // namespace holdfast::internal

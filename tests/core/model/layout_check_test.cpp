@@ -105,6 +105,19 @@ TEST_CASE("layout_check: a box above a drop side may stand out, and one beyond t
                                     "unless others carry it"});
 }
 
+TEST_CASE("layout_check: a box that stands on a drop side, or on a floor without end, is not beyond the floor",
+          "[core][layout_check]") {
+  Settings settings;
+  settings.container.drop_sides = {{"left", 0.6}};
+  CHECK(check(cubes({{1, -1, 0.6}}), settings).warnings.empty());
+  CHECK(check(cubes({{1, -1.04, 0.6}}), settings).warnings.empty());
+  CHECK(check(cubes({{1, -1.05, 0.6}}), settings).warnings.size() == 1);
+  settings.container.open_sides = {"rear"};
+  CHECK(check(cubes({{5.87, 0, 0}}), settings).warnings.size() == 1);
+  settings.container.bed_height = 0.0;
+  CHECK(check(cubes({{5.87, 0, 0}}), settings).warnings.empty());
+}
+
 TEST_CASE("layout_check: fixed boxes may overlap each other, reach through a side, and carry what is beyond the floor",
           "[core][layout_check]") {
   Settings settings;

@@ -371,6 +371,14 @@ TEST_CASE("load_file: boxes that overlap or are outside are told with their plac
         Messages{"a.csv:4: box 2 " + outside});
 }
 
+TEST_CASE("load_file: boxes that overhang a drop side are not taken for those of a wider container", "[io][loads]") {
+  const std::string planks = "x,y,z,l,w,h\n0,0,60,30,243,5\n100,0,60,30,243,5\n200,0,60,30,243,5\n";
+  CHECK(all_errors(planks)[0].find("--container trailer-box holds them") != std::string::npos);
+  Settings settings;
+  settings.container.drop_sides = {{"left", 0.6}, {"right", 0.6}};
+  CHECK(all_errors(planks, settings) == Messages{});
+}
+
 TEST_CASE("load_file: what JSON of ours says of all loads may come after them", "[io][loads]") {
   const LoadsOfFile loads = loads_of(
       R"({"loads": [{"boxes": [[0, 0, 0, 80, 60, 50, 3]]},
