@@ -323,6 +323,27 @@ TEST_CASE("open_container: sides, ground and fixed boxes together balance weight
   }
 }
 
+TEST_CASE("open_container: what a low stop holds is balanced as exactly as what a high one holds", "[physics][open]") {
+  // The box is pushed by nearly what tips it over the stop: M (a (h/2 − H) − g l/2 + μ g H) = 0 where friction helps.
+  const Vec3 size(0.445, 0.5, 1.845);
+  const double friction = 0.5;
+  for (const double height : {0.3, 0.05, 0.02}) {
+    Settings settings = with(Accuracy::standard, open_floor(friction));
+    settings.container.size = {3, 2, 2.5};
+    settings.screening.wall_forces = true;
+    settings.materials[2].fixed = true;
+    Layout layout = layout_of({box({0.1, 0.7, 0}, size), box({0, 0.7, 0}, {0.1, 0.5, height})});
+    layout.boxes[1].material = 2;
+    const double tips = kGravity * (0.5 * size.x() + friction * height) / (0.5 * size.z() - height);
+    const Acceleration acceleration = acceleration_of({{2.0, {0.9 * tips, 0, 0}}});
+    const Run one = native_run(layout, acceleration, settings);
+    const double unbalanced = imbalance(layout, acceleration, settings, one);
+    CAPTURE(height, text(unbalanced));
+    CHECK(one.record.found.get<WallForces>()->peak_force[kFixedBoxes] > 0.0);
+    CHECK(unbalanced < 1e-6);
+  }
+}
+
 TEST_CASE("container_panels: an open container stands on the ground, and its walls end", "[core][model]") {
   ContainerSettings container;
   container.size = {6, 2, 2.5};

@@ -104,7 +104,12 @@ Vec3 GaussSeidel::velocity(const Point& point) const {
 double GaussSeidel::visit(Point& point) {
   Vec3 u = velocity(point);
   Vec3 y = point.impulse;
-  y[0] = std::max(0.0, y[0] - u[0] / point.normal_response[0]);
+  // Where a contact slides, friction grows with the normal impulse. Where it then lifts the body, the normal velocity
+  // changes by more than by the normal impulse alone, and a step that disregards it grows from sweep to sweep. This is
+  // Newton's step along the ray through the impulse. Where friction presses the body on, that step may have no sign.
+  const double lifted = y[0] > 0.0 ? point.normal_response.tail<2>().dot(y.tail<2>()) / y[0] : 0.0;
+  const double normal_response = point.normal_response[0] + std::max(0.0, lifted);
+  y[0] = std::max(0.0, y[0] - u[0] / normal_response);
   u += (y[0] - point.impulse[0]) * point.normal_response;
   y.tail<2>() -= u.tail<2>() / point.tangential_response;
   cut(point.friction, y);
@@ -114,8 +119,7 @@ double GaussSeidel::visit(Point& point) {
   point.impulse += change;
   velocity_[point.a.body] += point.a.response * change;
   velocity_[point.b.body] += point.b.response * change;
-  return std::max(point.normal_response[0] * std::abs(missing[0]),
-                  point.tangential_response * missing.tail<2>().norm());
+  return std::max(normal_response * std::abs(missing[0]), point.tangential_response * missing.tail<2>().norm());
 }
 
 /// Contact velocities are those of the bodies, which go with the impulses but for the residual.

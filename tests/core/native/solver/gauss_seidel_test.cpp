@@ -57,6 +57,46 @@ TEST_CASE("gauss_seidel: it finds the velocities that the splitting finds", "[co
   CHECK(turning > 3);
 }
 
+TEST_CASE("gauss_seidel: it converges where friction lifts what slides, however large it is", "[core][solve]") {
+  // A box of 0.4 m x 2 m x 1.9 m has tilted on its lower edge, which slides forwards and downwards. With arm (x, z)
+  // from the centre of mass to the edge, a unit impulse along the normal gives the edge 1/m + x²/I along the normal and
+  // −x z/I forwards, and by symmetry an impulse backwards lifts it by as much, where x z > 0.
+  const double mass = 100.0, x = -0.52, z = -0.82, inertia = mass * (0.4 * 0.4 + 1.9 * 1.9) / 12.0;
+  const double forwards = 0.3, down = 0.05;
+  for (const double friction : {0.5, 2.0, 6.0, 50.0}) {
+    ContactProblem problem;
+    problem.bodies = {{.mass = mass, .inertia = Mat3(Vec3(100.0, inertia, 100.0).asDiagonal()), .radius = 1.5}};
+    problem.free_velocity = {body_vector(Vec3(forwards, 0, -down), Vec3::Zero())};
+    problem.velocity.resize(2);
+    ContactConstraint edge;
+    edge.a = 1;
+    edge.b = 0;
+    edge.count = 2;
+    edge.friction = friction;
+    edge.directions = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      edge.arms.b[0][lane] = x;
+      edge.arms.b[1][lane] = lane == 0 ? -1.0 : 1.0;
+      edge.arms.b[2][lane] = z;
+    }
+    problem.constraints = {edge};
+    const SolveResult result = GaussSeidel().solve(problem, {.tolerance = 1e-12});
+    const double lifted = x * z / inertia;
+    const double impulse = down / (1.0 / mass + x * x / inertia + friction * lifted);
+    const double left = forwards - (friction * (1.0 / mass + z * z / inertia) + lifted) * impulse;
+    CAPTURE(friction, result.iterations, left);
+    CHECK(left > 0.0);  // it slides on
+    CHECK(result.converged);
+    CHECK(result.iterations < 200);
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const ContactConstraint& solved = problem.constraints.front();
+      CHECK(solved.impulse.row[0][lane] == Approx(0.5 * impulse));
+      CHECK(solved.contact_velocity.row[0][lane] == Approx(0.0).margin(1e-11));
+      CHECK(solved.contact_velocity.row[1][lane] == Approx(left));
+    }
+  }
+}
+
 TEST_CASE("gauss_seidel: sweeps that do not suffice are said, and what is no number", "[core][solve]") {
   const std::vector<SolvedProblem> problems = problems_of_a_stack();
   ContactProblem problem = problems.back().given.problem;
