@@ -338,8 +338,9 @@ inline constexpr double kWorstResidual = 0.5;  // |g − a| h
 inline constexpr std::size_t kGaussSeidelVisits = 2000000;  // visits
 
 /// Share of the step to the impulse of its law that a point takes in a sweep.
-/// @measured Of the solves of 8 such worlds that the method is asked for, those that it does not end: 0.9: 17 of 1487;
-/// 0.8: 9 of 1853; 0.7: 2 of 1567; 0.6: 5 of 2825; 0.5: 8 of 1845.
+/// @measured Of 6,438 solves of 2,992 worlds with coefficients of 0.49 to 1.56 between boxes that the method is asked
+/// for, 3.0 % are not ended; 1: 3.6 %, with a sixth more visits. With five of the coefficients: 3.4 %; 0.6: 3.6 %, with
+/// a sixth more visits.
 inline constexpr double kGaussSeidelRelaxation = 0.7;  // of the step
 
 /// Differences of iterates that Anderson acceleration keeps: its depth.
