@@ -38,8 +38,8 @@ void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTe
     impacts_.resolve(scene, island, terms, effort_, timing, remaining, report);
     const Part part = solve_part(scene, island, terms, limits, timing, remaining, report);
     report.residual = std::max(report.residual, part.result.residual);
-    slips_.find_ended(scene, island, terms, part.result.residual);
     solve_.prepared.store_step_impulses(scene, island, part.length);
+    slips_.find_ended(scene, island, terms, part.result.residual);
     const bool impact = part.impact_time < part.length - kLeastCut * terms.step;
     const double share = impact ? part.impact_time / part.length : 1.0;
     solve_.prepared.find_missing_velocities();

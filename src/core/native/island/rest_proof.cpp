@@ -13,8 +13,8 @@ namespace {
 
 /// Where wall forces are asked for: cost of an impulse on a wall in the search for the least force on them, which
 /// balances the load up to a motion as small. It changes no motion.
-/// @measured Half: the same forces to 1e-5; ten times: the sum of all forces on a box that leans on a stop of 5 cm is off
-/// by 2e-6 of its weight; a hundred times: rows are 6e-6 off.
+/// @measured Half: the same forces to 1e-5; ten times: the sum of all forces on a box that leans on a stop of 5 cm is
+/// off by 2e-6 of its weight; a hundred times: rows are 6e-6 off.
 constexpr double kWallCost = 1e-8;  // |g − a| h
 
 /// Share of the least force by which the force that is found may exceed it, and of the weight below which a force is

@@ -1,6 +1,7 @@
 #include "core/native/island/slips.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/native/contact_kinematics.hpp"
 
@@ -13,15 +14,23 @@ Vec3 tangential(const Manifold& manifold, const Vec3& velocity) {
   return velocity - manifold.contact.normal * manifold.contact.normal.dot(velocity);
 }
 
-/// The largest slip of a contact's points, m/s.
+/// The largest slip of a contact's points that carry, m/s. A corner that is lifted moves sideways too, and slips on
+/// nothing.
+/// @param carries `bool(const ContactPoint&, const CachedImpulse&)`: whether a point counts
 /// @param velocity_of `Vec3(const ContactPoint&)`: of b's surface relative to a's, m/s
-template <class VelocityOf>
-double largest_slip(const Manifold& manifold, VelocityOf velocity_of) {
+template <class Carries, class VelocityOf>
+double largest_slip(const Manifold& manifold, Carries carries, VelocityOf velocity_of) {
   double largest = 0.0;
-  for (int i = 0; i < manifold.contact.count; ++i)
-    largest = std::max(largest, tangential(manifold, velocity_of(manifold.contact.points[at(i)])).norm());
+  for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
+    const ContactPoint& point = manifold.contact.points[i];
+    if (carries(point, manifold.cached[i]))
+      largest = std::max(largest, tangential(manifold, velocity_of(point)).norm());
+  }
   return largest;
 }
+
+/// Whether the last solve has found a force at a point.
+bool has_force(const CachedImpulse& impulse) { return !impulse.force.isZero(0.0); }
 
 /// Slip from which friction is kinetic, m/s.
 double kinetic_slip(const StepTerms& terms, const Effort& effort) {
@@ -48,7 +57,10 @@ void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms
     Manifold& manifold = scene.manifolds[index];
     if (manifold.kinetic_friction == manifold.friction) continue;
     const double slow = manifold.slides ? kNegligible * terms.velocity_unit : kinetic_slip(terms, effort);
-    manifold.slides = largest_slip(manifold, [&](const ContactPoint& point) {
+    const auto carries = [&](const ContactPoint& point, const CachedImpulse& impulse) {
+      return has_force(impulse) || point.gap + terms.step * normal_velocity(scene.bodies, manifold, point) <= 0.0;
+    };
+    manifold.slides = largest_slip(manifold, carries, [&](const ContactPoint& point) {
                         return relative_velocity(scene.bodies, manifold, point);
                       }) > slow;
   }
@@ -58,7 +70,8 @@ void Slips::find_ended(Scene& scene, const IslandView& island, const StepTerms& 
   const double slow = std::max(kNegligible * terms.velocity_unit, kResidualSlip * residual);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    manifold.slides = manifold.slides && largest_slip(manifold, [&](const ContactPoint& point) {
+    const auto carries = [](const ContactPoint&, const CachedImpulse& impulse) { return has_force(impulse); };
+    manifold.slides = manifold.slides && largest_slip(manifold, carries, [&](const ContactPoint& point) {
                                            return motion_.end_velocity(scene.bodies, manifold, point);
                                          }) > slow;
   }
@@ -72,11 +85,12 @@ bool Slips::find_begun(Scene& scene, const StepTerms& terms, const Effort& effor
     if (manifold.slides || manifold.kinetic_friction == manifold.friction) continue;
     const ContactConstraint& constraint = solved_.problem.constraints[p];
     const auto& y = constraint.impulse.row;
+    const auto& u = constraint.contact_velocity.row;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(constraint.count) && !manifold.slides; ++lane) {
       const double most = kSlidingShare * constraint.friction * y[0][lane];
       if (!(y[0][lane] > 0.0) || y[1][lane] * y[1][lane] + y[2][lane] * y[2][lane] < most * most) continue;
-      const ContactPoint& point = manifold.contact.points[solved_.sources[p].point[lane]];
-      manifold.slides = tangential(manifold, motion_.end_velocity(scene.bodies, manifold, point)).norm() > slow;
+      // As the solve has it: the arms of a body that turns differ at the end of the step, and so does its slip.
+      manifold.slides = std::hypot(u[1][lane], u[2][lane]) > slow;
     }
     any = any || manifold.slides;
   }

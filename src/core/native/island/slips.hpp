@@ -18,7 +18,7 @@ class Slips {
   Slips(const IslandProblem& solved, const SolvedMotion& motion) : solved_(solved), motion_(motion) {}
 
   /// Finds the manifolds of the island that slid through the part of the step that has been solved, and that stick at
-  /// its end.
+  /// its end, or carry nothing there. Their cached impulses are those of the solve.
   /// @param residual of the solve, m/s: what sticks may show as much slip
   void find_ended(Scene& scene, const IslandView& island, const StepTerms& terms, double residual) const;
 
