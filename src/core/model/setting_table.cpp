@@ -303,7 +303,7 @@ std::vector<SettingKey> make_table() {
       "and fro, and in islands of up to 16 boxes only. Where the acceleration oscillates, slips that end or turn may "
       "divide it twice as often.");
   add(Truth{}, "Sleep", "", "", MEMBER(native.sleep),
-      "Whether slow boxes of large islands sleep while others move: they stay where they are for some steps.");
+      "Whether slow boxes of islands of more than 16 sleep while others move: they stay where they are for some steps.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time jumps to the next change of the acceleration when all boxes are in static equilibrium; it does not "
       "affect the results.");

@@ -48,7 +48,7 @@ struct NativeOptions {
   Effort small_island;              ///< for islands of at most `kSmallIslandBodies`
   /// For larger ones. Their impacts are solved at the end of a step, since there are many at any time, and to locate
   /// them takes five times as long. They are located while one body moves alone, and, while the acceleration goes to
-  /// and fro, in islands of up to `kLocatedIslandBodies`.
+  /// and fro, in islands of up to `kMediumIslandBodies`.
   Effort large_island{.iterations = 12,
                       .impact_cuts = 2,
                       .slip_end_cuts = 0,
@@ -58,7 +58,7 @@ struct NativeOptions {
   /// Equilibrium residual of a body at rest, at most. A body that gains more speed than this many |g − a| h in a step
   /// does not fall asleep: what begins to slide or to tip, however slowly, gains speed in every step.
   double rest_tolerance = 1e-8;  // of m |g − a|
-  /// Whether slow bodies of large islands that move sleep.
+  /// Whether slow bodies sleep in islands of more than `kMediumIslandBodies` that move.
   bool sleep = true;  // yes or no
   /// Whether time goes to the end of the phase where all bodies rest.
   bool jump = true;  // yes or no

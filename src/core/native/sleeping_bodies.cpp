@@ -41,7 +41,7 @@ bool SleepingBodies::choose(Scene& scene, const StepTerms& terms, const Connecti
   Bodies& bodies = scene.bodies;
   for (std::size_t i = 0; i < islands.size(); ++i) {
     const IslandView island = islands[i];
-    if (island.bodies.size() <= kSmallIslandBodies) continue;
+    if (island.bodies.size() <= kMediumIslandBodies) continue;
     if (bodies.activity[island.bodies.front()] != Activity::moving) continue;
     // What begins to move may be as slow as rounding, and asleep it would be held: a proof decides whether all rest.
     if (is_slow(bodies, island, kSmall * terms.velocity_unit)) continue;

@@ -10,7 +10,8 @@ namespace holdfast::internal::native {
 
 /// Which bodies of moving islands sleep: those that have been slow for some steps stay where they are, as if they were
 /// fixed, while the others are stepped against them. Most bodies of a load that moves are slow, and what is stepped
-/// falls into many small islands. None sleep in an island where all are slow enough to be at rest.
+/// falls into many small islands. None sleep in an island of up to `kMediumIslandBodies`, nor in one where all are slow
+/// enough to be at rest.
 ///
 /// Five things end the sleep of a body. All bodies are awake in every `kWakeEvery`-th step. A body wakes when the
 /// forces of what moves on it, and on those that sleep beside it, have changed by more than a share of their weight
@@ -32,8 +33,8 @@ class SleepingBodies {
   /// Wakes all bodies: the islands of the scene are the real ones.
   void wake(Scene& scene);
 
-  /// Lets slow bodies of the large islands that move fall asleep for the step: they lose their velocity. True where
-  /// there are any; the islands must then be found anew.
+  /// Lets slow bodies of the islands that move and are neither small nor medium fall asleep for the step: they lose
+  /// their velocity. True where there are any; the islands must then be found anew.
   /// @param islands the real ones
   bool choose(Scene& scene, const StepTerms& terms, const Connectivity& islands);
 

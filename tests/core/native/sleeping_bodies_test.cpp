@@ -18,10 +18,13 @@ namespace {
 constexpr double kBraking = 3.0;   // m/s²
 constexpr double kSlippery = 0.2;  // coefficient of friction of the slider on the plate
 
+constexpr int kMany = 16;  ///< boxes that are, with what they stand on, an island in which bodies sleep
+
 /// A plate with boxes on it, which are one island, far from the walls; material 2 is slippery.
 Layout boxes_on_a_plate(int count) {
   Layout layout = layout_of({box({1, 1, 0}, {8, 4, 0.1})});
-  for (int i = 0; i < count; ++i) layout.boxes.push_back(box({1.2 + 0.5 * i, 1.2, 0.1}, {0.4, 0.4, 0.3}));
+  for (int i = 0; i < count; ++i)
+    layout.boxes.push_back(box({1.2 + 0.5 * (i % 10), 1.2 + 0.5 * (i / 10), 0.1}, {0.4, 0.4, 0.3}));
   Box slider = box({8.0, 3.0, 0.1}, {0.4, 0.4, 0.3});
   slider.material = 2;
   layout.boxes.push_back(slider);
@@ -51,31 +54,32 @@ std::ptrdiff_t most_asleep(OneWorld& scene) {
 
 TEST_CASE("sleeping_bodies: while one box of a large island slides, the others sleep", "[core][sleeping_bodies]") {
   for (const Accuracy accuracy : {Accuracy::screening, Accuracy::standard}) {
-    OneWorld scene(on_the_floor(kSlippery, accuracy), boxes_on_a_plate(10), constant(kBraking, 1.0));
+    OneWorld scene(on_the_floor(kSlippery, accuracy), boxes_on_a_plate(kMany), constant(kBraking, 1.0));
     const StateColumns start = scene.batch.state;
-    CHECK(most_asleep(scene) == 11);
-    for (std::size_t i = 0; i < 11; ++i) CHECK((scene.batch.state.position[i] - start.position[i]).norm() < 1e-8);
+    CHECK(most_asleep(scene) == kMany + 1);
+    for (std::size_t i = 0; i < kMany + 1; ++i)
+      CHECK((scene.batch.state.position[i] - start.position[i]).norm() < 1e-8);
     const double path = 0.5 * (kBraking - kSlippery * kGravity);
-    CHECK(start.position[11].x() - scene.batch.state.position[11].x() == Approx(path).epsilon(1e-3));
+    CHECK(start.position[kMany + 1].x() - scene.batch.state.position[kMany + 1].x() == Approx(path).epsilon(1e-3));
   }
 }
 
-TEST_CASE("sleeping_bodies: not in small islands, not at reference, not where Sleep is off",
+TEST_CASE("sleeping_bodies: not in islands of up to 16, not at reference, not where Sleep is off",
           "[core][sleeping_bodies]") {
-  OneWorld small(on_the_floor(kSlippery), boxes_on_a_plate(6), constant(kBraking, 0.5));
+  OneWorld small(on_the_floor(kSlippery), boxes_on_a_plate(14), constant(kBraking, 0.5));
   CHECK(most_asleep(small) == 0);
-  OneWorld exact(on_the_floor(kSlippery, Accuracy::reference), boxes_on_a_plate(10), constant(kBraking, 0.05));
+  OneWorld exact(on_the_floor(kSlippery, Accuracy::reference), boxes_on_a_plate(kMany), constant(kBraking, 0.05));
   CHECK(most_asleep(exact) == 0);
   Settings settings = on_the_floor(kSlippery);
   settings.native.sleep = false;
-  OneWorld off(settings, boxes_on_a_plate(10), constant(kBraking, 0.5));
+  OneWorld off(settings, boxes_on_a_plate(kMany), constant(kBraking, 0.5));
   CHECK(most_asleep(off) == 0);
 }
 
 TEST_CASE("sleeping_bodies: all are awake in every 32nd step, and where the acceleration changes",
           "[core][sleeping_bodies]") {
   const Acceleration acceleration = acceleration_of({{1.0, Vec3(kBraking, 0, 0)}, {1.0, Vec3(0, kBraking, 0)}});
-  OneWorld scene(on_the_floor(kSlippery), boxes_on_a_plate(10), acceleration);
+  OneWorld scene(on_the_floor(kSlippery), boxes_on_a_plate(kMany), acceleration);
   std::vector<std::ptrdiff_t> counts;
   scene.run([&] { counts.push_back(asleep(scene)); });
   REQUIRE(counts.size() == 120);
@@ -99,7 +103,7 @@ TEST_CASE("sleeping_bodies: boxes that an acceleration brings to slide little by
   for (const bool sleep : {false, true}) {
     Settings settings = on_the_floor(kSlippery);
     settings.native.sleep = sleep;
-    OneWorld scene(settings, boxes_on_a_plate(10), acceleration_of(samples));
+    OneWorld scene(settings, boxes_on_a_plate(kMany), acceleration_of(samples));
     const StateColumns start = scene.batch.state;
     CHECK((most_asleep(scene) > 5) == sleep);
     path[sleep ? 1 : 0] = start.position[5].x() - scene.batch.state.position[5].x();
@@ -111,10 +115,10 @@ TEST_CASE("sleeping_bodies: boxes that an acceleration brings to slide little by
 TEST_CASE("sleeping_bodies: none sleep where what begins to slide is as slow as rest", "[core][sleeping_bodies]") {
   // Just above the limit of friction: after a second the speed is still below that which may be rest.
   const double excess = 1e-3;  // m/s²
-  OneWorld scene(on_the_floor((kBraking - excess) / kGravity), boxes_on_a_plate(10), constant(kBraking, 1.0));
+  OneWorld scene(on_the_floor((kBraking - excess) / kGravity), boxes_on_a_plate(kMany), constant(kBraking, 1.0));
   const StateColumns start = scene.batch.state;
   CHECK(most_asleep(scene) == 0);
-  const double path = start.position[11].x() - scene.batch.state.position[11].x();
+  const double path = start.position[kMany + 1].x() - scene.batch.state.position[kMany + 1].x();
   CHECK(path == Approx(0.5 * excess).epsilon(0.05));
 }
 
@@ -125,12 +129,12 @@ TEST_CASE("sleeping_bodies: what is hit wakes, and is pushed as it would be awak
     Settings settings = on_the_floor(kSlippery);
     settings.native.sleep = sleep;
     settings.materials[2].density = 4000.0;
-    Layout layout = boxes_on_a_plate(10);
+    Layout layout = boxes_on_a_plate(kMany);
     layout.boxes.push_back(box({7.4, 3.0, 0.1}, {0.2, 0.4, 0.3}));
     OneWorld scene(settings, layout, constant(kBraking, 1.5));
     const StateColumns start = scene.batch.state;
     CHECK((most_asleep(scene) > 0) == sleep);
-    path[sleep ? 1 : 0] = start.position[12].x() - scene.batch.state.position[12].x();
+    path[sleep ? 1 : 0] = start.position[kMany + 2].x() - scene.batch.state.position[kMany + 2].x();
   }
   CHECK(path[0] > 0.3);
   CHECK(path[1] == Approx(path[0]).epsilon(0.03));
@@ -160,7 +164,7 @@ TEST_CASE("sleeping_bodies: a box falls where what it lies on is drawn away from
     for (const bool sleep : {false, true}) {
       Settings settings = on_the_floor(0.02);
       settings.native.sleep = sleep;
-      Layout layout = boxes_on_a_plate(10);
+      Layout layout = boxes_on_a_plate(kMany);
       layout.boxes.back() = box({6.0 - drawn, 3.0, 0.1}, {0.6, 0.4, 0.3});
       layout.boxes.back().material = 2;
       const std::size_t lid = layout.boxes.size();

@@ -28,7 +28,7 @@ bool one_moves(const Bodies& bodies, const IslandView& island, const StepTerms& 
 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
-  const bool crowd = island.bodies.size() > (terms.to_and_fro ? kLocatedIslandBodies : kSmallIslandBodies);
+  const bool crowd = island.bodies.size() > (terms.to_and_fro ? kMediumIslandBodies : kSmallIslandBodies);
   if (crowd && !one_moves(scene.bodies, island, terms)) effort_.impact_cuts = 0;
   const SolveLimits limits = step_limits(scene, island, terms);
   impact_cuts_ = slip_cuts_ = 0;
