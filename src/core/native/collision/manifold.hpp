@@ -58,10 +58,14 @@ struct alignas(64) Manifold {
 
   bool with_side() const { return a < 0; }
 
-  /// Whether the last solve has found a force that pushes its bodies apart.
+  /// Whether the last solve has found a force at a point that pushes its bodies apart.
+  bool carries(int point) const { return cached[at(point)].force.dot(contact.normal) > 0.0; }
+
+  /// Whether it has found one at any point.
   bool carries() const {
-    return std::any_of(cached.begin(), cached.begin() + contact.count,
-                       [&](const CachedImpulse& point) { return point.force.dot(contact.normal) > 0.0; });
+    for (int i = 0; i < contact.count; ++i)
+      if (carries(i)) return true;
+    return false;
   }
 
   /// Coefficient of friction, as it sticks or slides.

@@ -16,21 +16,16 @@ Vec3 tangential(const Manifold& manifold, const Vec3& velocity) {
 
 /// The largest slip of a contact's points that carry, m/s. A corner that is lifted moves sideways too, and slips on
 /// nothing.
-/// @param carries `bool(const ContactPoint&, const CachedImpulse&)`: whether a point counts
+/// @param carries `bool(int)`: whether a point counts
 /// @param velocity_of `Vec3(const ContactPoint&)`: of b's surface relative to a's, m/s
 template <class Carries, class VelocityOf>
 double largest_slip(const Manifold& manifold, Carries carries, VelocityOf velocity_of) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < at(manifold.contact.count); ++i) {
-    const ContactPoint& point = manifold.contact.points[i];
-    if (carries(point, manifold.cached[i]))
-      largest = std::max(largest, tangential(manifold, velocity_of(point)).norm());
-  }
+  for (int i = 0; i < manifold.contact.count; ++i)
+    if (carries(i))
+      largest = std::max(largest, tangential(manifold, velocity_of(manifold.contact.points[at(i)])).norm());
   return largest;
 }
-
-/// Whether the last solve has found a force at a point.
-bool has_force(const CachedImpulse& impulse) { return !impulse.force.isZero(0.0); }
 
 /// Slip from which friction is kinetic, m/s.
 double kinetic_slip(const StepTerms& terms, const Effort& effort) {
@@ -57,8 +52,9 @@ void find_sliding(Scene& scene, const IslandView& island, const StepTerms& terms
     Manifold& manifold = scene.manifolds[index];
     if (manifold.kinetic_friction == manifold.friction) continue;
     const double slow = manifold.slides ? kNegligible * terms.velocity_unit : kinetic_slip(terms, effort);
-    const auto carries = [&](const ContactPoint& point, const CachedImpulse& impulse) {
-      return has_force(impulse) || point.gap + terms.step * normal_velocity(scene.bodies, manifold, point) <= 0.0;
+    const auto carries = [&](int i) {
+      const ContactPoint& point = manifold.contact.points[at(i)];
+      return manifold.carries(i) || point.gap + terms.step * normal_velocity(scene.bodies, manifold, point) <= 0.0;
     };
     manifold.slides = largest_slip(manifold, carries, [&](const ContactPoint& point) {
                         return relative_velocity(scene.bodies, manifold, point);
@@ -70,7 +66,7 @@ void Slips::find_ended(Scene& scene, const IslandView& island, const StepTerms& 
   const double slow = std::max(kNegligible * terms.velocity_unit, kResidualSlip * residual);
   for (const std::uint32_t index : island.manifolds) {
     Manifold& manifold = scene.manifolds[index];
-    const auto carries = [](const ContactPoint&, const CachedImpulse& impulse) { return has_force(impulse); };
+    const auto carries = [&](int i) { return manifold.carries(i); };
     manifold.slides = manifold.slides && largest_slip(manifold, carries, [&](const ContactPoint& point) {
                                            return motion_.end_velocity(scene.bodies, manifold, point);
                                          }) > slow;
