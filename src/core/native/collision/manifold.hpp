@@ -59,7 +59,7 @@ struct alignas(64) Manifold {
   bool with_side() const { return a < 0; }
 
   /// Whether the last solve has found a force at a point that pushes its bodies apart.
-  bool carries(int point) const { return cached[at(point)].force.dot(contact.normal) > 0.0; }
+  bool carries(int point) const { return cached[static_cast<std::size_t>(point)].force.dot(contact.normal) > 0.0; }
 
   /// Whether it has found one at any point.
   bool carries() const {
