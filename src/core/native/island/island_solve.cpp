@@ -13,12 +13,19 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
   };
   SolveResult result = solve_once(limits, report);
   if (limits.more_iterations == 0 || is_within(result, limits.worst_residual)) return result;
-  if (is_within(result, kLarge)) {
+  const auto solve_longer = [&] {
     limits.accelerate = false;
     limits.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);
-    result = solve_once(limits, report);
+    return solve_once(limits, report);
+  };
+  if (is_within(result, kLarge)) {
+    result = solve_longer();
     if (is_within(result, kWorstResidual)) return result;
   }
+  // From the impulses of the step before, the splitting may diverge where it converges from none.
+  prepared.problem.reset_warm_start();
+  result = solve_longer();
+  if (is_within(result, kWorstResidual)) return result;
   if (!is_within(result, kLarge)) prepared.problem.reset_warm_start();
   return solve_by_points({.tolerance = limits.worst_residual * limits.velocity_unit,
                           .worst_residual = kWorstResidual * limits.velocity_unit},

@@ -29,7 +29,8 @@ class IslandSolve {
   ContactSolver& solver() { return *solver_; }
 
   /// Solves what is prepared. Where the limits have iterations to add and the residual may not pass, the splitting goes
-  /// on for longer, unless it diverges; what it does not solve is solved point by point.
+  /// on for longer, unless it diverges, and then starts anew from no impulses, for longer still; what it does not solve
+  /// is solved point by point.
   SolveResult solve(SolveLimits limits, const StepTerms& terms, double step, IslandReport& report);
 
   /// Solves what is prepared, within these limits.
