@@ -89,11 +89,6 @@ inline constexpr double kNarrowWidth = 2.0 * kSamePoint;  // m
 /// again because a corner overlaps. 0.9: insensitive; 0.995: 600 boxes that brake take 7 % more time.
 inline constexpr double kParallelFaces = 0.98;  // cosine
 
-/// Penetration slop: overlap that a step may end with before a contact is solved, at most this and at most
-/// `kSmall` |g − a| h². The accuracy may allow more.
-/// @measured Half and twice: insensitive, also half of that share. Noticed by `native_impacts`.
-inline constexpr double kPenetrationSlop = 0.5 * kContactTolerance;  // m
-
 // --- Levels of speed, acceleration and residual ---
 
 /// What is below this counts as none: slip, an approach, an acceleration that closes a contact with a neighbour, a
@@ -116,7 +111,8 @@ inline constexpr double kNegligible = 1e-3;  // |g − a| h
 /// less than this remains, since whether they move at all depends on it. And a change of g − a up to this share of it
 /// is little: accelerations so near count as samples of a curve, of which a proof of rest tries one ahead, and sleeping
 /// bodies are held by forces that are this much out of date at most. As an angle, in rad: a slip that turns by more
-/// cuts a step where g − a oscillates. Over |g − a| h²: an overlap that a step may end with before a contact is solved.
+/// cuts a step where g − a oscillates. Over |g − a| h²: the overlap from which a contact that a step is foretold to
+/// close takes part in its first solve.
 /// @measured Residual, interior point method, overlap: half and twice: insensitive. Impacts: of about 227 random
 /// worlds (bench/random_worlds.py) that an accuracy lets pass, those beyond a limit at `reference`, on average over
 /// steps around the accuracy's: 8.5 at `screening` and 3 at `standard`; half: 9 and 4, with 17 and 9 % more time;

@@ -20,14 +20,6 @@ std::optional<std::size_t> pushed_side(const Scene& scene, const Manifold& manif
   return floor == nullptr ? std::nullopt : std::optional(floor->index);
 }
 
-double penetration_slop(const StepTerms& terms, double least) {
-  return std::max({least, kTouch, std::min(kPenetrationSlop, kSmall * terms.velocity_unit * terms.step)});
-}
-
-double penetration_slop(const StepTerms& terms, double least, const Bodies& bodies, const Manifold& manifold) {
-  return supports(bodies, manifold) ? kTouch : penetration_slop(terms, least);
-}
-
 double speculative_margin(const StepTerms& terms, double approach) {
   // What rounding may hide, what the bodies approach, and what they fall in a step.
   return kContactTolerance + kSpeculation * terms.longest_step * approach + terms.fall_margin;

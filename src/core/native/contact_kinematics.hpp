@@ -107,13 +107,12 @@ inline double leaning_gap(const Bodies& bodies, const Manifold& manifold) {
 /// @param gap_before nearest gap of the contact before it, m; infinite: there was none
 bool is_missed_contact(const ContactSet& contact, double gap_before, double deep);
 
-/// Overlap at the end of a step from which a contact has to be solved, m: little beside what a body falls in the step.
-/// @param least no less than this, m
-double penetration_slop(const StepTerms& terms, double least);
-
-/// The same of a contact: none where it can carry weight. A box that slides from one support to the next would sink at
-/// each by as much.
-double penetration_slop(const StepTerms& terms, double least, const Bodies& bodies, const Manifold& manifold);
+/// Overlap at the end of a step from which a contact has to be solved, m: none where it can carry weight. A box that
+/// slides from one support to the next would sink at each by as much.
+/// @param beside where it cannot, m
+inline double penetration_slop(const Bodies& bodies, const Manifold& manifold, double beside) {
+  return supports(bodies, manifold) ? kTouch : beside;
+}
 
 /// Gap up to which contacts are looked for: two bodies this near may meet within the next step, however long it is, m.
 /// @param approach bound of the speed at which their surfaces approach each other, m/s

@@ -37,8 +37,8 @@ struct Effort {
   double reset_tolerance = kNegligible * tolerance;  // |g − a| h
   /// Iterations of such a solve, at most.
   int reset_iterations = kResetIterations * iterations;  // iterations
-  /// Overlap that a step may end with before a contact is solved, where this is more than `kPenetrationSlop` allows.
-  double penetration_slop = 0.0;  // m
+  /// Overlap that a step may end with before a contact is solved that carries no weight; `kTouch` where it can.
+  double penetration_slop = kTouch;  // m
 };
 
 /// All settings of the native engine: those of the accuracy, with the keys of the configuration that override them.

@@ -114,7 +114,8 @@ bool StepTransaction::activate_predicted() {
     if (manifold.active || !has_end_in(manifold, bodies, Activity::moving)) continue;
     if (has_end_in(manifold, bodies, Activity::ahead)) continue;
     const RelativeTwist mean(mean_twist(manifold.a), mean_twist(manifold.b), manifold.contact.normal);
-    const double overlap = penetration_slop(terms, 0.0, bodies, manifold);
+    // Little beside what a body falls in the step.
+    const double overlap = penetration_slop(bodies, manifold, kSmall * terms.velocity_unit * terms.step);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double u = mean.normal_velocity(point);
@@ -186,7 +187,7 @@ bool StepTransaction::merge_overlapping() {
     if (of_a == of_b || !has_end_in(manifold, bodies, Activity::moving)) continue;
     if (has_end_in(manifold, bodies, Activity::ahead)) continue;
     const std::size_t together = islands[of_a].bodies.size() + islands[of_b].bodies.size();
-    const double overlap = penetration_slop(world_.terms, options_.effort(together).penetration_slop, bodies, manifold);
+    const double overlap = penetration_slop(bodies, manifold, options_.effort(together).penetration_slop);
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       const double gap =
@@ -285,7 +286,7 @@ void StepTransaction::retake(double step, int halvings, int attempts) {
 
 /// Whether bodies that have taken the step overlap with others that have taken it in halves.
 bool StepTransaction::overlap_with(const std::vector<std::uint8_t>& done) const {
-  const double overlap = penetration_slop(world_.terms, options_.large_island.penetration_slop);
+  const double overlap = options_.large_island.penetration_slop;
   return std::any_of(scene_.manifolds.begin(), scene_.manifolds.end(), [&](const Manifold& manifold) {
     return !manifold.active && !manifold.with_side() && has_end_in(manifold, done) &&
            has_end_in(manifold, scene_.bodies, Activity::moving) && manifold.nearest_gap < -overlap;

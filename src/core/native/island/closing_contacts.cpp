@@ -43,7 +43,7 @@ ClosingContacts::Event ClosingContacts::find(Scene& scene, const IslandView& isl
     const RelativeTwist now(twist_of(bodies, manifold.a), twist_of(bodies, manifold.b), manifold.contact.normal);
     const RelativeTwist mean(motion_.mean(bodies, manifold.a), motion_.mean(bodies, manifold.b),
                              manifold.contact.normal);
-    const double overlap = penetration_slop(terms, effort.penetration_slop, bodies, manifold);
+    const double overlap = penetration_slop(bodies, manifold, effort.penetration_slop);
     for (int i = 0; i < manifold.contact.count; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
       if (in_solve(point)) continue;
