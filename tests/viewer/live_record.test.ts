@@ -68,6 +68,16 @@ test("what a live world ever did counts, and what it does at the end stands besi
   assert.equal(worlds.peakDisplacement[0], 0);
 });
 
+test("a world that stops at the time of a sample, but for rounding, has this sample once", async () => {
+  const { record, boxes, frame } = await scripted(0);
+  record.restart(boxes, frame(0, []), [0, 0, 0]);
+  assert.ok(record.add(frame(0.1, []), [0, 0, 0]));
+  assert.ok(!record.add({ ...frame(0.1 + 1e-16, []), stateHash: "0" }, [0, 0, 0]));
+  assert.equal(record.world.stateHash, "0");
+  assert.ok(record.add({ ...frame(0.15, []), stateHash: "1" }, [0, 0, 0]), "its end is a sample");
+  assert.deepEqual([...record.world.series!.time], [0, 0.1, 0.15]);
+});
+
 test("a live world counts from where it has settled; one that is unstable from the layout", async () => {
   const { record, boxes, frame } = await scripted(0);
   const { world } = record;

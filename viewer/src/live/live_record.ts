@@ -16,6 +16,9 @@ import { tiltOf } from "../time/poses";
 /** s: between two samples when that of the file's settings is not of use here. */
 const SAMPLING = 0.1;
 
+/** s: times that are nearer than this differ by rounding alone. */
+const SAME_INSTANT = 1e-9;
+
 /** A column that grows. */
 class Growing<T extends Float32Array | Float64Array | Uint32Array> {
   private length = 0;
@@ -181,7 +184,9 @@ export class LiveRecord {
 
   /** Takes in the world as it is now; whether a sample was due. */
   add(frame: Frame, acceleration: ArrayLike<number>): boolean {
-    const sampled = frame.time === 0 || frame.time >= this.nextSample - 1e-9 || frame.stateHash !== null;
+    const last = this.columns.time.values.at(-1) ?? Number.NEGATIVE_INFINITY;
+    const due = frame.time >= this.nextSample - SAME_INSTANT || frame.stateHash !== null;
+    const sampled = frame.time === 0 || (due && frame.time > last + SAME_INSTANT);
     this.time = frame.time;
     this.velocities = frame.velocities;
     this.world.endTime = frame.time;
