@@ -20,7 +20,7 @@ OPTIONS = "src/core/native/native_options.hpp"
 EFFECTS_TABLE = "bench/sensitivity.tsv"  # bench/sensitivity.py writes it
 # Constants that other files have, and that decide how native moves boxes or what it tells of them.
 ELSEWHERE = {
-    "src/core/model/container_sides.hpp": ["kLeastPlay"],
+    "src/core/model/container_sides.hpp": ["kLeastPlay", "kWallPlay"],
     "src/core/model/samples.cpp": ["kShortestSample"],
     "src/core/native/sampled_step.cpp": ["kSampledShift"],
     "src/core/native/island/rest_proof.cpp": ["kWallCost", "kWallGap"],

@@ -198,7 +198,7 @@ def markdown(rows, cost):
     lines = ["| passed | " + " | ".join(suites) + " | µs a box and simulated second |",
              "| --- |" + " --- |" * (len(suites) + 1)]
     lines += [f"| {label} | " + " | ".join(passed(label, suite) for suite in suites) +
-              f" | {cost[label]:.0f} |" if label in cost.index else f"| {label} |" for label in labels]
+              (f" | {cost[label]:.0f} |" if label in cost.index else " | - |") for label in labels]
     for title, case, metric in CURVES:
         table = rows[(rows["case"] == case) & rows["metric"].str.contains(metric, regex=False)]
         if not table.empty:

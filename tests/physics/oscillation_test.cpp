@@ -98,6 +98,39 @@ TEST_CASE("oscillation: a box that vibrates across a steady acceleration goes as
   }
 }
 
+// The box presses on the wall at y = 0, and leaves it for a part of each cycle. Expected: a point that takes steps of
+// 10 µs; where it is at the wall friction at the floor opposes it along the wall, which takes all of the pressure.
+TEST_CASE("oscillation: a box walks along a wall that it touches, or comes to, as far as both let it",
+          "[physics][oscillation]") {
+  const double at_floor = 0.383, at_wall = 0.423, frequency = 6.18, duration = 1.2, step = 1e-5;
+  Settings settings = open_floor(at_floor);
+  settings.contact.box_wall = at_wall;
+  settings.native.accuracy = GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference);
+  Acceleration acceleration = vibration(0.0513, 0.3907, 0.747, frequency, duration, 1000.0, 2.531);
+  for (Segment& segment : acceleration.segments)
+    segment.acceleration.y() =
+        1.533 + 1.916 * std::sin(2.0 * std::numbers::pi * frequency * (segment.start + 0.0005) + 0.8);
+  acceleration.segments.push_back({duration, 0.3});
+  for (const double gap : {0.0, 1e-3}) {
+    Eigen::Vector2d position(0.0, gap), velocity(0.0, 0.0);
+    for (const Segment& segment : acceleration.segments) {
+      for (int i = 0; i < static_cast<int>(segment.duration / step + 0.5); ++i) {
+        velocity -= step * segment.acceleration.head<2>();
+        double held = step * at_floor * (kGravity + segment.acceleration.z());
+        if (position.y() <= 0.0 && velocity.y() < 0.0) {
+          held -= at_wall * velocity.y();
+          velocity.y() = 0.0;
+        }
+        velocity *= std::max(0.0, 1.0 - held / std::max(held, velocity.norm()));
+        position += step * velocity;
+      }
+    }
+    const Run end = run(NativeEngine(settings), layout_of({box({9, gap, 0}, {0.8, 0.8, 0.2})}), acceleration, settings);
+    CAPTURE(gap, static_cast<int>(settings.native.accuracy));
+    CHECK(end.displacement().x() == Approx(position.x()).epsilon(0.01));
+  }
+}
+
 TEST_CASE("oscillation: what moves as one goes as far as one box, however its weight is spread",
           "[physics][oscillation]") {
   Settings settings = open_floor(kFriction);

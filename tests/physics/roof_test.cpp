@@ -163,12 +163,16 @@ TEST_CASE("roof: a box that is pushed against a wall it touches rests without ha
 
 TEST_CASE("container_sides: only a side that a box touches from the inside stands back, and never the floor",
           "[core][container_sides]") {
-  CHECK(side_play(SurfaceKind::wall, 0.0) == kLeastPlay);
-  CHECK(side_play(SurfaceKind::wall, 0.25 * kLeastPlay) == Approx(0.75 * kLeastPlay));
-  CHECK(side_play(SurfaceKind::wall, kLeastPlay) == 0.0);
-  CHECK(side_play(SurfaceKind::wall, 1.0) == 0.0);
-  CHECK(side_play(SurfaceKind::wall, -1e-6) == Approx(kLeastPlay + 1e-6));
-  CHECK(side_play(SurfaceKind::floor, 0.0) == 0.0);
+  for (const ContainerSide& side : kContainerSides) {
+    const double least = side.name == "floor" ? 0.0 : side.name == "roof" ? kLeastPlay : kWallPlay;
+    CAPTURE(side.name);
+    CHECK(side_play(side.index, 0.0) == least);
+    CHECK(side_play(side.index, 0.25 * least) == Approx(0.75 * least));
+    CHECK(side_play(side.index, least) == 0.0);
+    CHECK(side_play(side.index, 1.0) == 0.0);
+    if (least > 0.0) CHECK(side_play(side.index, -1e-6) == Approx(least + 1e-6));
+  }
+  CHECK(side_play(kGround, 0.0) == 0.0);
 }
 
 }  // namespace roof_test

@@ -4,8 +4,9 @@
 
 namespace holdfast::internal {
 
-double side_play(SurfaceKind kind, double gap) {
-  return kind == SurfaceKind::wall ? std::max(0.0, kLeastPlay - gap) : 0.0;
+double side_play(std::size_t side, double gap) {
+  if (side >= kContainerSides.size() || kContainerSides[side].kind != SurfaceKind::wall) return 0.0;
+  return std::max(0.0, (kContainerSides[side].axis == 2 ? kLeastPlay : kWallPlay) - gap);
 }
 
 bool can_be_open(std::string_view side) {

@@ -54,8 +54,8 @@ inline constexpr double kTouch = 1e-7;  // m
 inline constexpr double kContactTolerance = kLeastPlay;  // m
 
 /// Boxes that overlap by less than this beside their contact, without what they have sunk, are flush and slide past
-/// each other. More than the 10 µm of a box that tilts within its play to the walls, less than a clearance of 0.1 mm. A
-/// ledge that is narrower carries nothing.
+/// each other. More than the 10 µm of a box that tilts within its play to fixed boxes, less than a clearance of 0.1 mm.
+/// A ledge that is narrower carries nothing.
 /// @measured Of 300 random loads with flush tops, a box is more than 5 cm off in none at `standard`; half: in one;
 /// twice: in none. Real steps from 60 µm on stop a box.
 inline constexpr double kFlushWidth = 5e-5;  // m

@@ -97,9 +97,10 @@ inline bool is_wall(const Bodies& bodies, const Manifold& manifold) {
   return is_wall_or_roof(bodies, manifold) && std::abs(manifold.contact.normal.z()) <= kSupporting;
 }
 
-/// Gap up to which a body may lean on another or on a wall without having moved, m.
-inline double leaning_gap(const Bodies& bodies, const Manifold& manifold) {
-  return is_wall(bodies, manifold) ? kLeastPlay + kTouch : kTouch;
+/// Gap up to which a body may lean on another or on a wall without having moved, m: the play that it has there.
+inline double leaning_gap(const Scene& scene, const Manifold& manifold) {
+  if (!is_wall(scene.bodies, manifold)) return kTouch;
+  return kTouch + (manifold.with_side() ? scene.sides[side_of(manifold)].play[at(manifold.b)] : kLeastPlay);
 }
 
 /// Whether a contact overlaps by `deep`, m, more than the one before it, so that it should have been found earlier.

@@ -126,7 +126,7 @@ void RestDecision::find_resting_pushes(Scene& scene, const StepTerms& terms, Res
   std::vector<std::uint8_t> active;
   for (Manifold& manifold : scene.manifolds) {
     active.push_back(manifold.active ? 1 : 0);
-    const bool touches = manifold.nearest_gap <= leaning_gap(bodies, manifold);
+    const bool touches = manifold.nearest_gap <= leaning_gap(scene, manifold);
     manifold.active = manifold.active || (touches && may_carry(manifold.a) && may_carry(manifold.b));
   }
   Connectivity touching;
@@ -160,7 +160,7 @@ bool RestDecision::activate_leaning(Scene& scene, const StepTerms& terms) {
     if (manifold.active || !has_end_in(manifold, refuted_)) continue;
     for (int i = 0; i < manifold.contact.count && !manifold.active; ++i) {
       const ContactPoint& point = manifold.contact.points[at(i)];
-      if (point.gap > leaning_gap(bodies, manifold)) continue;
+      if (point.gap > leaning_gap(scene, manifold)) continue;
       const Vec3 closing = acceleration(manifold.a, point.on_a) - acceleration(manifold.b, point.on_b);
       if (manifold.contact.normal.dot(closing) <= least) continue;
       manifold.activate();

@@ -23,7 +23,7 @@ std::vector<Side> sides_of(const ContainerSettings& container, const std::vector
           made.block ? contact_of(*made.block, boxes[i], kLeastPlay, {}) : contact_of(made.space, boxes[i], kLeastPlay);
       // A box on the edge of a wall is not beside it.
       if (contact.count > 0 && contact.normal.dot(panel.normal) > 0.5)
-        made.play[i] = side_play(panel.surface.kind, contact.nearest_gap());
+        made.play[i] = side_play(panel.side, contact.nearest_gap());
     }
   }
   return sides;

@@ -86,7 +86,7 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
       for (const ContactPoint& point : points_with(made, i, kLeastPlay))
         // A box on the edge of a wall is not beside it.
         if (point.normal.dot(panel.normal) > 0.5) gap = std::min(gap, point.gap);
-      made.play[i] = side_play(panel.surface.kind, gap);
+      made.play[i] = side_play(panel.side, gap);
     }
   }
 }

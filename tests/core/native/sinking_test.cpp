@@ -73,6 +73,29 @@ TEST_CASE("sinking: what is less than 50 micrometres higher lets a box pass, and
   }
 }
 
+// The wall holds the row, whose boxes would tip. Expected: as above for 0.5 s, and then until friction has stopped the
+// box.
+TEST_CASE("sinking: a box slides over upright boxes before a wall as over a floor", "[core][sinking]") {
+  const double friction = 0.4, braking = 6.0;
+  const double path = 0.125 * (braking - friction * kGravity) * braking / (friction * kGravity);
+  for (const double height : {0.3, 0.5, 1.0}) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 8; ++i) boxes.push_back(box({0.2 * i, 5, 0}, {0.2, 1, height}));
+    boxes.push_back(box({1.287, 5.2, height}, {0.3, 0.6, 0.25}));
+    for (const Accuracy accuracy : kAccuracies) {
+      Settings settings = with(accuracy, kContainer);
+      settings.contact.friction_model = FrictionModel::pairs;
+      settings.contact.box_box = friction;
+      settings.contact.box_floor = 1.5;
+      settings.contact.box_wall = 0.0;
+      const Run run =
+          native_run(layout_of(boxes), acceleration_of({{0.5, {braking, 0, 0}}, {0.5, Vec3::Zero()}}), settings);
+      CAPTURE(height, static_cast<int>(accuracy));
+      CHECK(-run.displacement(8).x() == Approx(path).epsilon(accuracy == Accuracy::reference ? 0.01 : 0.002));
+    }
+  }
+}
+
 TEST_CASE("sinking: overlaps are summed up from the floor on, and what nothing holds has not sunk", "[core][sinking]") {
   // A stack of two that have sunk, one above them that has not, and one that floats.
   const Settings settings = open_floor(kFriction);

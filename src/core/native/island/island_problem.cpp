@@ -264,7 +264,7 @@ void IslandProblem::prepare_rest(const Scene& scene, const IslandView& island, c
     const Manifold& manifold = scene.manifolds[index];
     const bool pressed = std::any_of(manifold.cached.begin(), manifold.cached.begin() + manifold.contact.count,
                                      [](const CachedImpulse& cached) { return cached.pressed > 0.0; });
-    const double touch = pressed ? kPressedTouch : leaning_gap(bodies, manifold);
+    const double touch = pressed ? kPressedTouch : leaning_gap(scene, manifold);
     const bool bounded = is_wall_or_roof(bodies, manifold);
     add_constraints(
         scene, index, [&](const PointView& point) { return point.gap <= touch; },
