@@ -99,7 +99,10 @@ void Contacts::update_pair(Scene& scene, const StepTerms& terms, const Connectiv
   const std::int32_t known = pairs_.find(a, b);
   const ContactAxis before = known < 0 ? ContactAxis{} : scene.manifolds[at(known)].contact.axis;
   const ContactSet contact = contact_now(bodies, scene.sides, a, b, speculative_margin(terms, bodies, a, b), before);
-  if (is_narrow(bodies, scene.sides, a, b, contact)) {
+  const bool narrow = std::any_of(contact.widths.begin(), contact.widths.end(), [&](const ContactWidth& width) {
+    return is_narrow(bodies, scene.sides, a, b, contact, width);
+  });
+  if (narrow) {
     narrow_.push_back({a, b, contact});
   } else {
     take(scene, islands, a, b, contact);

@@ -19,27 +19,29 @@ OrientedBox box_of(const Bodies& bodies, const std::vector<Side>& sides, std::in
 }  // namespace
 
 bool is_narrow(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
-               const ContactSet& contact) {
-  if (contact.count == 0 || contact.width > kNarrowWidth) return false;
+               const ContactSet& contact, const ContactWidth& width) {
+  if (contact.count == 0 || width.length > kNarrowWidth) return false;
   const OrientedBox of_a = box_of(bodies, sides, a);
   const OrientedBox& of_b = bodies.shape[static_cast<std::size_t>(b)];
-  const int k = contact.across;
+  const int k = width.across;
   return std::abs(of_b.centre[k] - of_a.centre[k]) >
          std::abs(of_b.bounding_half_extents()[k] - of_a.bounding_half_extents()[k]);
 }
 
 bool Sinking::is_flush(const Bodies& bodies, const std::vector<Side>& sides, const std::vector<Manifold>& manifolds,
                        std::int32_t a, std::int32_t b, const ContactSet& contact) {
-  if (!is_narrow(bodies, sides, a, b, contact)) return false;
-  const int k = contact.across;
-  const bool b_above = bodies.shape[static_cast<std::size_t>(b)].centre[k] > box_of(bodies, sides, a).centre[k];
-  // The width reaches from the lowest corner of the upper box to the highest one of the lower box.
-  const auto [lowest, highest] = std::minmax_element(
-      contact.points.begin(), contact.points.begin() + contact.count,
-      [&](const ContactPoint& first, const ContactPoint& second) { return first.on_a[k] < second.on_a[k]; });
-  const double of_upper = below(bodies, manifolds, k, b_above ? b : a, lowest->on_a);
-  const double of_lower = below(bodies, manifolds, k, b_above ? a : b, highest->on_a);
-  return contact.width - (of_upper - of_lower) < kFlushWidth;
+  return std::any_of(contact.widths.begin(), contact.widths.end(), [&](const ContactWidth& width) {
+    if (!is_narrow(bodies, sides, a, b, contact, width)) return false;
+    const int k = width.across;
+    const bool b_above = bodies.shape[static_cast<std::size_t>(b)].centre[k] > box_of(bodies, sides, a).centre[k];
+    // The width reaches from the lowest corner of the upper box to the highest one of the lower box.
+    const auto [lowest, highest] = std::minmax_element(
+        contact.points.begin(), contact.points.begin() + contact.count,
+        [&](const ContactPoint& first, const ContactPoint& second) { return first.on_a[k] < second.on_a[k]; });
+    const double of_upper = below(bodies, manifolds, k, b_above ? b : a, lowest->on_a);
+    const double of_lower = below(bodies, manifolds, k, b_above ? a : b, highest->on_a);
+    return width.length - (of_upper - of_lower) < kFlushWidth;
+  });
 }
 
 double Sinking::below(const Bodies& bodies, const std::vector<Manifold>& manifolds, int k, std::int32_t body,

@@ -11,10 +11,10 @@
 
 namespace holdfast::internal::native {
 
-/// Whether two boxes overlap so little beside their contact that what they have sunk may have made all of it. Thin
-/// plates side by side overlap by all of their height, and are none of these.
+/// Whether two boxes overlap so little along a width of their contact that what they have sunk may have made all of it.
+/// Thin plates side by side overlap by all of their height, and are none of these.
 bool is_narrow(const Bodies& bodies, const std::vector<Side>& sides, std::int32_t a, std::int32_t b,
-               const ContactSet& contact);
+               const ContactSet& contact, const ContactWidth& width);
 
 /// How far bodies have sunk into what carries them. Boxes that press on each other overlap a little, layer by layer,
 /// more at one end than at the other, and positions are corrected from some overlap on only: tops that are level in the
@@ -25,7 +25,7 @@ class Sinking {
   void forget() { known_ = {}; }
 
   /// Whether the boxes would slide past each other if nothing had sunk: without that, the contact is no wider than
-  /// `kFlushWidth`. A step that the layout has keeps its height.
+  /// `kFlushWidth` along one of its widths. A step that the layout has keeps its height.
   bool is_flush(const Bodies& bodies, const std::vector<Side>& sides, const std::vector<Manifold>& manifolds,
                 std::int32_t a, std::int32_t b, const ContactSet& contact);
 

@@ -118,4 +118,22 @@ TEST_CASE("contacts: a flush edge that has sunk in is no contact", "[core][conta
   }
 }
 
+TEST_CASE("contacts: a flush edge is none where the box overlaps it by little along the edge too", "[core][contacts]") {
+  // A slider that reaches over the side of its plate by 80 µm, before a second plate beyond that side.
+  SmallWorld world(open_floor(0.5), layout_of({box({5, 5, 0}, {1, 1, 0.5}), box({6, 6, 0}, {1, 1, 0.5}),
+                                               box({5.2, 5.4 + 8e-5, 0.5}, {0.7, 0.6, 0.2})}));
+  const std::int32_t slider = 1;
+  REQUIRE(world.bodies().state.position[1].z() > 0.5);
+  SECTION("what it has sunk with its plate does not stop it") {
+    world.put(0, {0, 0, -2e-4});
+    world.put(1, {0.1 - 1e-6, 0, -2e-4});
+    CHECK(world.contact(slider, 2) == nullptr);
+  }
+  SECTION("an edge that is there does") {
+    world.put(0, {0, 0, -0.01});  // nothing carries the slider
+    world.put(1, {0.1 - 1e-6, 0, -2e-4});
+    CHECK(world.contact(slider, 2) != nullptr);
+  }
+}
+
 }  // namespace contacts_test

@@ -48,8 +48,7 @@ ContactSet aligned_contact(const OrientedBox& a, const OrientedBox& b, double ma
   const double high_v = std::min(upper(a, v), upper(b, v));
   if (high_u - low_u < kContactTolerance || high_v - low_v < kContactTolerance) return contact;
 
-  contact.across = high_u - low_u <= high_v - low_v ? u : v;
-  contact.width = std::min(high_u - low_u, high_v - low_v);
+  contact.widths = {{{high_u - low_u, u}, {high_v - low_v, v}}};
   const bool b_above = b.centre[k] >= a.centre[k];
   contact.normal[k] = b_above ? 1.0 : -1.0;
   contact.axis = {ContactAxis::Kind::face_of_a, k, 0};

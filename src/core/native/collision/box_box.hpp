@@ -23,14 +23,18 @@ struct ContactAxis {
   friend bool operator==(const ContactAxis&, const ContactAxis&) = default;
 };
 
+/// By how much two faces overlap along an axis of theirs; infinite for edges and sides.
+struct ContactWidth {
+  double length = std::numeric_limits<double>::infinity();  ///< m
+  int across = 0;                                           ///< the container's axis that it is along, or nearly
+};
+
 /// The contact of two bodies: points with a common normal.
 struct ContactSet {
   Vec3 normal = Vec3::Zero();  ///< unit, from a to b
   ContactAxis axis;
-  int count = 0;  ///< of the points that are used
-  /// By how much two faces overlap as seen along the normal, where that is least; infinite for edges and sides, m.
-  double width = std::numeric_limits<double>::infinity();
-  int across = 0;  ///< the container's axis that the width is along, or nearly
+  int count = 0;                       ///< of the points that are used
+  std::array<ContactWidth, 2> widths;  ///< as seen along the normal
   std::array<ContactPoint, 8> points;
 
   /// Least gap of the points, m; infinite without any.

@@ -184,9 +184,10 @@ void set_width(const Reference& ref, const Polygon& polygon, ContactSet& contact
     low_v = std::min(low_v, corner.v);
     high_v = std::max(high_v, corner.v);
   }
-  const int side = high_u - low_u <= high_v - low_v ? ref.u : ref.v;
-  contact.width = std::min(high_u - low_u, high_v - low_v);
-  ref.box.axes.col(side).cwiseAbs().maxCoeff(&contact.across);
+  contact.widths[0].length = high_u - low_u;
+  contact.widths[1].length = high_v - low_v;
+  ref.box.axes.col(ref.u).cwiseAbs().maxCoeff(&contact.widths[0].across);
+  ref.box.axes.col(ref.v).cwiseAbs().maxCoeff(&contact.widths[1].across);
 }
 
 void write_points(const Reference& ref, const Polygon& polygon, bool of_a, ContactSet& contact) {
