@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Correlates what geometry alone says of layouts with what happened to them, and draws it.
 
-Example: holdfast screen --layouts configs/layouts bench/layouts --norm road --indicators --margins -o results.h5
+Example: holdfast screen --layouts configs/layouts bench/layouts --norm road --accuracy screening --indicators --margins -o results.h5
          examples/indicators.py results.h5 -o indicators.svg
 """
 import argparse

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from . import _core
 from .errors import Error, Problem
-from .spreadsheets import rows_of_spreadsheet, text_of_rows
+from .spreadsheets import read_sheet, text_of_rows
 
 if TYPE_CHECKING:
     import pandas
@@ -166,8 +166,8 @@ class Load:
     @classmethod
     def read(cls, path: Union[str, os.PathLike[str]], *, format: Optional[str] = None, unit: Optional[str] = None,
              axes: Optional[str] = None, columns: Optional[str] = None, container: Optional[str] = None, config: str = "",
-             sheet: Union[int, str] = 0) -> list[Load]:
-        """All loads of a file: StableCargo's text, a table of text, JSON, or a spreadsheet (docs/start/loads.md).
+             sheet: Union[int, str, None] = None) -> list[Load]:
+        """All loads of a file: StableCargo's text, a table of text, JSON, or a sheet of a spreadsheet (docs/start/loads.md).
 
         What is to be known of it, such as items without a place, is a :class:`LoadWarning`.
 
@@ -177,15 +177,19 @@ class Load:
         :param columns: words of a header and what they mean, such as "Artikel = name"
         :param container: type that all loads get, whatever the file says
         :param config: text of a config.ini: loads without a container of their own are checked in its [Container]
-        :param sheet: of a spreadsheet, by index or name; .xlsx needs the package openpyxl, .ods pandas and odfpy
+        :param sheet: of a spreadsheet, by index or name; None: the first one, with a warning where there are others; .xlsx needs
+                      the package openpyxl, .ods pandas and odfpy
         :raises Error: a load cannot be used, with every problem of every load; or the file cannot be read
         """
         name = os.fspath(path)
         options = _options(unit, axes, format, columns, container, config)
-        rows = rows_of_spreadsheet(name, sheet)
-        if rows is None:
+        read = read_sheet(name, 0 if sheet is None else sheet)
+        if read is None:
             return _loads_of(cls, *_core.read_loads(name, **options))
-        return _loads_of(cls, *_core.parse_loads(text_of_rows(rows), name, **options))
+        if sheet is None and len(read.names) > 1:
+            warnings.warn(f"{name}: has {len(read.names)} sheets, and only the first one, {read.names[0]!r}, is read; others take "
+                          f"sheet={read.names[1]!r}", LoadWarning, stacklevel=2)
+        return _loads_of(cls, *_core.parse_loads(text_of_rows(read.rows), name, **options))
 
     @classmethod
     def from_dataframe(cls, frame: pandas.DataFrame, name: str = "table", *, format: Optional[str] = None,

@@ -8,13 +8,20 @@ import io
 import math
 import os
 from collections.abc import Iterable, Sequence
-from typing import Any, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from .errors import Error, Problem
 
 
-def rows_of_spreadsheet(path: str, sheet: Union[int, str]) -> Optional[list[Sequence[Any]]]:
-    """The rows of a spreadsheet, .xlsx or .ods; None where the name is that of no spreadsheet.
+class Sheet(NamedTuple):
+    """A sheet of a spreadsheet, and the names of all that there are."""
+
+    rows: list[Sequence[Any]]
+    names: list[str]
+
+
+def read_sheet(path: str, sheet: Union[int, str]) -> Optional[Sheet]:
+    """A sheet of a spreadsheet, .xlsx or .ods; None where the name is that of no spreadsheet.
 
     :raises Error: it cannot be read, or the package that reads it is not installed
     """
@@ -23,11 +30,12 @@ def rows_of_spreadsheet(path: str, sheet: Union[int, str]) -> Optional[list[Sequ
         return None
     try:
         if kind in (".xlsx", ".xlsm"):
-            return _rows_of_xlsx(path, sheet)
+            return _sheet_of_xlsx(path, sheet)
         import pandas
 
-        table = pandas.read_excel(path, sheet_name=sheet, header=None, dtype=object, engine="odf" if kind == ".ods" else None)
-        return [list(row) for row in table.itertuples(index=False, name=None)]
+        with pandas.ExcelFile(path, engine="odf" if kind == ".ods" else None) as book:
+            table = book.parse(sheet_name=sheet, header=None, dtype=object)
+            return Sheet([list(row) for row in table.itertuples(index=False, name=None)], list(map(str, book.sheet_names)))
     except ImportError as error:
         needed = {".xlsx": "openpyxl", ".xlsm": "openpyxl", ".ods": "pandas and odfpy", ".xls": "pandas and xlrd"}[kind]
         raise _wrong(path, f"a spreadsheet needs a package that is not installed: {error.name or needed}",
@@ -36,13 +44,13 @@ def rows_of_spreadsheet(path: str, sheet: Union[int, str]) -> Optional[list[Sequ
         raise _wrong(path, f"the spreadsheet cannot be read: {error}", "a sheet that is saved as CSV (UTF-8) can") from error
 
 
-def _rows_of_xlsx(path: str, sheet: Union[int, str]) -> list[Sequence[Any]]:
+def _sheet_of_xlsx(path: str, sheet: Union[int, str]) -> Sheet:
     openpyxl: Any = importlib.import_module("openpyxl")
 
     book = openpyxl.load_workbook(path, read_only=True, data_only=True)
     try:
         chosen = book[sheet] if isinstance(sheet, str) else book.worksheets[sheet]
-        return [list(row) for row in chosen.iter_rows(values_only=True)]
+        return Sheet([list(row) for row in chosen.iter_rows(values_only=True)], list(book.sheetnames))
     finally:
         book.close()
 

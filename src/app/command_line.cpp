@@ -229,11 +229,10 @@ void add_serve_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command = program.add_subcommand("serve", "Answer layouts on standard input, line by line, with verdicts");
   command->footer(
       "A line of the input is one object of JSON, and so is its answer. Keys: \"boxes\", a list of boxes of seven\n"
-      "numbers, which are two corners and a material; optional are \"id\", which the answer repeats, \"unit\", \"m\" "
-      "or\n"
-      "\"cm\", \"accelerations\", a list of their names, and \"per_box\" and \"series\", true or false. A line "
-      "that\n"
-      "cannot be used is answered by an object with \"error\". The program ends with its input.\n\n"
+      "numbers, which are two corners and a material, or of objects; optional are \"id\", which the answer repeats,\n"
+      "\"unit\" of lengths, such as \"m\" or \"mm\", \"container\", \"accelerations\", a list of their names, and\n"
+      "\"per_box\" and \"series\", true or false. A line that cannot be used is answered by an object with \"error\".\n"
+      "The program ends with its input.\n\n"
       "Example:\n"
       "  echo '{\"id\": 1, \"boxes\": [[0, 0, 0, 0.8, 0.6, 1.0, 1]]}' | holdfast serve --norm road");
   auto options = std::make_shared<ServeOptions>();

@@ -66,7 +66,7 @@ void add_report_command(CLI::App& program, ChosenCommand& chosen) {
   CLI::App* command =
       program.add_subcommand("report", "Write a page to print for each layout, the worst first, as HTML or PDF");
   command->footer(
-      "A page shows the load from three sides, what it stands and fails under, and which box goes first; margins and\n"
+      "A page shows five views of the load, what it stands and fails under, and which box goes first; margins and\n"
       "forces on the walls, where the run was asked for them. PDF takes WeasyPrint, Debian's package weasyprint.\n\n"
       "Example:\n"
       "  holdfast report results.h5 -o report.pdf");

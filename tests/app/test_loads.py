@@ -176,6 +176,20 @@ class Loads(CliTest):
         refused = run("convert", TRAILER, "-o", self.folder / "trailer.txt")
         self.assertIn(".json or .csv", refused.stderr)
 
+    def test_a_table_is_not_written_of_sides_that_it_cannot_tell(self):
+        box = '"boxes": [[0, 0, 0, 1, 1, 1, 1]]'
+        for container, works in (('"type": "trailer-box"', True), ('"type": "trailer-box", "bed_height": 0.8', True),
+                                 ('"type": "trailer-box", "open_sides": ["right"]', False),
+                                 ('"type": "trailer-box", "drop_sides": {"left": 0.6}', False),
+                                 ('"type": "trailer-curtain"', True), ('"type": "trailer-curtain", "bed_height": 0.8', False),
+                                 ('"size": [6, 2, 2], "open_sides": ["rear"]', False)):
+            load = self.folder / "sides.json"
+            load.write_text(f'{{"holdfast": 1, "loads": [{{{box}, "container": {{{container}}}}}]}}', encoding="utf-8")
+            done = run("convert", load, "-o", self.folder / "sides.csv", "--overwrite")
+            self.assertEqual(done.returncode, 0 if works else 2, container + done.stderr)
+            if not works:
+                self.assertIn("a table has no place for open sides", done.stderr)
+
     def test_loads_of_one_file_are_divided_among_shards_and_resumed(self):
         table = self.folder / "many.csv"
         rows = [f"L{i},{80 * (i % 3)},0,0,80,60,{50 + i}" for i in range(12)]

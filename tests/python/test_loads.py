@@ -256,12 +256,22 @@ class FileTest(unittest.TestCase):
             for sheet in (0, 2, "Tour 8"):
                 with self.assertRaises(holdfast.Error):
                     Load.read(path, sheet=sheet)
+            book.move_sheet("Tour 7", -1)
+            book.save(path)
+            with self.assertWarnsRegex(holdfast.LoadWarning, "2 sheets, and only the first one, 'Tour 7', is read; .*'Notes'"):
+                (first,) = Load.read(path)
+            book.remove(book["Notes"])
+            book.save(path)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                self.assertEqual(Load.read(path), [first])
             path.write_bytes(b"PK\x03\x04 and so on")
             with self.assertRaisesRegex(holdfast.Error, "cannot be read"):
                 Load.read(path)
         self.assertEqual(load.boxes, (Box((0, 0, 0), (0.8, 0.6, 1.005), name="Pump left", mass=12.25, fixed=True),
                                       Box((0.8, 0, 0), (1.6, 0.6, 1.005), name="17")))
         self.assertEqual(same, load)
+        self.assertEqual(first, load)
         with mock.patch.dict(sys.modules, {"openpyxl": None, "odf": None}):
             for name, needed in (("tour.xlsx", "openpyxl"), ("tour.ods", "odfpy")):
                 with self.assertRaises(holdfast.Error) as error:

@@ -60,8 +60,10 @@ class Generator {
 std::uint64_t boxes_hash(const Layout& layout) {
   ByteHash hash;
   for (const Box& box : layout.boxes) {
-    hash.add(box.corner_min.data(), 3 * sizeof(double));
-    hash.add(box.corner_max.data(), 3 * sizeof(double));
+    for (Vec3 corner : {box.corner_min, box.corner_max}) {
+      corner += Vec3::Zero();  // −0 becomes 0: they are one place
+      hash.add(corner.data(), 3 * sizeof(double));
+    }
     const int material = box.material.id();
     hash.add(&material, sizeof material);
     if (!box.material.is_number()) hash.add(box.material.text().data(), box.material.text().size());

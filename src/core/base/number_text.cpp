@@ -32,8 +32,12 @@ std::string number_text(double number) {
 }
 
 std::string rounded_text(double number, int digits) {
+  constexpr double kTooLong = 1e9;
+  const double size = std::abs(number);
+  const bool is_whole = size >= std::pow(10.0, digits) && size < kTooLong;
+  const auto format = is_whole ? std::chars_format::fixed : std::chars_format::general;
   char buffer[64];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits).ptr};
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number, format, is_whole ? 0 : digits).ptr};
 }
 
 }  // namespace holdfast::internal

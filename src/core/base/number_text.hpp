@@ -17,7 +17,7 @@ std::optional<long> parse_integer(std::string_view text);
 /// The shortest text from which `parse_number` gives the same number.
 std::string number_text(double number);
 
-/// The number with at most that many significant digits, for messages: `0.0123`, `587`.
+/// The number with at most that many significant digits, for messages: `0.0123`, `587`; a longer one is whole: `28200`.
 std::string rounded_text(double number, int digits = 4);
 
 }  // namespace holdfast::internal

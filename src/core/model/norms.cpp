@@ -16,13 +16,17 @@ using enum LoadDirection;
 
 /// Four accelerations, one per direction.
 /// @param weight_along c_z of front and rear
+/// @param purpose      of all
 constexpr std::array<NormAcceleration, 4> all_around(double to_front, double to_rear, double across,
-                                                     double weight_along = 1.0) {
-  return {{{front, to_front, weight_along}, {rear, to_rear, weight_along}, {left, across}, {right, across}}};
+                                                     double weight_along = 1.0, std::string_view purpose = "") {
+  return {{{front, to_front, weight_along, purpose},
+           {rear, to_rear, weight_along, purpose},
+           {left, across, 1.0, purpose},
+           {right, across, 1.0, purpose}}};
 }
 
 constexpr auto kRoad = all_around(0.8, 0.5, 0.5);
-constexpr auto kRoadTipping = all_around(0.8, 0.5, 0.6);
+constexpr auto kRoadTipping = all_around(0.8, 0.5, 0.6, 1.0, "tipping");
 constexpr std::array<NormAcceleration, 8> kRail = {{{front, 1.0, 1.0, "sliding"},
                                                     {front, 0.6, 1.0, "tipping"},
                                                     {rear, 1.0, 1.0, "sliding"},
@@ -147,7 +151,8 @@ std::vector<Acceleration> ChosenNorm::accelerations() const {
     const double full = size.value_or(1.0) * stated.size;
     Acceleration& made = accelerations.emplace_back();
     made.name = std::string(norm->name) + '-' + direction_of(stated);
-    if (!stated.purpose.empty()) made.name += '-' + std::string(stated.purpose);
+    if (!stated.purpose.empty() && !norm->name.ends_with(stated.purpose))
+      made.name += '-' + std::string(stated.purpose);
     made.name += '-' + size_in_name(full);
     made.segments = segments_of(norm->profile, at_full_size(stated, full));
     made.purpose = stated.purpose;

@@ -22,7 +22,7 @@ struct NormAcceleration {
   LoadDirection direction = LoadDirection::front;
   double size = 0.0;              ///< along the floor, g; 1 in a norm whose size is K
   double weight_share = 1.0;      ///< c_z: what is left of the load's weight meanwhile, as a share
-  std::string_view purpose = "";  ///< "sliding" or "tipping", where the norm states both for a direction
+  std::string_view purpose = "";  ///< "sliding" or "tipping", where the norm states it for that alone
 };
 
 /// How an acceleration goes over time: it grows evenly, in short constant pieces, and is then held.

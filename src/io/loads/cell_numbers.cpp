@@ -18,10 +18,15 @@ namespace {
 /// Digits between marks of thousands.
 constexpr std::size_t kDigitsBetween = 3;
 
-/// The letters after the number of a cell; empty where it has no number.
-std::string_view unit_of_cell(std::string_view cell) {
+/// A cell up to its last digit, and the letters after it; both are empty where it has no digit.
+struct NumberAndUnit {
+  std::string_view number, unit;
+};
+
+NumberAndUnit number_and_unit(std::string_view cell) {
   const std::size_t digit = cell.find_last_of("0123456789");
-  return digit == std::string_view::npos ? std::string_view() : trimmed(cell.substr(digit + 1));
+  if (digit == std::string_view::npos) return {};
+  return {trimmed(cell.substr(0, digit + 1)), trimmed(cell.substr(digit + 1))};
 }
 
 /// Of lengths or masses; 0: the word is none.
@@ -55,7 +60,7 @@ void CellNumbers::take_units_of_cells() {
   if (!rows_.next()) return rows_.restart();
   for_each_column(plan_, [&](UsedColumn& column) {
     if (column.unit > 0.0) return;
-    column.unit = unit_of(lower_case(unit_of_cell(text(column))));
+    column.unit = unit_of(lower_case(number_and_unit(text(column)).unit));
     if (column.unit > 0.0) columns_with_units_.insert(column.index);
   });
   rows_.restart();
@@ -68,7 +73,7 @@ char CellNumbers::thousands_of(const std::vector<UsedColumn>& columns, Note note
   rows_.restart();
   for (int i = 0; i < kRowsLookedAt && !columns.empty() && rows_.next(); ++i)
     for (const UsedColumn& column : columns) {
-      const std::string_view written = text(column);
+      const std::string_view written = number_and_unit(text(column)).number;
       const std::size_t at = written.find_first_of(".,");
       note(written, at != std::string_view::npos);
       if (at == std::string_view::npos) continue;
@@ -117,7 +122,7 @@ char CellNumbers::decimal_mark_of_others() {
          {plan_.low, plan_.middle, plan_.high, plan_.extent, std::array{plan_.length, plan_.width, plan_.height},
           std::array{plan_.mat, plan_.bearing_limit, plan_.nesting}})
       for (const UsedColumn& column : columns) {
-        const std::string_view written = text(column);
+        const std::string_view written = number_and_unit(text(column)).number;
         const std::size_t at = written.find_first_of(".,");
         if (at != std::string_view::npos && !may_be_thousands(written, at)) return written[at];
       }
@@ -142,12 +147,13 @@ CellNumbers::Reading CellNumbers::read(const UsedColumn& column, std::string_vie
   std::string written(cell);
   // The cell's own unit, over that of the column.
   double factor = 1.0;
-  const std::string word = lower_case(unit_of_cell(cell));
+  const auto [number_part, letters] = number_and_unit(cell);
+  const std::string word = lower_case(letters);
   const double unit = unit_of(word);
   if (word == "%" && &column == &plan_.mat) {
-    written.pop_back();
+    written = number_part;
   } else if (unit > 0.0 && column.unit > 0.0) {
-    written.resize(cell.find_last_of("0123456789") + 1);
+    written = number_part;
     factor = unit == column.unit ? 1.0 : unit / column.unit;
   }
   erase_spaces(written);

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/utf8.hpp"
+#include "core/model/container_catalogue.hpp"
 #include "core/model/setting_kinds.hpp"
 #include "io/export/csv_field.hpp"
 #include "io/loads/load_json.hpp"
@@ -30,15 +31,26 @@ std::string json_text(const std::vector<Layout>& loads) {
 
 std::string optional_text(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 
+/// Whether the sides are those of the container's type, or closed where it has none, which is what a table tells. The
+/// height of the floor matters where a box can get out.
+bool has_sides_of_type(const ContainerShape& container) {
+  const ContainerType* const type = find_container(container.type);
+  const ContainerShape usual = type != nullptr ? type->shape() : ContainerShape{};
+  const bool is_closed = container.open_sides.empty() && container.drop_sides.empty();
+  return container.open_sides == usual.open_sides && container.drop_sides == usual.drop_sides &&
+         (is_closed || container.bed_height == usual.bed_height);
+}
+
 Result<std::string> csv_text(const std::vector<Layout>& loads, const std::string& path) {
   std::string text =
       "load,name,x1 (m),y1 (m),z1 (m),x2 (m),y2 (m),z2 (m),material,mass (kg),mat,fixed,order,bearing limit (kg),"
       "container type,container length (m),container width (m),container height (m)\n";
   for (const Layout& load : loads) {
-    if (load.container && load.container->type.empty() &&
-        !(load.container->open_sides.empty() && load.container->drop_sides.empty()))
+    if (load.container && !has_sides_of_type(*load.container))
       return Error{.file = path,
-                   .what = "a table has no place for the open sides of a container that is in no catalogue",
+                   .what =
+                       "a table has no place for open sides, drop sides and a bed height that are not those of the "
+                       "container's type",
                    .value = load.name,
                    .accepted = "a name that ends with .json"};
     for (const Box& box : load.boxes) {

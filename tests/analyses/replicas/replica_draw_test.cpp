@@ -47,6 +47,14 @@ double pair_of(const Settings& settings, int material) {
 
 }  // namespace
 
+TEST_CASE("replica_draw: minus zero is the place of zero", "[replica_draw]") {
+  const Layout layout = layout_of({box({0, 0, 0}, {1, 1, 1}, 1)});
+  Layout negative = layout;
+  negative.boxes[0].corner_min = {-0.0, -0.0, -0.0};
+  CHECK(boxes_hash(negative) == boxes_hash(layout));
+  CHECK(boxes_hash(negative) != boxes_hash(two_materials()));
+}
+
 TEST_CASE("replica_draw: numbers have the same bits on every machine", "[replica_draw]") {
   // Computed by the same formulas in Python.
   const ReplicaDraw draw = draw_replica(two_materials(), 0x0123456789abcdefULL, 3, {});

@@ -39,6 +39,9 @@ TEST_CASE("number_text: the text of a number is the shortest that reads as the s
   CHECK(parse_number(number_text(0.70710678118654757)) == 0.70710678118654757);
   CHECK(rounded_text(12.345678) == "12.35");
   CHECK(rounded_text(587.0) == "587");
+  CHECK(rounded_text(28200.0) == "28200");
+  CHECK(rounded_text(-107553.2) == "-107553");
+  CHECK(rounded_text(1e30) == "1e+30");
 }
 
 }  // namespace number_text_test

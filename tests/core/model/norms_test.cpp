@@ -68,7 +68,15 @@ TEST_CASE("norms: an acceleration is named after norm, direction, purpose and si
   CHECK(rail[0] == "rail-en12195-front-sliding-1g0");
   CHECK(rail[1] == "rail-en12195-front-tipping-0g6");
   CHECK(std::set<std::string>(rail.begin(), rail.end()).size() == 8);
+  CHECK(names_of(made("road-tipping"))[0] == "road-tipping-front-0g8");
   for (const std::string& name : rail) CHECK(name.find_first_of("./: $") == std::string::npos);
+}
+
+TEST_CASE("norms: what a norm states for sliding or for tipping alone says so", "[core][norms]") {
+  for (const Acceleration& acceleration : made("road")) CHECK(acceleration.purpose.empty());
+  for (const Acceleration& acceleration : made("road-tipping")) CHECK(acceleration.purpose == "tipping");
+  CHECK(made("rail-en12195")[0].purpose == "sliding");
+  CHECK(made("rail-en12195")[1].purpose == "tipping");
 }
 
 TEST_CASE("norms: braking presses the load to the front, and what is left of its weight is c_z", "[core][norms]") {
