@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -23,6 +24,9 @@ constexpr std::array kAccelerationNames{"the initial time", "the duration", "ax"
 /// people try.
 constexpr double kLeastInG = 0.05;
 constexpr double kMostInG = 0.99;
+
+/// A mean of z as near to gravity is gravity, m/s².
+constexpr double kNearGravity = 0.3;
 
 /// Whether a line states the unit of the accelerations, and not a segment.
 bool is_unit_line(const std::vector<Field>& fields) { return fields[0].text == "unit"; }
@@ -88,6 +92,21 @@ void warn_of_unit(const TextFile& file, const Acceleration& acceleration, std::v
                       .accepted = "if they are in g: a first line 'unit g'; 'unit m/s2' says that they are meant"});
 }
 
+/// Warns of a mean of z that is that of gravity, as accelerometers record it: the load has its weight anyway.
+void warn_of_gravity(const TextFile& file, const Acceleration& acceleration, std::vector<Error>& warnings) {
+  double duration = 0.0;
+  double velocity = 0.0;
+  for (const Segment& segment : acceleration.segments) {
+    duration += segment.duration;
+    velocity += segment.duration * segment.acceleration.z();
+  }
+  if (!(std::abs(std::abs(velocity) - kStandardGravity * duration) < kNearGravity * duration)) return;
+  warnings.push_back({.file = file.path,
+                      .what = "z seems to have gravity in it, which loads have anyway",
+                      .value = "mean " + rounded_text(velocity / duration) + " m/s²",
+                      .accepted = "0 on a level road; take 9.81 m/s² off z, with its sign"});
+}
+
 }  // namespace
 
 Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>& warnings) {
@@ -118,6 +137,7 @@ Result<Acceleration> parse_acceleration(const TextFile& file, std::vector<Error>
                 .accepted = std::string("an acceleration has one line per segment: ") + kAccelerationLine});
   if (!errors.empty()) return errors.take();
   if (!unit) warn_of_unit(file, acceleration, warnings);
+  warn_of_gravity(file, acceleration, warnings);
   return acceleration;
 }
 

@@ -18,6 +18,12 @@ Result<Acceleration> parse(const std::string& text) {
 
 Messages errors_of(const std::string& text) { return messages_of(parse(text)); }
 
+Messages warnings_of(const std::string& text) {
+  std::vector<Error> warnings;
+  REQUIRE(parse_acceleration(memory_file(text), warnings));
+  return messages_of(warnings);
+}
+
 }  // namespace
 
 TEST_CASE("acceleration_reader: the published example", "[io][acceleration_reader]") {
@@ -49,11 +55,6 @@ TEST_CASE("acceleration_reader: a first line may say that values are in g", "[io
 
 TEST_CASE("acceleration_reader: values that are as small as those of norms in g are told",
           "[io][acceleration_reader]") {
-  const auto warnings_of = [](const std::string& text) {
-    std::vector<Error> warnings;
-    REQUIRE(parse_acceleration(memory_file(text), warnings));
-    return messages_of(warnings);
-  };
   CHECK(
       warnings_of("0 1 0 0 0\n1 1 0.8 0 0\n2 1 0 -0.5 0\n") ==
       Messages{"a.txt: the values are in m/s², and the largest along the floor is small: 0.8 m/s²; if they are in g: a "
@@ -61,6 +62,15 @@ TEST_CASE("acceleration_reader: values that are as small as those of norms in g 
   CHECK(warnings_of("0 1 0.6 0 -1\n").size() == 1);
   for (const char* const text : {"0 1 7.848 0 0\n", "0 1 1 0 0\n", "0 1 2 0 0\n", "0 1 0 0 -1\n", "0 1 0.01 0 0\n",
                                  "unit g\n0 1 0.8 0 0\n", "unit m/s2\n0 1 0.8 0 0\n"})
+    CHECK(warnings_of(text).empty());
+}
+
+TEST_CASE("acceleration_reader: gravity in z, as accelerometers record it, is told", "[io][acceleration_reader]") {
+  CHECK(warnings_of("0 1 0 0 9.81\n1 1 7.848 0 9.7\n") ==
+        Messages{"a.txt: z seems to have gravity in it, which loads have anyway: mean 9.755 m/s²; 0 on a level road; "
+                 "take 9.81 m/s² off z, with its sign"});
+  CHECK(warnings_of("unit g\n0 1 0.8 0 -1\n").size() == 1);
+  for (const char* const text : {"0 1 7.848 0 0\n", "0 1 2 0 -7.848\n", "0 0.1 2 0 9.81\n0.1 1 2 0 0\n"})
     CHECK(warnings_of(text).empty());
 }
 
