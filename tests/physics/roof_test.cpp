@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/container_sides.hpp"
 #include "core/native/native_scenes.hpp"
 #include "core/reference/plain_engine.hpp"
 #include "physics/measures.hpp"
@@ -159,20 +158,6 @@ TEST_CASE("roof: a box that is pushed against a wall it touches rests without ha
     const Run run = native_run(row, after_rest({8.0, 4.0}), with(accuracy, settings));
     for (std::size_t i = 0; i < 3; ++i) CHECK(run.displacement(i).norm() == 0.0);
   }
-}
-
-TEST_CASE("container_sides: only a side that a box touches from the inside stands back, and never the floor",
-          "[core][container_sides]") {
-  for (const ContainerSide& side : kContainerSides) {
-    const double least = side.name == "floor" ? 0.0 : side.name == "roof" ? kLeastPlay : kWallPlay;
-    CAPTURE(side.name);
-    CHECK(side_play(side.index, 0.0) == least);
-    CHECK(side_play(side.index, 0.25 * least) == Approx(0.75 * least));
-    CHECK(side_play(side.index, least) == 0.0);
-    CHECK(side_play(side.index, 1.0) == 0.0);
-    if (least > 0.0) CHECK(side_play(side.index, -1e-6) == Approx(least + 1e-6));
-  }
-  CHECK(side_play(kGround, 0.0) == 0.0);
 }
 
 }  // namespace roof_test

@@ -1,5 +1,8 @@
 #include "core/model/container_panels.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "core/model/container_sides.hpp"
 
 namespace holdfast::internal {
@@ -17,6 +20,8 @@ Panel panel_between(std::size_t side, int axis, bool far, double face, const Vec
   panel.half_extents = 0.5 * (high - low);
   return panel;
 }
+
+std::size_t axis_of(const Panel& panel) { return static_cast<std::size_t>(kContainerSides[panel.side].axis); }
 
 }  // namespace
 
@@ -57,6 +62,25 @@ std::vector<Panel> container_panels(const ContainerSettings& container, double t
     ground.surface = {SurfaceKind::ground, container.ground_friction, 0.0};
   }
   return panels;
+}
+
+std::vector<std::vector<double>> panel_plays(const std::vector<Panel>& panels,
+                                             const std::vector<std::vector<double>>& gaps) {
+  std::array<int, 3> touched{};  // walls, by their axes
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    const bool touches = std::any_of(gaps[k].begin(), gaps[k].end(), [](double gap) { return gap < kWallPlay; });
+    if (panels[k].surface.kind == SurfaceKind::wall && touches) ++touched[axis_of(panels[k])];
+  }
+  std::vector<std::vector<double>> plays;
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    std::vector<double>& play = plays.emplace_back(gaps[k].size(), 0.0);
+    if (panels[k].surface.kind != SurfaceKind::wall) continue;
+    const std::size_t axis = axis_of(panels[k]);
+    const double most = axis == 2 ? kLeastPlay : touched[axis] == 2 ? kWallPlay : 0.0;
+    std::transform(gaps[k].begin(), gaps[k].end(), play.begin(),
+                   [most](double gap) { return std::max(0.0, most - gap); });
+  }
+  return plays;
 }
 
 }  // namespace holdfast::internal

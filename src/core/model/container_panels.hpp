@@ -34,4 +34,11 @@ inline constexpr double kEndless = 1000.0;
 /// open; the floor is a block down to the ground under the walls and the inside, and the ground is `thickness` thick.
 std::vector<Panel> container_panels(const ContainerSettings& container, double thickness);
 
+/// How far each panel is moved back for each box, so that none is clamped between sides: up to `kLeastPlay` at the roof
+/// and up to `kWallPlay` at a wall, where boxes also touch the opposite wall. One wall alone clamps nothing.
+/// @param gaps of each panel to each box at the start, m; infinite where the box is not beside the panel
+/// @returns m; one row per panel, one number per box
+std::vector<std::vector<double>> panel_plays(const std::vector<Panel>& panels,
+                                             const std::vector<std::vector<double>>& gaps);
+
 }  // namespace holdfast::internal

@@ -4,11 +4,6 @@
 
 namespace holdfast::internal {
 
-double side_play(std::size_t side, double gap) {
-  if (side >= kContainerSides.size() || kContainerSides[side].kind != SurfaceKind::wall) return 0.0;
-  return std::max(0.0, (kContainerSides[side].axis == 2 ? kLeastPlay : kWallPlay) - gap);
-}
-
 bool can_be_open(std::string_view side) {
   return std::any_of(kContainerSides.begin() + 1, kContainerSides.end(),
                      [&](const ContainerSide& known) { return known.name == side; });

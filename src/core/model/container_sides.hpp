@@ -26,15 +26,11 @@ struct ContainerSide {
 /// enter between fixed ones go half as far; with 100 µm the clearance would be visible in results.
 inline constexpr double kLeastPlay = 1e-5;  // m
 
-/// The same to walls. A box gains speed before a wall holds it.
+/// The same to walls, where boxes touch both walls of an axis. A box gains speed before a wall holds it.
 /// @measured With 10 µm a box that goes to and fro along a wall walks 8 % too far, and one that slides over upright
 /// boxes before a wall 2 %. With none some loads of rows that fit exactly go a tenth to three quarters less far. Half
 /// and twice: insensitive.
 inline constexpr double kWallPlay = 1e-6;  // m
-
-/// How far a side is moved back for a box that starts at a distance `gap` from it, m.
-/// @param side in `kPushedNames`
-double side_play(std::size_t side, double gap);
 
 /// All sides: the one table of them. The floor is first, and is never open.
 inline constexpr std::array<ContainerSide, 6> kContainerSides = {{{"floor", 2, false, SurfaceKind::floor, 0},

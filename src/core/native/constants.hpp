@@ -344,6 +344,13 @@ inline constexpr std::size_t kGaussSeidelVisits = 2000000;  // visits
 /// a sixth more visits.
 inline constexpr double kGaussSeidelRelaxation = 0.7;  // of the step
 
+/// Iterations of a solve before Anderson acceleration begins. Most solves end within them, and an iteration that is not
+/// accelerated takes less time.
+/// @measured 250 random worlds take 0.86 and 0.91 of the time that they take without acceleration, at `screening` and
+/// `standard`; with 30 iterations 0.82 and 0.94, and a wedged column under a roof is held beyond its limit in 1 of
+/// 420 runs.
+inline constexpr int kPlainIterations = 100;  // iterations
+
 /// Differences of iterates that Anderson acceleration keeps: its depth.
 inline constexpr std::size_t kAndersonDepth = 5;  // iterates
 

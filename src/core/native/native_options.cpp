@@ -20,7 +20,7 @@ NativeOptions native_options(const Settings& settings) {
     case Accuracy::reference:
       options.steps_per_second = 1440.0;
       options.small_island.tolerance = 1e-9;
-      options.small_island.iterations = 400;
+      options.small_island.iterations = 100;
       options.small_island.impact_cuts = options.small_island.slip_end_cuts = 32;
       options.small_island.sliding_penalty = kSlidingPenalty;
       // Below about 1e-3 of |g − a| h, the velocities of a jammed crowd are not determined.

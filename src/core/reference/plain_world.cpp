@@ -75,20 +75,22 @@ PlainWorld::PlainWorld(const WorldBatch& batch, const World& world, const Settin
                        boxes.surface[i], state.position[i], state.orientation[i], state.velocity[i],
                        state.angular_velocity[i]});
   }
-  for (const Panel& panel : container_panels(world.container, kWallThickness)) {
+  const std::vector<Panel> panels = container_panels(world.container, kWallThickness);
+  std::vector<std::vector<double>> gaps;
+  for (const Panel& panel : panels) {
     Side& made = sides_.emplace_back();
     made.half_space = {panel.normal, panel.offset};
     if (panel.ends) made.block = Block{panel.centre, panel.half_extents, Eigen::Matrix3d::Identity()};
     made.surface = panel.surface;
     made.play.assign(bodies_.size(), 0.0);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      double gap = std::numeric_limits<double>::infinity();
+    std::vector<double>& gap = gaps.emplace_back(bodies_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
       for (const ContactPoint& point : points_with(made, i, kLeastPlay))
         // A box on the edge of a wall is not beside it.
-        if (point.normal.dot(panel.normal) > 0.5) gap = std::min(gap, point.gap);
-      made.play[i] = side_play(panel.side, gap);
-    }
+        if (point.normal.dot(panel.normal) > 0.5) gap[i] = std::min(gap[i], point.gap);
   }
+  std::vector<std::vector<double>> plays = panel_plays(panels, gaps);
+  for (std::size_t k = 0; k < panels.size(); ++k) sides_[k].play = std::move(plays[k]);
 }
 
 double PlainWorld::advance(const Phase& phase) {

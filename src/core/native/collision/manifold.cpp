@@ -60,7 +60,6 @@ void match_points(Manifold& manifold, const ContactSet& contact, const OrientedB
   manifold.cached = cached;
 }
 
-/// Where a body is; a side stays where it is.
 /// The side's block as it is for a body: moved back by its play.
 OrientedBox block_for(const Side& side, std::int32_t body) {
   OrientedBox block = *side.block;
@@ -68,6 +67,7 @@ OrientedBox block_for(const Side& side, std::int32_t body) {
   return block;
 }
 
+/// Where a body is; a side stays where it is.
 const OrientedBox& pose_of(const Bodies& bodies, std::int32_t body) {
   static const OrientedBox kSide;
   return body < 0 ? kSide : bodies.shape[static_cast<std::size_t>(body)];

@@ -47,7 +47,7 @@ void Impacts::resolve(Scene& scene, const IslandView& island, const StepTerms& t
   SolveLimits limits;
   limits.iterations = 2 * effort.iterations;
   limits.tolerance = effort.tolerance;
-  limits.accelerate = true;
+  limits.plain_iterations = 0;
   const double unit = std::max(fastest, terms.velocity_unit);
   limits.velocity_unit = unit;
   // An impact acts where surfaces meet. Where that would push others into each other, all that touch take part: contact

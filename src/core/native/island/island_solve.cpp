@@ -14,7 +14,7 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
   SolveResult result = solve_once(limits, report);
   if (limits.more_iterations == 0 || is_within(result, limits.worst_residual)) return result;
   const auto solve_longer = [&] {
-    limits.accelerate = false;
+    limits.plain_iterations = kPlainIterations;
     limits.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);
     return solve_once(limits, report);
   };
@@ -49,7 +49,7 @@ SolveLimits limits_after_reset(const Effort& effort) {
   SolveLimits limits;
   limits.tolerance = effort.reset_tolerance;
   limits.iterations = effort.reset_iterations;
-  limits.accelerate = true;
+  limits.plain_iterations = 0;
   return limits;
 }
 

@@ -190,7 +190,7 @@ std::optional<bool> RestProof::settle(const StepTerms& terms, IslandReport& repo
   limits.tolerance = kBalanceTolerance * options_.rest_tolerance;
   limits.projection = Projection::orthogonal;
   limits.idle_penalty = kRestIdlePenalty;
-  limits.accelerate = true;
+  limits.plain_iterations = 0;
   limits.sticking = limits.sliding = kRestPenalty;
   limits.refit_share = 0.0;
   for (int done = 0; done < kSettlingIterations; done += limits.iterations) {

@@ -53,9 +53,8 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
   const double unit = limits.velocity_unit;
   const double tolerance = limits.tolerance * unit;
   SolveResult result;
-  if (limits.accelerate)
-    for (std::vector<ConstraintVector>* const of_constraints : {&u_, &g_, &r_})
-      of_constraints->resize(problem.constraints.size());
+  for (std::vector<ConstraintVector>* const of_constraints : {&u_, &g_, &r_})
+    of_constraints->resize(problem.constraints.size());
   std::size_t points = 0;
   for (const ContactConstraint& constraint : problem.constraints) points += static_cast<std::size_t>(constraint.count);
   PrimalResidual primal_residual;
@@ -72,7 +71,9 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
       anderson_.restart();
     }
     wrench_.assign(problem.bodies.size() + 1, LaneWrench{});
-    if (limits.accelerate) {
+    if (result.iterations >= limits.plain_iterations) {
+      // A solve that is accelerated from the start may go on from the one before it.
+      if (result.iterations == limits.plain_iterations && limits.plain_iterations > 0) anderson_.restart();
       primal_residual = relax(problem.constraints, problem.velocity, u_, g_, r_);
       anderson_.accelerate(problem.constraints, g_, r_);
       project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);

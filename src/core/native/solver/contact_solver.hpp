@@ -25,7 +25,8 @@ struct SolveLimits {
   int refit_every = kCheckEvery;  ///< iterations between two looks at R
   double refit_share = kRefitShare;  ///< of the points, above which R is fitted anew where so many call for another one
   Projection projection = Projection::coulomb;  ///< Π
-  bool accelerate = false;                      ///< Anderson acceleration: for solves that go on to the end
+  /// Iterations before Anderson acceleration begins; 0 for solves that go on to the end.
+  int plain_iterations = kPlainIterations;
 };
 
 /// How far a solve came, and what it cost.

@@ -64,7 +64,7 @@ void walk_limits(Archive& archive, Limits& limits) {
   archive.number(limits.refit_every);
   archive.number(limits.refit_share);
   archive.number(limits.projection);
-  archive.number(limits.accelerate);
+  archive.number(limits.plain_iterations);
 }
 
 template <class Archive, class Constraint>

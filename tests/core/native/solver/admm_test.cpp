@@ -139,7 +139,7 @@ TEST_CASE("admm: the problems of a stack are solved to the laws of contact", "[c
     SolveLimits limits = kept.given.limits;
     limits.tolerance = 1e-6;
     limits.iterations = 2000;
-    limits.accelerate = true;
+    limits.plain_iterations = 0;
     if (!solve(problem, limits).converged) continue;
     worst = std::max(worst, violation(problem) / limits.velocity_unit);
     ++checked;

@@ -42,7 +42,10 @@ TEST_CASE("gauss_seidel: it finds the velocities that the splitting finds", "[co
     const double unit = problem.given.limits.velocity_unit;
     ContactProblem by_splitting = problem.given.problem;
     AdmmSolver splitting;
-    if (!splitting.solve(by_splitting, {.tolerance = 1e-7, .velocity_unit = unit, .iterations = 20000}).converged)
+    if (!splitting
+             .solve(by_splitting,
+                    {.tolerance = 1e-7, .velocity_unit = unit, .iterations = 20000, .plain_iterations = 20000})
+             .converged)
       continue;
     ++(problem.given.problem.mid_arms.empty() ? sliding : turning);
     ContactProblem by_points = problem.given.problem;

@@ -347,7 +347,7 @@ TEST_CASE("interior_point: it decides as the splitting does", "[core][interior_p
                              .idle_penalty = kRestIdlePenalty,
                              .refit_share = 0.0,
                              .projection = Projection::orthogonal,
-                             .accelerate = true};
+                             .plain_iterations = 0};
     AdmmSolver().solve(split, limits);
     const double residual = EquilibriumCheck().residual(split, unit);
     CAPTURE(unit, decision.iterations, residual);
