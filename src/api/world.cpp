@@ -15,6 +15,7 @@
 #include "core/engine/interpolation.hpp"
 #include "core/engine/journey.hpp"
 #include "core/model/acceleration_check.hpp"
+#include "core/model/friction_pairs.hpp"
 #include "holdfast/holdfast.hpp"
 
 namespace holdfast {
@@ -45,9 +46,6 @@ constexpr double kLargestForce = 1e9;
 
 /// Largest coordinate of a point where a force acts, m. More is a mistake.
 constexpr double kLargestPlace = 1e3;
-
-/// Largest coefficient of friction, as of the settings.
-constexpr double kLargestFriction = 1e6;
 
 /// A vector of the caller, whose numbers are finite and none is beyond what can be meant.
 internal::Vec3 finite(const std::array<double, 3>& numbers, const std::string& name, double most, const char* unit) {
@@ -220,8 +218,8 @@ void World::set_friction(double box_box, double box_floor, double box_wall) {
     State& state = *state_;
     state.require_changes();
     for (const double coefficient : {box_box, box_floor, box_wall})
-      if (!(coefficient >= 0.0 && coefficient <= kLargestFriction))
-        refuse("not a coefficient of friction", internal::number_text(coefficient), "numbers from 0 to 1000000");
+      if (!(coefficient >= 0.0 && coefficient <= internal::kLargestFriction))
+        refuse("not a coefficient of friction", internal::number_text(coefficient), "numbers from 0 to 10");
     internal::ContactSettings& contact = state.batch.worlds.front().contact;
     contact.friction_model = internal::FrictionModel::pairs;
     contact.materials = {};

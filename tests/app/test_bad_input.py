@@ -50,6 +50,7 @@ BAD_CONFIGS = [
     ("not_a_number", "[Physics Engine]\nDensityValue = heavy\n", "2:16", "DensityValue has a wrong value: heavy"),
     ("negative", "[Physics Engine]\nDensityValue = -1\n", "2:16", "a number from 1e-12 to 1000000 (kg/m³"),
     ("absurd", "[Screening]\nGravity = 1e300\n", "2:11", "Gravity has a wrong value: 1e300; a number from 0 to 1000000"),
+    ("percent", "[Contact]\nBoxFloor = 60\n", "2:12", "BoxFloor has a wrong value: 60; a number from 0 to 10"),
     ("no_value", "[Physics Engine]\nDensityValue =\n", "2:15", "DensityValue has no value"),
     ("twice", "[Container]\nLength = 1\nLength = 2\n", "3:1", "the key is given twice: Length; its first value is on line 2"),
     ("no_section", "Length = 1\n", "1:1", "a key before any section"),

@@ -31,10 +31,6 @@ bool has_opening(const ContainerSettings& container) {
                      [&](const ContainerSide& side) { return wall_height(container, side) < container.size.z(); });
 }
 
-bool ground_is_no_fall(const ContainerSettings& container, double drop_threshold) {
-  return has_opening(container) && container.bed_height > 0.0 && container.bed_height <= drop_threshold;
-}
-
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container) {
   std::vector<ContainerSide> closed;
   for (const ContainerSide& side : kContainerSides)

@@ -61,10 +61,6 @@ bool is_above_drop_side(const ContainerSettings& container, const ContainerSide&
 /// Whether any side is open, or a wall lower than the container, so that boxes can get out.
 bool has_opening(const ContainerSettings& container);
 
-/// Whether a box that gets out and stands on the ground has dropped by less than what counts as a fall.
-/// @param drop_threshold m
-bool ground_is_no_fall(const ContainerSettings& container, double drop_threshold);
-
 /// The sides that are not open, floor first: floor, front, rear, left, right, roof.
 std::vector<ContainerSide> closed_sides(const ContainerSettings& container);
 

@@ -15,6 +15,9 @@ struct FrictionPair {
   bool same = false;          ///< both sides are of the same material
 };
 
+/// Coefficients above this are mistakes, such as percents.
+inline constexpr double kLargestFriction = 10.0;
+
 /// Where the coefficients are from.
 inline constexpr std::string_view kFrictionSource = "CTU Code 2014, Annex 7, Appendix 2";
 

@@ -53,6 +53,7 @@ class LayoutCheck {
       // What is fixed may reach through a side, as a wheel arch does, or hang outside, as a tail lift does.
       if (!is_fixed(i)) check_inside(i);
       check_centre_of_mass(i);
+      check_mat(i);
       sound_.push_back({boxes_[i].corner_min, boxes_[i].corner_max, i});
     }
   }
@@ -150,6 +151,16 @@ class LayoutCheck {
                  .accepted = "the container is " + centimetres(container_.size),
                  .box = place_of(i),
                  .box_number = number_of(side.axis, side.far)});
+  }
+
+  void check_mat(std::size_t i) {
+    const Box& box = boxes_[i];
+    if (!box.mat || setting_kinds::CoefficientRange::holds(*box.mat)) return;
+    errors_.add({.line = box.line,
+                 .what = "the friction of the mat of " + box_name(i) + " is not possible",
+                 .value = rounded_text(*box.mat),
+                 .accepted = std::string(setting_kinds::CoefficientRange::kAccepted),
+                 .box = place_of(i)});
   }
 
   void check_centre_of_mass(std::size_t i) {

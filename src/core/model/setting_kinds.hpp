@@ -55,6 +55,10 @@ struct AngleRange {
   static constexpr std::string_view kAccepted = "a number from 0 to 180";
   static bool holds(double number) { return number >= 0.0 && number <= 180.0; }
 };
+struct CoefficientRange {
+  static constexpr std::string_view kAccepted = "a number from 0 to 10";
+  static bool holds(double number) { return number >= 0.0 && number <= kLargestFriction; }
+};
 struct RateRange {
   static constexpr std::string_view kAccepted = "a number from 1 to 1000000";
   static bool holds(double number) { return number >= 1.0 && number <= 1e6; }
@@ -70,6 +74,7 @@ struct IntervalRange {
 
 using Any = Number<AnyRange>;
 using Positive = Number<PositiveRange>;
+using Coefficient = Number<CoefficientRange>;
 using NotNegative = Number<NotNegativeRange>;
 using Share = Number<ShareRange>;
 using Angle = Number<AngleRange>;
@@ -138,33 +143,33 @@ struct Milliseconds {
   }
 };
 
-/// A number from 0, or a name that `find` knows.
+/// A friction coefficient, or a name that `find` knows.
 template <class List>
 struct NamedFriction : List {
   static std::optional<double> parse(std::string_view text) {
     const std::optional<double> named = List::find(text);
-    return named ? named : NotNegative::parse(text);
+    return named ? named : Coefficient::parse(text);
   }
-  static std::string text(double number) { return NotNegative::text(number); }
+  static std::string text(double number) { return Coefficient::text(number); }
 };
 
 /// The coefficient of a pair.
 struct OfPair {
   static constexpr std::string_view kAccepted =
-      "a number from 0 to 1000000, or the name of a pair that `holdfast norms` lists, such as cardboard-pallet";
+      "a number from 0 to 10, or the name of a pair that `holdfast norms` lists, such as cardboard-pallet";
   static std::optional<double> find(std::string_view name) { return friction_of_pair_name(name); }
 };
 /// The factor of a box.
 struct OfBox {
   static constexpr std::string_view kAccepted =
-      "a number from 0 to 1000000, or a pair of one material with itself, such as cardboard-cardboard; other pairs are "
+      "a number from 0 to 10, or a pair of one material with itself, such as cardboard-cardboard; other pairs are "
       "for BoxBox, BoxFloor and BoxWall with FrictionModel = pairs";
   static std::optional<double> find(std::string_view name) { return friction_factor_of_name(name); }
 };
 /// The factor of the container or the ground: no name says what it is without the box.
-struct ContainerFactor : NotNegative {
+struct ContainerFactor : Coefficient {
   static constexpr std::string_view kAccepted =
-      "a number from 0 to 1000000; names of pairs are for BoxFloor and BoxWall with FrictionModel = pairs";
+      "a number from 0 to 10; names of pairs are for BoxFloor and BoxWall with FrictionModel = pairs";
 };
 
 /// Three lengths in centimetres. A comma does not separate them: `1,5 0` must not be read as three numbers.

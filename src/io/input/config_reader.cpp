@@ -8,8 +8,8 @@
 
 #include "core/base/closest_word.hpp"
 #include "core/base/error_list.hpp"
-#include "core/model/container_sides.hpp"
 #include "core/model/setting_table.hpp"
+#include "core/model/unlikely_settings.hpp"
 #include "io/input/text_lines.hpp"
 
 namespace holdfast::internal {
@@ -191,18 +191,17 @@ class ConfigReader {
     }
   }
 
-  /// Keys that the chosen friction model does not read, and a ground that is no fall.
+  /// Keys that the chosen friction model does not read, and settings that are hardly meant.
   void add_warnings() {
     const bool pairs = config_.settings.contact.friction_model == FrictionModel::pairs;
     for (const char* key : {"ContainerFriction", "BoxFriction"})
       if (const auto found = given_.find({"Simulation Settings", key}); pairs && found != given_.end())
         add_warning(found->second, std::string(key) + " has no effect while FrictionModel is pairs", "");
-    const Settings& settings = config_.settings;
-    if (ground_is_no_fall(settings.container, settings.screening.drop_threshold)) {
-      auto found = given_.find({"Container", "BedHeight"});
-      if (found == given_.end()) found = given_.find({"Simulation Settings", "DropThreshold"});
-      add_warning(found == given_.end() ? Place{} : found->second,
-                  "BedHeight is not above DropThreshold, so that a box on the ground may be moved and not fallen", "");
+    for (const UnlikelySetting& unlikely : unlikely_settings(config_.settings.container, config_.settings.screening)) {
+      auto found = given_.find({std::string(unlikely.section), std::string(unlikely.name)});
+      if (found == given_.end() && unlikely.name == "BedHeight")
+        found = given_.find({"Simulation Settings", "DropThreshold"});
+      add_warning(found == given_.end() ? Place{} : found->second, std::string(unlikely.what), "");
     }
     if (given_.empty()) add_warning({}, "sets no key, so that all keys have their defaults", "");
   }

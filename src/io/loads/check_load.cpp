@@ -13,6 +13,7 @@
 #include "core/model/layout_check.hpp"
 #include "core/model/length_unit.hpp"
 #include "core/model/overlap_trim.hpp"
+#include "core/model/unlikely_settings.hpp"
 #include "io/input/text_lines.hpp"
 
 namespace holdfast::internal {
@@ -278,14 +279,14 @@ void warn_of_weights(const Layout& layout, const std::string& path, const Settin
                                     rounded_text(type->payload) + " kg"});
 }
 
-/// A ground that is no fall, where it is the load's own; of that of the configuration its reader warns.
-void warn_of_ground(const Layout& layout, const std::string& path, const Settings& settings,
-                    std::vector<Error>& warnings) {
-  const double drop = settings.screening.drop_threshold;
-  if (ground_is_no_fall(settings.container, drop) || !ground_is_no_fall(container_of(settings, layout), drop)) return;
-  warnings.push_back(
-      {.file = path,
-       .what = "bed_height is not above DropThreshold, so that a box on the ground may be moved and not fallen"});
+/// What is unlikely about the load's own container; of that of the configuration its reader warns.
+void warn_of_container(const Layout& layout, const std::string& path, const Settings& settings,
+                       std::vector<Error>& warnings) {
+  const std::vector<UnlikelySetting> known = unlikely_settings(settings.container, settings.screening);
+  for (const UnlikelySetting& unlikely : unlikely_settings(container_of(settings, layout), settings.screening))
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const UnlikelySetting& other) { return other.what == unlikely.what; }))
+      warnings.push_back({.file = path, .what = std::string(unlikely.what)});
 }
 
 /// JSON pointer of a box; empty in other files.
@@ -325,7 +326,7 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
                              .accepted = "up to " + millimetres(tolerance) + " by [Loads] OverlapTolerance"});
   warn_of_materials(layout, path, settings, load.warnings);
   warn_of_weights(layout, path, settings, load.warnings);
-  warn_of_ground(layout, path, settings, load.warnings);
+  warn_of_container(layout, path, settings, load.warnings);
 }
 
 }  // namespace holdfast::internal

@@ -51,6 +51,15 @@ TEST_CASE("layout_check: an overlap names both boxes, their lines and its depth"
           "a.txt:4: box 3 overlaps box 1 of line 2: 250 mm deep; boxes may touch; up to 0.1 mm is taken as rounding"});
 }
 
+TEST_CASE("layout_check: the friction of a mat is no percentage", "[core][layout_check]") {
+  Layout layout = cubes({{0, 0, 0}, {1, 0, 0}});
+  layout.boxes[1].mat = 0.6;
+  CHECK(check(layout).errors.empty());
+  layout.boxes[1].mat = 60.0;
+  CHECK(check(layout).errors ==
+        Messages{"a.txt:3: the friction of the mat of box 2 is not possible: 60; a number from 0 to 10"});
+}
+
 TEST_CASE("layout_check: a box inside another, and the same box twice, overlap", "[core][layout_check]") {
   Layout layout = cubes({{0, 0, 0}, {0, 0, 0}});
   CHECK(check(layout).errors.size() == 1);

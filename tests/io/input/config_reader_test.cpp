@@ -106,10 +106,9 @@ TEST_CASE("config_reader: a wrong value names its column and what is accepted", 
       errors_of("[Simulation Settings]\n  SleepingThreshold =  1,5 ; comma\n") ==
       Messages{"in/c.ini:2:24: SleepingThreshold has a wrong value: 1,5; a number from 0 to 1000000 (m/s and rad/s)"});
   CHECK(errors_of("[Simulation Settings]\nBoxFriction = cardboard-pallet\n") ==
-        Messages{
-            "in/c.ini:2:15: BoxFriction has a wrong value: cardboard-pallet; a number from 0 to 1000000, or a pair of "
-            "one material with itself, such as cardboard-cardboard; other pairs are for BoxBox, BoxFloor and "
-            "BoxWall with FrictionModel = pairs"});
+        Messages{"in/c.ini:2:15: BoxFriction has a wrong value: cardboard-pallet; a number from 0 to 10, or a pair of "
+                 "one material with itself, such as cardboard-cardboard; other pairs are for BoxBox, BoxFloor and "
+                 "BoxWall with FrictionModel = pairs"});
   CHECK(errors_of("[Simulation Settings]\nTimeoutInSeconds=nan\n") ==
         Messages{"in/c.ini:2:18: TimeoutInSeconds has a wrong value: nan; a number from 1e-12 to 1000000 (s)"});
   CHECK(errors_of("[Container]\nLength = 0x10\nWidth = inf\nHeight=-1\n") ==
@@ -205,6 +204,13 @@ TEST_CASE("config_reader: keys without effect give a warning", "[io][config_read
   CHECK(warnings_of("[Container]\nBedHeight = 5\n").empty());
   CHECK(warnings_of("[Container]\nDropSides = left 60\n[Simulation Settings]\nDropThreshold = 1.5\n") ==
         Messages{"in/c.ini:4:1: " + low});
+  CHECK(warnings_of("[Container]\nWidth = 233\n[Screening]\nMoveThreshold = 10\n") ==
+        Messages{"in/c.ini:4:1: MoveThreshold, which is in m, is more than the width or length of the container"});
+  CHECK(warnings_of("[Screening]\nMoveThreshold = 2\n").empty());
+  CHECK(warnings_of("[Simulation Settings]\nDropThreshold = 5\n") ==
+        Messages{"in/c.ini:2:1: DropThreshold, which is in m, is more than the height of the container"});
+  CHECK(warnings_of("[Container]\nDropSides = left 220 right 221\n") ==
+        Messages{"in/c.ini:2:1: a drop side is higher than the container"});
   CHECK(warnings_of("; nothing\n") == Messages{"in/c.ini: sets no key, so that all keys have their defaults"});
 }
 
