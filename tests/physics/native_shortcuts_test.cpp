@@ -53,6 +53,19 @@ TEST_CASE("native_shortcuts: Jump and Freeze never change a bit", "[physics][nat
   CHECK(skipped > 0);
 }
 
+TEST_CASE("native_shortcuts: a world that ends by sleeping ends after half a second of rest, with and without Jump",
+          "[physics][native_shortcuts]") {
+  // The acceleration changes for the last time at 0.2 s; the phase of rest goes on for a minute.
+  const Acceleration acceleration = acceleration_of({{0.2, Vec3(0.1 * kGravity, 0, 0)}});
+  for (const bool jump : {true, false}) {
+    Settings settings = screening_settings(jump, true);
+    settings.stopping_condition = StoppingCondition::sleeping;
+    const Run one = run(NativeEngine(settings), layout_of({box({1, 1, 0}, {1, 1, 1})}), acceleration, settings);
+    CHECK(one.record.row.stop_reason == StopReason::sleeping);
+    CHECK(one.record.row.end_time == Approx(0.7).margin(1.0 / 60));
+  }
+}
+
 TEST_CASE("native_shortcuts: Freeze never changes a bit where boxes keep hitting others at rest",
           "[physics][native_shortcuts]") {
   // Boxes of a random scene come to rest one by one, and are hit again.

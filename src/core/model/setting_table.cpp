@@ -306,7 +306,7 @@ std::vector<SettingKey> make_table() {
       "Whether slow boxes of islands of more than 16 sleep while others move: they stay where they are for some steps.");
   add(Truth{}, "Jump", "", "true", MEMBER(native.jump),
       "Whether time jumps to the next change of the acceleration when all boxes are in static equilibrium; it does not "
-      "affect the results.");
+      "affect the results. With `StoppingCondition = sleeping` it does not jump.");
   add(Truth{}, "Freeze", "", "true", MEMBER(native.freeze),
       "Whether islands in static equilibrium sleep until something touches them; it does not affect the results.");
 

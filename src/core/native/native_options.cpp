@@ -43,7 +43,8 @@ NativeOptions native_options(const Settings& settings) {
   options.large_island.penetration_slop = std::min(0.5 * options.large_island.slop, 2.0 * kFlushWidth);
   options.rest_tolerance = given.rest_tolerance.value_or(options.rest_tolerance);
   options.sleep = given.sleep.value_or(options.sleep);
-  options.jump = given.jump;
+  // A world that ends by sleeping counts how long its boxes rest.
+  options.jump = given.jump && settings.stopping_condition != StoppingCondition::sleeping;
   options.freeze = given.freeze;
   return options;
 }
