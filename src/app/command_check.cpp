@@ -152,9 +152,11 @@ class InputCheck {
       finding.warnings.insert(finding.warnings.end(), load.warnings.begin(), load.warnings.end());
       if (load.errors.empty()) take_bearing(finding, path, load.layout);
     }
+    // A text never has weights.
+    const std::string_view without = loads.form.starts_with("text") ? "" : ", no weights";
     finding.description = fmt::format(
         "{}{} boxes{}{}{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
-        mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : "", container_text(loads),
+        mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : without, container_text(loads),
         loads.ignored.empty() ? "" : "; not used: " + shown(fmt::format("{}", fmt::join(loads.ignored, ", "))));
   }
 

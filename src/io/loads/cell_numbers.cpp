@@ -55,14 +55,17 @@ void CellNumbers::look_at_cells() {
   if (!rows_.has_exact_numbers()) find_marks_of_thousands();
 }
 
-/// Cells may have units: `120 cm`.
+/// Cells may have units: `120 cm`. The first one that is not 0, which needs none, tells whether those of its column
+/// have.
 void CellNumbers::take_units_of_cells() {
-  if (!rows_.next()) return rows_.restart();
-  for_each_column(plan_, [&](UsedColumn& column) {
-    if (column.unit > 0.0) return;
-    column.unit = unit_of(lower_case(number_and_unit(text(column)).unit));
-    if (column.unit > 0.0) columns_with_units_.insert(column.index);
-  });
+  std::set<int> told;
+  for (int i = 0; i < kRowsLookedAt && rows_.next(); ++i)
+    for_each_column(plan_, [&](UsedColumn& column) {
+      if (column.unit > 0.0 || text(column).empty() || parse_number(text(column)) == 0.0) return;
+      if (!told.insert(column.index).second) return;
+      column.unit = unit_of(lower_case(number_and_unit(text(column)).unit));
+      if (column.unit > 0.0) columns_with_units_.insert(column.index);
+    });
   rows_.restart();
 }
 
@@ -95,8 +98,8 @@ void CellNumbers::find_marks_of_thousands() {
   rows_.restart();
 }
 
-/// The same of masses: `1,576` beside 751, twice at least, where no column has the mark of decimals, and no mass is
-/// written without it that would have one. Or what marks them in lengths.
+/// The same of masses: where another mark is that of decimals; or `1,576` beside 751, twice at least, where no column
+/// has a mark of decimals, and no mass is written without it that would have one. Or what marks them in lengths.
 char CellNumbers::thousands_of_masses() {
   constexpr double kLarge = 100.0;
   constexpr double kThousand = 1000.0;
@@ -111,7 +114,8 @@ char CellNumbers::thousands_of_masses() {
     has_thousands = has_thousands || mass >= kThousand;
   });
   if (mark == 0 || mark == thousands_of_lengths_) return mark;
-  return marked >= kFewest && has_large && !has_thousands && mark != decimal_mark_of_others() ? mark : '\0';
+  if (const char decimals = decimal_mark_of_others(); decimals != 0) return mark != decimals ? mark : '\0';
+  return marked >= kFewest && has_large && !has_thousands ? mark : '\0';
 }
 
 /// What marks decimals in the columns of lengths and of friction; 0: nothing.

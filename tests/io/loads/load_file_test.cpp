@@ -521,6 +521,10 @@ TEST_CASE("load_file: units stand in headers, cells, a row of their own, titles 
         "1 loads, 2 boxes, 500 kg, first to 1.2 0.8 1");
   CHECK(summary_of("x,y,z,length,width,height,weight\n0,0,0,120,80,100,300 kg\n120,0,0,120,80,100,200\n")
             .find("has no unit") != std::string::npos);
+  // 0 is the same in all units.
+  CHECK(summary_of(
+            "x,y,z,length,width,height,weight\n0,0,0,1200 mm,80 cm,1 m,300 kg\n1200 mm,0,0,120 cm,80 cm,1 m,0.2 t\n") ==
+        "1 loads, 2 boxes, 500 kg, first to 1.2 0.8 1");
   CHECK(summary_of(R"({"unit": "mm", "weightUnit": "t", "items": [{"x": 0, "y": 0, "z": 0, "length": 1200, "width": 800,
                        "height": 1000, "weight": 0.3}]})",
                    {}, "a.json") == kOneBox);
@@ -568,6 +572,9 @@ TEST_CASE("load_file: marks of thousands are told from those of decimals", "[io]
           "x;y;z;l;w;h;kg;mu\n0;0;0;120;80;100;1.250;0.35\n120;0;0;120;80;100;1.100;0.35\n240;0;0;120;80;100;800;0.3\n") ==
       "1 loads, 3 boxes, 802.35 kg, first to 1.2 0.8 1");
   CHECK(summary_of("x,y,z,l,w,h,kg\n0,0,0,\"120,0\",80,100,300\n") == kOneBox);
+  // One is enough where lengths have decimal commas, and none where they have decimal points.
+  CHECK(summary_of("x;y;z;l;w;h;kg\n0;0;0;120,0;80;100;1.250\n") == "1 loads, 1 boxes, 1250 kg, first to 1.2 0.8 1");
+  CHECK(summary_of("x;y;z;l;w;h;kg\n0;0;0;120.0;80;100;1.250\n") == "1 loads, 1 boxes, 1.25 kg, first to 1.2 0.8 1");
   // A cell's unit is none of the three digits.
   CHECK(summary_of(
             "x;y;z;l;w;h;kg\n0 mm;0 mm;0 mm;1200 mm;800 mm;1000 mm;300 kg\n1,2 m;0 mm;0 mm;1,2 m;800 mm;1 m;1,3 t\n") ==
