@@ -164,9 +164,13 @@ class Results:
 
     def needed_margins(self, file):
         """What the norm of the run asks for in each direction, g; zeros without a norm."""
-        if not str(self.settings.get("Screening/Norm", "")):
+        norm = str(self.settings.get("Screening/Norm", "")).split(":")[0]
+        if not norm:
             return np.zeros(len(SIDES))
-        values = file["inputs/accelerations/value"][:]
+        accelerations = file["inputs/accelerations"]
+        # Those of files have a point in their names.
+        of_norm = [name.startswith(f"{norm}-") and "." not in name for name in self.acceleration_names]
+        values = accelerations["value"][:][np.repeat(of_norm, accelerations["segment_count"][:].astype(int))]
         values = values[values[:, 2] == 0]  # as for the program: those that leave the load its weight
         return np.array([max(0.0, (sign * values[:, axis]).max(initial=0.0)) for axis, sign in PUSHED_BY]) / GRAVITY
 
@@ -392,7 +396,8 @@ def margins_table(results, layout):
     for i, side in enumerate(SIDES):
         in_place, margin, box = (results.margins[name][layout, i] for name in ("margin", f"margin{judged}", f"critical_box{judged}"))
         needed = results.needed[i]
-        stands = f"<span class=bad>{size(margin)}</span>" if margin + ROUNDING < needed else size(margin)
+        lacks = margin + ROUNDING < needed and margin < LARGEST_MARGIN  # larger ones are not known
+        stands = f"<span class=bad>{size(margin)}</span>" if lacks else size(margin)
         rows.append([side, *([size(in_place)] if judged else []), stands, f"{needed:.3g} g" if needed else "-", results.box_text(layout, int(box) - 1) if box else "-"])
     heads = ["pushed to", "in place", *(["within limits"] if judged else []), "needed", "goes first above"]
     return part("How many g it stands", table(heads, rows, text={len(heads) - 1: "name"}))

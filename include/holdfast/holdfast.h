@@ -205,7 +205,8 @@ HOLDFAST_API int holdfast_screen_evaluate(holdfast_screen* screen, const holdfas
  * of holdfast_screen_evaluate, sooner, since a world ends when its verdict is decided, and a layout with the first
  * world that rejects it.
  * holds:    set to 1 or 0, one per layout; 0 too for a layout that cannot be used, and after holdfast_screen_cancel
- * capacity: number of layouts that the array has room for */
+ * capacity: number of layouts that the array has room for
+ * Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it. */
 HOLDFAST_API int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layouts, uint8_t* holds,
                                        size_t capacity);
 
@@ -307,6 +308,7 @@ typedef struct holdfast_margins {
 /* How many g every layout stands. The accelerations of the screen play no part, and there need not be any.
  * margins:  set to one per layout
  * capacity: number of layouts that the array has room for
+ * Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it.
  * HOLDFAST_ERROR also when the engine cannot find margins; native can. */
 HOLDFAST_API int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* layouts,
                                          holdfast_margins* margins, size_t capacity);
@@ -321,9 +323,10 @@ typedef struct holdfast_record_options {
 } holdfast_record_options;
 
 /* Evaluates every layout under every acceleration into a results file, as `holdfast screen` writes it. What is finished
- * survives whatever ends the process. HOLDFAST_ERROR also when the file exists and options do not say what to do with
- * it. options: NULL for defaults Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it: the finished worlds
- * are kept for `resume`. */
+ * survives whatever ends the process.
+ * options: NULL for defaults
+ * HOLDFAST_ERROR also when the file exists and options do not say what to do with it.
+ * Returns HOLDFAST_CANCELLED when holdfast_screen_cancel ended it: the finished worlds are kept for `resume`. */
 HOLDFAST_API int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layouts, const char* path,
                                         const holdfast_record_options* options);
 
@@ -381,15 +384,15 @@ HOLDFAST_API int holdfast_world_advance(holdfast_world* world, double time);
 HOLDFAST_API int holdfast_world_times(holdfast_world* world, double* time, double* end_time);
 
 /* Where the boxes are at that time, in the order of the layout, interpolated between the steps around it.
- * poses:    set to rows of seven numbers: x, y, z of the centre of mass (m), and the orientation as a quaternion w, x,
- * y, z, container from body capacity: number of rows that the array has room for: at least the number of boxes */
+ * poses:    set to rows of seven numbers: x, y, z of the centre of mass (m), and the orientation as a quaternion
+ *           w, x, y, z, container from body
+ * capacity: number of rows that the array has room for: at least the number of boxes */
 HOLDFAST_API int holdfast_world_poses(holdfast_world* world, double* poses, size_t capacity);
 
 /* How the boxes move at that time, interpolated likewise.
  * velocities: set to rows of six numbers: x, y, z of the velocity of the centre of mass (m/s), and x, y, z of the
- * angular velocity, container frame (rad/s) capacity: number of rows that the array has room for: at least the number
- * of boxes
- */
+ *             angular velocity, container frame (rad/s)
+ * capacity:   number of rows that the array has room for: at least the number of boxes */
 HOLDFAST_API int holdfast_world_velocities(holdfast_world* world, double* velocities, size_t capacity);
 
 /* The next three change what acts on the boxes from now on: from the end of the step that the time is in, or, where
@@ -412,7 +415,8 @@ HOLDFAST_API int holdfast_world_set_friction(holdfast_world* world, double box_b
  * HOLDFAST_ERROR also when the engine is not native. */
 HOLDFAST_API int holdfast_world_set_force(holdfast_world* world, size_t box, const double* force, const double* point);
 
-/* Forces of the boxes on the sides of the container, mean over the last step, container frame, N.
+/* Forces of the boxes on the sides of the container, mean over the last step, container frame, N; before the first one,
+ * of the load as it has settled.
  * forces:   set to eight rows of three numbers: floor, front, rear, left, right, roof, the ground beneath an open
  *           container, and the fixed boxes together
  * capacity: number of rows that the array has room for: at least eight

@@ -369,6 +369,9 @@ class HOLDFAST_API Screen {
   /// called from any thread; without a running call and layouts in flight it does nothing.
   void cancel() noexcept;
 
+  /// Whether `cancel` has ended the last call of `evaluate`, `holds` or `margins`.
+  bool cancelled() const noexcept;
+
   /// What is wrong with the layouts of the last call of `evaluate`, `record` or `submit`, with `BadLayouts::mark`; at
   /// most some twenty per layout. Valid until the next call.
   std::span<const Problem> problems() const noexcept;
@@ -445,8 +448,8 @@ class HOLDFAST_API World {
                  const std::optional<std::array<double, 3>>& point = {});
 
   /// Forces of the boxes on floor, front, rear, left, right, roof, ground and the fixed boxes together, mean over the
-  /// last step, container frame, N. Empty without the setting `WallForces` or `Walls`, or where the engine does not
-  /// measure them.
+  /// last step, container frame, N; before the first one, of the load as it has settled. Empty without the setting
+  /// `WallForces` or `Walls`, or where the engine does not measure them.
   std::vector<std::array<double, 3>> side_forces() const;
 
   /// Of poses and velocities at the last step end: equal bits, equal hash.

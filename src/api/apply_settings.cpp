@@ -37,13 +37,15 @@ holdfast::Setting main_spelling(const holdfast::Setting& given) {
   return {setting.section, setting.name, printable(setting.key->get(settings, setting.of))};
 }
 
-void apply_settings(Settings& settings, std::span<const holdfast::Setting> given) {
-  for (const holdfast::Setting& setting : given) apply_setting(settings, setting);
+void apply_settings(Config& config, std::span<const holdfast::Setting> given) {
+  Settings& settings = config.settings;
+  for (const holdfast::Setting& one : given) {
+    apply_setting(settings, one);
+    const PlacedSetting setting = placed(one);
+    config.given.insert({setting.section, setting.name});
+  }
   const auto is_given = [&](std::string_view section, std::string_view key) {
-    return std::any_of(given.begin(), given.end(), [&](const auto& one) {
-      const PlacedSetting setting = placed(one);
-      return setting.section == section && setting.name == key;
-    });
+    return config.given.contains({std::string(section), std::string(key)});
   };
   apply_container_type(settings, is_given);
   std::vector<Error> errors;

@@ -42,6 +42,12 @@ void keep_problems(CScreen& object) {
   object.problems.assign(object.made().problems().begin(), object.made().problems().end());
 }
 
+/// What a call returns that may have been cancelled.
+int ended(CScreen& object, bool cancelled) {
+  if (cancelled) object.message = "cancelled";
+  return cancelled ? HOLDFAST_CANCELLED : HOLDFAST_OK;
+}
+
 int submit(CScreen& object, const holdfast::LayoutView& layout, std::uint64_t* ticket) {
   object.accelerations();
   const std::optional<std::uint64_t> given = object.made().submit(layout);
@@ -112,11 +118,9 @@ int holdfast_screen_evaluate(holdfast_screen* screen, const holdfast_layouts* la
     object.made().evaluate(given, object.evaluated);
     keep_problems(object);
     copy_outcomes(object.evaluated, outcomes);
-    const bool cancelled = std::any_of(object.evaluated.begin(), object.evaluated.end(), [](const auto& world) {
-      return world.stop_reason == holdfast::StopReason::not_run && world.status == holdfast::status::ok;
-    });
-    if (cancelled) object.message = "cancelled";
-    return cancelled ? HOLDFAST_CANCELLED : HOLDFAST_OK;
+    return ended(object, std::any_of(object.evaluated.begin(), object.evaluated.end(), [](const auto& world) {
+                   return world.stop_reason == holdfast::StopReason::not_run && world.status == holdfast::status::ok;
+                 }));
   });
 }
 
@@ -129,7 +133,7 @@ int holdfast_screen_holds(holdfast_screen* screen, const holdfast_layouts* layou
     const std::vector<bool> found = object.made().holds(given);
     keep_problems(object);
     std::copy(found.begin(), found.end(), holds);
-    return HOLDFAST_OK;
+    return ended(object, object.made().cancelled());
   });
 }
 
@@ -151,7 +155,7 @@ int holdfast_screen_margins(holdfast_screen* screen, const holdfast_layouts* lay
                 copy.critical_box_within_limits);
       FilledEntries(margins, "margins").put(i, copy);
     }
-    return HOLDFAST_OK;
+    return ended(object, object.made().cancelled());
   });
 }
 
@@ -162,8 +166,7 @@ int holdfast_screen_record(holdfast_screen* screen, const holdfast_layouts* layo
     object.accelerations();
     const bool complete = object.made().record(given, required(path, "path"), record_options(options));
     keep_problems(object);
-    if (!complete) object.message = "cancelled";
-    return complete ? HOLDFAST_OK : HOLDFAST_CANCELLED;
+    return ended(object, !complete);
   });
 }
 

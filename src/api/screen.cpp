@@ -29,8 +29,9 @@ namespace {
 internal::Settings settings_of(const ScreenOptions& options) {
   std::vector<internal::Error> ignored;
   const internal::TextFile text{.path = "config", .name = "config", .text = options.config};
-  internal::Settings settings = value_or_throw(internal::parse_config(text, ignored)).settings;
-  internal::apply_settings(settings, options.settings);
+  internal::Config config = value_or_throw(internal::parse_config(text, ignored));
+  internal::apply_settings(config, options.settings);
+  internal::Settings& settings = config.settings;
   if (options.norm)
     settings.screening.norm = options.norm->empty() ? "" : value_or_throw(internal::find_norm(*options.norm)).name();
   if (options.engine) internal::apply_setting(settings, {"Screening", "Engine", *options.engine});
@@ -195,6 +196,8 @@ void Screen::cancel() noexcept {
   state_->cancel();
   state_->world_stream->cancel();
 }
+
+bool Screen::cancelled() const noexcept { return state_->stop.drop; }
 
 void internal::ScreenCloser::close(Screen& screen) noexcept {
   screen.state_->closed = true;

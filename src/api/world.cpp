@@ -63,7 +63,9 @@ struct World::State {
   State(const AnyLayout& given, const Acceleration& given_acceleration, std::span<const Setting> given_settings,
         LengthUnit unit)
       : acceleration(value_or_throw(internal::read_acceleration(given_acceleration))) {
-    internal::apply_settings(settings, given_settings);
+    internal::Config config;
+    internal::apply_settings(config, given_settings);
+    settings = std::move(config.settings);
     engine = engine_of(settings);
     std::vector<internal::Error> errors;
     layout = internal::read_layout(given, std::string(given.name), unit, settings, errors).layout;
@@ -91,6 +93,8 @@ struct World::State {
     const internal::StateView now = internal::view(batch.state, batch.worlds.front());
     const bool quiet = internal::is_quiet(now, settings.sleeping_threshold);
     begin = journey->time();
+    // Also where the world ends with the proof that nothing moves in the step.
+    pressed = request.reached - begin;
     has_ended = journey->reach(request.reached, simulation->rests(0), quiet) == internal::Journey::Event::end;
     reached = journey->time();
     // The load was at rest before, as has been proved, and nothing was simulated.
@@ -138,10 +142,7 @@ struct World::State {
   void advance(double wanted) {
     if (!(wanted > time)) return;
     wanted = std::min(wanted, end);
-    while (reached < wanted && !has_ended) {
-      step();
-      pressed = reached - begin;
-    }
+    while (reached < wanted && !has_ended) step();
     time = wanted;
   }
 

@@ -167,8 +167,22 @@ TEST_CASE("screen: cancel ends a call from another thread, and the next call is 
   REQUIRE(worlds.size() == 20);
   CHECK(worlds.back().stop_reason == holdfast::StopReason::not_run);
   CHECK(worlds.back().verdict == Verdict::failed);
+  CHECK(screen.cancelled());
   const std::vector<Layout> one = {one_box()};
   CHECK(screen.evaluate(one)[0].stop_reason == holdfast::StopReason::sleeping);
+  CHECK_FALSE(screen.cancelled());
+}
+
+TEST_CASE("screen: a type of a configuration gives what no key gives beside it", "[api][screen]") {
+  const std::vector<Layout> one = {{"", {{{4.0, 1.0, 0.0}, {4.5, 1.5, 0.5}, 1}}}};
+  const auto with = [&](const std::string& config, const std::vector<holdfast::Setting>& settings) {
+    Screen screen({constant(1.0)}, {.config = config, .settings = settings});
+    return screen.evaluate(one)[0].verdict;
+  };
+  CHECK(with("[Container]\nType = 20\n", {}) == Verdict::stayed);
+  CHECK_THROWS_WITH(with("[Container]\nType = 20\nLength = 300\n", {}), Catch::Contains("outside the container"));
+  CHECK_THROWS_WITH(with("[Container]\nLength = 300\n", {{"Container", "Type", "20"}}),
+                    Catch::Contains("outside the container"));
 }
 
 TEST_CASE("screen: a record is the results file of the same verdicts, resumed or refused when it is there",

@@ -1,5 +1,6 @@
 // Forces of the boxes on the sides of the container, against statics and against the balance of momentum.
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -41,6 +42,37 @@ const WallForces& walls(const Run& run) { return *run.record.found.get<WallForce
 double last_force(const Run& run, std::size_t side) { return walls(run).force.back().at(side); }
 
 }  // namespace
+
+TEST_CASE("wall_forces: a box that jams under a roof presses with no more than a few times its weight",
+          "[physics][walls]") {
+  // It tips against a drop side, or a fixed box, until it touches the roof: friction could hold any force between
+  // these.
+  for (const Accuracy accuracy : kAll) {
+    for (const bool fixed : {false, true}) {
+      Settings settings = measured(with(accuracy, small_container(accuracy)));
+      settings.container.size = {1.2, 2.8, 2.0};
+      settings.contact.friction_model = FrictionModel::pairs;
+      settings.contact.box_floor = 0.2;
+      settings.contact.box_wall = settings.contact.box_box = 0.5;
+      Layout layout = layout_of({box({0.1, fixed ? 0.4 : 0.1, 0}, {1.0, 0.6, fixed ? 1.98 : 1.999})});
+      const double mass = 100.0;
+      layout.boxes[0].mass = mass;
+      if (fixed) {
+        layout.boxes.push_back(box({0.1, 0, 0}, {1.0, 0.3, 0.4}));
+        layout.boxes[1].fixed = true;
+      } else {
+        settings.container.drop_sides = {{"left", 0.2}};
+        settings.container.bed_height = 0.15;
+      }
+      const Acceleration push =
+          acceleration_of({{0.5, Vec3::Zero()}, {1.0, Vec3(0, 0.5 * kGravity, 0)}, {1.0, Vec3::Zero()}});
+      const Run run = native_run(layout, push, settings);
+      const auto& lasting = walls(run).lasting_force;
+      CAPTURE(static_cast<int>(accuracy), fixed);
+      CHECK(*std::max_element(lasting.begin(), lasting.end()) < 5.0 * mass * kGravity);
+    }
+  }
+}
 
 TEST_CASE("wall_forces: a row that is braked presses the front wall with m k (a - mu g)", "[physics][walls]") {
   for (const Accuracy accuracy : kAll) {

@@ -40,8 +40,11 @@ test("boxes are items by name and size", () => {
 
 test("a norm asks for a margin by the accelerations that leave the load its weight", () => {
   const segment = (...value: number[]) => ({ start: 0, duration: 1, value });
-  const segments = [[segment(2.943, 0, -4.905)], [segment(1.962, 0, 0)], [segment(0, -4.905, 0)]];
-  const needed = (settings: Record<string, string>) => neededMargins({ settings, segments } as unknown as Results);
+  const segments = [[segment(2.943, 0, -4.905)], [segment(1.962, 0, 0)], [segment(0, -4.905, 0)], [segment(0, 7, 0)]];
+  // That of a file asks for nothing.
+  const accelerations = ["sea-a-front-0g3", "sea-a-front-0g2", "sea-a-right-0g5", "sea-a-left.txt"];
+  const needed = (settings: Record<string, string>) =>
+    neededMargins({ settings, accelerations, segments } as unknown as Results);
   assert.deepEqual(
     needed({ "Screening/Norm": "sea-a" }).map((size) => Number(size.toFixed(6))),
     [0.2, 0, 0, 0.5],

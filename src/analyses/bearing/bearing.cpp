@@ -12,6 +12,7 @@
 
 #include "analyses/bearing/linear_program.hpp"
 #include "analyses/indicators/indicators.hpp"
+#include "core/model/container_panels.hpp"
 
 namespace holdfast::internal {
 
@@ -25,32 +26,35 @@ constexpr double kBalanced = 1e-9;
 /// Rotation of a box, over the fastest motion, from which it counts as one.
 constexpr double kTurns = 1e-6;
 
-/// A rectangle in which a box stands on another or on the floor.
+/// A rectangle in which a box stands on another or on the container.
 struct Contact {
   std::size_t upper;
-  std::optional<std::size_t> lower;  ///< absent: the floor
+  std::optional<std::size_t> lower;  ///< absent: the floor, or a low wall
   double low_x, high_x, low_y, high_y;
 };
 
 /// Where a box and what is beneath it touch: faces within `kBaseGap` that have `kLeastOverlap` in common along x and y.
-std::vector<Contact> contacts_of(const std::vector<Box>& boxes, const std::vector<BoxProperties>& properties) {
+std::vector<Contact> contacts_of(const std::vector<Box>& boxes, const std::vector<BoxProperties>& properties,
+                                 const std::vector<Panel>& panels) {
   std::vector<Contact> contacts;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (properties[i].fixed) continue;
     const Vec3& low = boxes[i].corner_min;
     const Vec3& high = boxes[i].corner_max;
-    if (low.z() <= kBaseGap) contacts.push_back({i, {}, low.x(), high.x(), low.y(), high.y()});
-    for (std::size_t j = 0; j < boxes.size(); ++j) {
-      if (j == i || std::abs(low.z() - boxes[j].corner_max.z()) > kBaseGap) continue;
+    const auto add = [&](std::optional<std::size_t> lower, const Vec3& from, const Vec3& to) {
+      if (std::abs(low.z() - to.z()) > kBaseGap) return;
       const Contact contact{i,
-                            j,
-                            std::max(low.x(), boxes[j].corner_min.x()),
-                            std::min(high.x(), boxes[j].corner_max.x()),
-                            std::max(low.y(), boxes[j].corner_min.y()),
-                            std::min(high.y(), boxes[j].corner_max.y())};
+                            lower,
+                            std::max(low.x(), from.x()),
+                            std::min(high.x(), to.x()),
+                            std::max(low.y(), from.y()),
+                            std::min(high.y(), to.y())};
       if (contact.high_x - contact.low_x >= kLeastOverlap && contact.high_y - contact.low_y >= kLeastOverlap)
         contacts.push_back(contact);
-    }
+    };
+    for (const Panel& panel : panels) add({}, panel.low(), panel.high());
+    for (std::size_t j = 0; j < boxes.size(); ++j)
+      if (j != i) add(j, boxes[j].corner_min, boxes[j].corner_max);
   }
   return contacts;
 }
@@ -78,12 +82,12 @@ class BearingSearch {
         first_row_(boxes_.size()),
         carries_anything_(boxes_.size(), true) {
     for (const Box& box : boxes_) properties_.push_back(properties_of(settings, box));
-    contacts_ = contacts_of(boxes_, properties_);
+    contacts_ = contacts_of(boxes_, properties_, container_panels(container_of(settings, layout), kWallThickness));
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       if (!properties_[i].fixed) ranges_[i].footing = Footing::unsupported;
     for (const Contact& contact : contacts_) {
       ranges_[contact.upper].footing = Footing::stands;
-      if (contact.lower || !is_above(contact, centre_of(contact.upper))) carries_anything_[contact.upper] = false;
+      if (contact.lower || !is_whole(contact)) carries_anything_[contact.upper] = false;
     }
   }
 
@@ -121,9 +125,11 @@ class BearingSearch {
     return 0.5 * (boxes_[i].corner_min + boxes_[i].corner_max) + properties_[i].centre_of_mass;
   }
 
-  static bool is_above(const Contact& contact, const Vec3& point) {
-    return point.x() >= contact.low_x && point.x() <= contact.high_x && point.y() >= contact.low_y &&
-           point.y() <= contact.high_y;
+  /// Whether the whole bottom face of the upper box is in contact, up to `kBaseGap`.
+  bool is_whole(const Contact& contact) const {
+    const Box& box = boxes_[contact.upper];
+    return std::max(contact.low_x - box.corner_min.x(), box.corner_max.x() - contact.high_x) <= kBaseGap &&
+           std::max(contact.low_y - box.corner_min.y(), box.corner_max.y() - contact.high_y) <= kBaseGap;
   }
 
   /// Adds what a group puts on each box beneath one of it.
@@ -214,7 +220,7 @@ class BearingSearch {
   std::vector<BearingRange> ranges_;
   std::vector<Index> first_row_;  ///< of a box in the equations of its group
   /// Boxes that no equation needs: whatever stands on them, they carry it. Fixed ones, those without support, and those
-  /// on the floor, which takes every force from above where it acts, and their weight.
+  /// that stand wholly on the floor, which takes every force from above where it acts, and their weight.
   std::vector<bool> carries_anything_;
 };
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "core/model/container_sides.hpp"
+#include "core/model/container_panels.hpp"
 
 namespace holdfast::internal {
 
@@ -26,7 +26,10 @@ class Contacts {
  public:
   Contacts(const Layout& layout, const ContainerSettings& container)
       : boxes_(layout.boxes), supported_area_(boxes_.size(), 0.0), sides_(boxes_.size()) {
-    for (std::size_t i = 0; i < boxes_.size(); ++i) meet_container(i, container);
+    for (const Panel& panel : container_panels(container, kWallThickness)) {
+      const Box side{.corner_min = panel.low(), .corner_max = panel.high()};
+      for (std::size_t i = 0; i < boxes_.size(); ++i) meet(i, side);
+    }
     // Boxes in their order along x, so that only near ones are compared.
     std::vector<std::size_t> order(boxes_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -35,8 +38,8 @@ class Contacts {
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         if (boxes_[order[j]].corner_min.x() > boxes_[order[i]].corner_max.x() + kSideGap) break;
-        meet(order[i], order[j]);
-        meet(order[j], order[i]);
+        meet(order[i], boxes_[order[j]]);
+        meet(order[j], boxes_[order[i]]);
       }
   }
 
@@ -47,22 +50,9 @@ class Contacts {
   std::size_t supported_sides(std::size_t i) const { return sides_[i].count(); }
 
  private:
-  /// What the container does for a box.
-  void meet_container(std::size_t i, const ContainerSettings& container) {
+  /// What another box, or a side of the container, does for a box.
+  void meet(std::size_t i, const Box& it) {
     const Box& box = boxes_[i];
-    const Vec3 size = box.corner_max - box.corner_min;
-    if (box.corner_min.z() <= kBaseGap) supported_area_[i] = size.x() * size.y();
-    for (const ContainerSide& side : closed_sides(container)) {
-      if (side.axis == 2) continue;
-      const double gap = side.far ? container.size[side.axis] - box.corner_max[side.axis] : box.corner_min[side.axis];
-      if (gap <= kSideGap) sides_[i].set(side_of(side.axis, side.far));
-    }
-  }
-
-  /// What another box does for a box.
-  void meet(std::size_t i, std::size_t other) {
-    const Box& box = boxes_[i];
-    const Box& it = boxes_[other];
     const double x = overlap(box, it, 0);
     const double y = overlap(box, it, 1);
     const double z = overlap(box, it, 2);

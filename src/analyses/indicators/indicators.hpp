@@ -72,7 +72,8 @@ inline constexpr double kGoodBase = 0.75;
 /// Number of supported sides below which a box is badly braced (Bischoff and Ratcliff 1995).
 inline constexpr int kGoodBracing = 3;
 
-/// The indicators of a layout in the container of the settings. Open sides support nothing.
+/// The indicators of a layout in its container, or that of the settings. Open sides support nothing, and the floor ends
+/// there; low sides support what they reach, and what stands on them.
 LayoutIndicators find_indicators(const Layout& layout, const Settings& settings);
 
 /// The indicators of layouts, in the order of the run.

@@ -118,7 +118,7 @@ Result<std::string> margin_table(ResultsReader& results) {
   text += has_spread ? "  weakest, and from 5 to 95 % of its replicas\n" : "  weakest\n";
   if (norm) {
     text += fmt::format("  {:<{}}", needed_name, width);
-    for (const double need : needed) text += fmt::format("{:>{}}", size_text(need), kCellWidth);
+    for (const double need : needed) text += fmt::format("{:>{}}", number_text(need), kCellWidth);
     text += '\n';
   }
   LoadNames names(results);

@@ -18,6 +18,9 @@ struct Panel {
   Surface surface;
   /// Boxes can get round its edges. If not, it is to them what the half-space beyond its inner face is.
   bool ends = false;
+
+  Vec3 low() const { return centre - half_extents; }
+  Vec3 high() const { return centre + half_extents; }
 };
 
 /// Thickness of the walls and the roof of a container that boxes can get out of, m: about that of a drop side. A box

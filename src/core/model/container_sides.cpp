@@ -14,6 +14,10 @@ bool is_open(const ContainerSettings& container, const ContainerSide& side) {
   return std::find(open.begin(), open.end(), side.name) != open.end();
 }
 
+void close_drop_sides(ContainerShape& container) {
+  for (const DropSide& drop : container.drop_sides) std::erase(container.open_sides, drop.side);
+}
+
 double wall_height(const ContainerSettings& container, const ContainerSide& wall) {
   if (is_open(container, wall)) return 0.0;
   for (const DropSide& drop : container.drop_sides)

@@ -52,6 +52,10 @@ bool can_be_open(std::string_view side);
 /// Whether a side is open.
 bool is_open(const ContainerSettings& container, const ContainerSide& side);
 
+/// Takes the drop sides out of the open sides: where a type or a configuration has a side open, and it is then given a
+/// height.
+void close_drop_sides(ContainerShape& container);
+
 /// Height of a wall above the floor, m: that of the container, less at a drop side, 0 at an open side.
 double wall_height(const ContainerSettings& container, const ContainerSide& wall);
 

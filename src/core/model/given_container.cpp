@@ -67,6 +67,7 @@ ContainerShape shape_of(const GivenContainer& given, const Settings& settings, E
                   rounded_text(drop.height) + " m", "a length of at least 1 mm, up to 1000000 m");
     }
   }
+  if (given.drop_sides && !given.open_sides) close_drop_sides(shape);
   for (const DropSide& drop : shape.drop_sides)
     if (std::find(shape.open_sides.begin(), shape.open_sides.end(), drop.side) != shape.open_sides.end())
       add_wrong(errors, given, "", "a side is both open and a drop side", drop.side, "each side in one of the two");

@@ -83,7 +83,7 @@ class LayoutCheck {
     std::size_t first = boxes_.size();
     // The floor reaches under the walls, on which a box may stand.
     const Panel panel = container_panels(container_, kWallThickness).front();
-    const BoxExtents floor{panel.centre - panel.half_extents, panel.centre + panel.half_extents};
+    const BoxExtents floor{panel.low(), panel.high()};
     for (const BoxExtents& box : sound_) {
       const bool above_floor = depths_of(box, floor).head<2>().minCoeff() > kExactLength;
       if (above_floor || is_fixed(box.index) || is_above_fixed(box)) continue;

@@ -489,8 +489,8 @@ void apply_container_type(Settings& settings, const GivenKeys& given) {
   take("Length", container.size.x(), shape.size.x());
   take("Width", container.size.y(), shape.size.y());
   take("Height", container.size.z(), shape.size.z());
-  // A side that is low is not open, and the other way round.
-  if (!given("Container", "DropSides")) take("OpenSides", container.open_sides, shape.open_sides);
+  take("OpenSides", container.open_sides, shape.open_sides);
+  if (given("Container", "DropSides") && !given("Container", "OpenSides")) close_drop_sides(container);
   take("BedHeight", container.bed_height, shape.bed_height);
 }
 

@@ -24,9 +24,7 @@ FloatingBoxes count_floating(const Layout& layout, const Settings& settings) {
   const std::vector<Box>& boxes = layout.boxes;
   std::vector<Box> walls;  // on which boxes may stand
   for (const Panel& panel : container_panels(container_of(settings, layout), kWallThickness))
-    if (panel.ends)
-      walls.push_back(
-          {.corner_min = panel.centre - panel.half_extents, .corner_max = panel.centre + panel.half_extents});
+    if (panel.ends) walls.push_back({.corner_min = panel.low(), .corner_max = panel.high()});
   std::vector<const Box*> by_top;
   for (const Box& wall : walls) by_top.push_back(&wall);
   for (const Box& box : boxes) by_top.push_back(&box);

@@ -107,6 +107,37 @@ TEST_CASE("bearing: a box over four others is shared among them", "[analyses][be
   for (std::size_t i = 0; i < 4; ++i) check_range(found[i], 0, 40);
 }
 
+TEST_CASE("bearing: the floor ends at an open side, and a low wall carries what stands on it", "[analyses][bearing]") {
+  Settings settings;
+  settings.container.size = {4, 2, 2};
+  settings.container.open_sides = {"rear"};
+  settings.container.drop_sides = {{"left", 0.5}};
+  // Over the sill by 49 % and 51 % of its length; a plank that 30 kg at its outer end tip, and the same within the
+  // floor.
+  Layout layout = layout_of({heavy({3.51, 0, 0}, {1, 0.4, 0.5}, 20), heavy({3.49, 0.5, 0}, {1, 0.4, 0.5}, 20),
+                             heavy({3.0, 1.0, 0}, {1.5, 0.4, 0.1}, 10), heavy({4.3, 1.0, 0.1}, {0.2, 0.4, 0.2}, 30),
+                             heavy({1.0, 1.0, 0}, {1.5, 0.4, 0.1}, 10), heavy({2.3, 1.0, 0.1}, {0.2, 0.4, 0.2}, 30)});
+  std::swap(layout.boxes[0], layout.boxes[1]);
+  auto found = find_bearing(layout, settings);
+  CHECK(found[0].footing == Footing::stands);
+  CHECK(found[1].footing == Footing::tips);
+  CHECK(found[2].footing == Footing::tips);
+  CHECK(found[4].footing == Footing::stands);
+  check_range(found[4], 30, 30);
+  settings.container.bed_height = 0.0;  // the floor has no end
+  CHECK(find_bearing(layout, settings)[1].footing == Footing::stands);
+  settings.container.bed_height = 1.2;
+
+  // A tail-lift, level with the floor, alone carries what stands on it; and the top of the drop side is 5 cm wide.
+  layout = layout_of({heavy({4, 0, -0.1}, {1, 2, 0.1}, 100), heavy({4.2, 0.5, 0}, {0.5, 0.5, 0.5}, 50),
+                      heavy({1, -0.05, 0.5}, {0.5, 0.09, 0.5}, 5), heavy({2, -0.05, 0.5}, {0.5, 0.11, 0.5}, 5)});
+  layout.boxes[0].fixed = true;
+  found = find_bearing(layout, settings);
+  check_range(found[0], 50, 50);
+  CHECK(found[2].footing == Footing::stands);
+  CHECK(found[3].footing == Footing::tips);
+}
+
 TEST_CASE("bearing: an overhanging box stands with a counterweight, and tips without", "[analyses][bearing]") {
   // 1.6 m on a base of 0.6 m: the centre of mass is 0.2 m outside.
   Layout layout = layout_of({heavy({0, 0, 0}, {0.6, 1, 1}, 50), heavy({0, 0, 1}, {1.6, 1, 0.2}, 30)});

@@ -36,6 +36,24 @@ TEST_CASE("indicators: what a box stands on, as a share of its bottom face", "[c
   CHECK(found.badly_based == Approx(0.4));
 }
 
+TEST_CASE("indicators: the floor ends at an open side, and a low wall is as high as it is", "[core][indicators]") {
+  Settings settings = small_container();
+  settings.container.open_sides = {"rear"};
+  settings.container.drop_sides = {{"left", 0.5}};
+  // Over the sill by a half and wholly; beside the drop side, above it, and on top of it.
+  const Layout layout =
+      layout_of({box({3.5, 0.5, 0}, {1, 1, 0.5}), box({4.1, 0.5, 0}, {1, 1, 0.5}), box({0.5, 0, 0}, {0.5, 0.2, 0.5}),
+                 box({1.5, 0, 0.6}, {0.5, 0.2, 0.5}), box({2.5, -0.05, 0.5}, {0.5, 0.1, 0.5})});
+  const LayoutIndicators found = find_indicators(layout, settings);
+  const std::vector<double> base(found.base_support.begin(), found.base_support.end());
+  CHECK(base[0] == Approx(0.5));
+  CHECK(base[1] == 0.0);
+  CHECK(base[2] == Approx(1.0));
+  CHECK(base[3] == 0.0);
+  CHECK(base[4] == Approx(0.5));
+  CHECK(found.supported_sides == std::vector<std::uint8_t>{0, 0, 1, 0, 0});
+}
+
 TEST_CASE("indicators: a load of fixed boxes has what is known of each box, and nothing of the load",
           "[core][indicators]") {
   Settings settings = small_container();

@@ -41,10 +41,11 @@ TEST_CASE("container_catalogue: a type gives what the keys beside it do not", "[
   CHECK(settings.container.size == Vec3(13.6, 2.48, 3.0));
   CHECK(settings.container.open_sides == std::vector<std::string>{"left", "right"});
 
+  // A side that is low is not open, and the others are.
   given.insert("DropSides");
-  settings.container.open_sides.clear();
+  settings.container.drop_sides = {{"left", 0.6}};
   apply_container_type(settings, is_given);
-  CHECK(settings.container.open_sides.empty());
+  CHECK(settings.container.open_sides == std::vector<std::string>{"right"});
 }
 
 }  // namespace container_catalogue_test

@@ -37,10 +37,17 @@ export function centreRange({ type, size }: Pick<Container, "type" | "size">): [
  * What the norm of the run asks of a margin to each side of `UPRIGHT`, g: its largest push there of those that leave the load its
  * weight. Zeros without a norm.
  */
-export function neededMargins({ settings, segments }: Pick<Results, "settings" | "segments">): number[] {
+export function neededMargins({
+  settings,
+  accelerations,
+  segments,
+}: Pick<Results, "settings" | "accelerations" | "segments">): number[] {
   const most = UPRIGHT.map(() => 0);
-  if (!settings["Screening/Norm"]) return most;
-  for (const { value } of segments.flat() as Segment[])
+  const norm = settings["Screening/Norm"]?.split(":")[0];
+  if (!norm) return most;
+  // Those of files have a point in their names.
+  const ofNorm = segments.filter((_, i) => accelerations[i].startsWith(`${norm}-`) && !accelerations[i].includes("."));
+  for (const { value } of ofNorm.flat() as Segment[])
     if (value[2] === 0) for (const [side, push] of pushesOf(value).entries()) most[side] = Math.max(most[side], push);
   return most;
 }

@@ -256,7 +256,8 @@ function marginsTable(results: Results, layout: number, world: World): HTMLEleme
     return [
       direction,
       text(own(margins.inPlace.margin, i)),
-      value + 1e-6 < needed[i] ? bad(text(value)) : text(value),
+      // Larger ones than the largest that is sought are not known.
+      value + 1e-6 < needed[i] && value < LARGEST_MARGIN ? bad(text(value)) : text(value),
       needed[i] > 0 ? `${Number(needed[i].toPrecision(3))} g` : "–",
       box > 0 ? boxName(world.boxes, box - 1) : "–",
     ];

@@ -3,7 +3,7 @@ import { NOT_COUNTED } from "../data/results";
 /** Numbers as text, in the units that a planner uses. */
 
 /** g: margins are not sought beyond it. */
-const LARGEST_MARGIN = 1.5;
+export const LARGEST_MARGIN = 1.5;
 
 /** A number with so many digits behind the point; what rounds to 0 has no sign. */
 export function fixed(value: number, digits: number): string {

@@ -109,13 +109,6 @@ bool RestProof::admit_pushed(const Scene& scene) {
   return any;
 }
 
-/// Of the prepared bodies, kg.
-double RestProof::total_mass() const {
-  double mass = 0.0;
-  for (const ProblemBody& body : prepared_.problem.bodies) mass += body.mass;
-  return mass;
-}
-
 /// Whether the impulses of the prepared problem balance each of its bodies.
 bool RestProof::balances(const StepTerms& terms) {
   return equilibrium_.residual(prepared_.problem, terms.velocity_unit) <= options_.rest_tolerance;
@@ -176,7 +169,7 @@ bool RestProof::balances_beyond(Scene& scene, const KnownBalances::Island& islan
 /// impulses do.
 std::optional<bool> RestProof::balance_of_prepared(const StepTerms& terms) {
   if (balances(terms)) return true;
-  const double largest_impulse = total_mass() * terms.velocity_unit + prepared_.outside_impulse();
+  const double largest_impulse = prepared_.problem.mass() * terms.velocity_unit + prepared_.outside_impulse();
   if (equilibrium_.refutes_rest(prepared_.problem, largest_impulse)) return false;
   return std::nullopt;
 }
@@ -234,7 +227,7 @@ bool RestProof::minimise_wall_forces(const Scene& scene, const StepTerms& terms)
   prepared_.minimise_wall_forces(scene, cost);
   interior_point_.start(prepared_.problem, terms.velocity_unit);
   // Where no force is needed, a share of the weight is as good as none.
-  const double negligible = kWallGap * cost * total_mass() * terms.velocity_unit;
+  const double negligible = kWallGap * cost * prepared_.problem.mass() * terms.velocity_unit;
   for (int i = 0; i < kInteriorIterations && interior_point_.iterate(prepared_.problem); ++i)
     if (interior_point_.gap() <= kWallGap * std::max(prepared_.wall_cost(), negligible)) return true;
   return false;

@@ -31,7 +31,6 @@ class RestProof {
   void find_resting_pushes(Scene& scene, const IslandView& island, const StepTerms& terms);
 
  private:
-  double total_mass() const;
   bool balances(const StepTerms& terms);
   KnownBalances::Island known_as(const Scene& scene, const IslandView& island);
   bool balances_between(Scene& scene, const KnownBalances::Island& island, const StepTerms& terms);

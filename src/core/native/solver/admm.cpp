@@ -28,8 +28,7 @@ bool AdmmSolver::refit_penalty(ContactProblem& problem, const SolveLimits& limit
                  .impulse_per_mass = problem.impulse_per_mass,
                  .continues = problem.continues};
   // A point carries at most the whole island on a constraint's four: what is more is an impact's impulse, not mass.
-  for (const ProblemBody& body : problem.bodies) fit.heaviest += body.mass;
-  fit.heaviest /= static_cast<double>(kLanes);
+  fit.heaviest = problem.mass() / static_cast<double>(kLanes);
   if (problem.continues) {
     const double others = count_misfits(fit, problem.constraints);
     if (others <= limits.refit_share * static_cast<double>(points)) return false;
@@ -64,6 +63,7 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
            result.residual <= limits.worst_residual * unit;
   };
   const int most = limits.iterations + limits.more_iterations;
+  const double largest_impulse = kAndersonImpulse * problem.mass() * problem.impulse_per_mass;
   while (!result.converged && result.iterations < (may_pass() ? limits.iterations : most)) {
     if (result.iterations % limits.refit_every == 0 && refit_penalty(problem, limits, points)) {
       factorise(problem);
@@ -75,7 +75,7 @@ SolveResult AdmmSolver::solve(ContactProblem& problem, const SolveLimits& limits
       // A solve that is accelerated from the start may go on from the one before it.
       if (result.iterations == limits.plain_iterations && limits.plain_iterations > 0) anderson_.restart();
       primal_residual = relax(problem.constraints, problem.velocity, u_, g_, r_);
-      anderson_.accelerate(problem.constraints, g_, r_);
+      anderson_.accelerate(problem.constraints, largest_impulse, g_, r_);
       project(limits.projection, problem.constraints, problem.mid_arms, g_, u_, problem.normal_bounds, wrench_);
     } else {
       primal_residual = relax_and_project(limits.projection, problem.constraints, problem.mid_arms, problem.velocity,

@@ -24,8 +24,8 @@ void Anderson::restart() {
   next_pause_ = kAndersonPause;
 }
 
-void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::vector<ConstraintVector>& g,
-                          const std::vector<ConstraintVector>& r) {
+void Anderson::accelerate(std::span<const ContactConstraint> constraints, double largest_impulse,
+                          std::vector<ConstraintVector>& g, const std::vector<ConstraintVector>& r) {
   double square = 0.0;
   dot(constraints, r, std::array{r.data()}, std::span(&square, 1));
   const bool known = has_last_ && last_g_.size() == g.size();
@@ -61,6 +61,11 @@ void Anderson::accelerate(std::span<const ContactConstraint> constraints, std::v
   double weight[kAndersonDepth];
   weigh(weight);
   subtract(std::span(g_step_).first(stored_), std::span(weight).first(stored_), g);
+  // The residual hardly sees impulses that press bodies against each other and move none.
+  const auto is_beyond = [&](const ConstraintVector& x) {
+    return std::any_of(x.row[0].begin(), x.row[0].end(), [&](double normal) { return !(normal <= largest_impulse); });
+  };
+  if (std::any_of(g.begin(), g.end(), is_beyond)) g = last_g_;
 }
 
 /// The inner products of `r` with all of `r_step_`.

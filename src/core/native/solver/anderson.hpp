@@ -19,10 +19,11 @@ class Anderson {
   void restart();
 
   /// The next x, in place of `g`.
-  /// @param constraints give the weights 1/R of the inner product
-  /// @param r       residual that goes with `g`
-  void accelerate(std::span<const ContactConstraint> constraints, std::vector<ConstraintVector>& g,
-                  const std::vector<ConstraintVector>& r);
+  /// @param constraints     give the weights 1/R of the inner product
+  /// @param largest_impulse of a point along its normal, up to which g is accelerated, N s
+  /// @param r               residual that goes with `g`
+  void accelerate(std::span<const ContactConstraint> constraints, double largest_impulse,
+                  std::vector<ConstraintVector>& g, const std::vector<ConstraintVector>& r);
 
  private:
   void along_steps(std::span<const ContactConstraint> constraints, const std::vector<ConstraintVector>& r,

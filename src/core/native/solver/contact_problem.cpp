@@ -10,6 +10,12 @@
 
 namespace holdfast::internal::native {
 
+double ContactProblem::mass() const {
+  double mass = 0.0;
+  for (const ProblemBody& body : bodies) mass += body.mass;
+  return mass;
+}
+
 void ContactProblem::reset_warm_start() {
   std::copy(free_velocity.begin(), free_velocity.end(), velocity.begin());
   mid_arms.clear();

@@ -50,6 +50,9 @@ struct ContactProblem {
   /// Drops the impulses, and the difference between the arms, and starts from the free velocities: what helps where
   /// an iteration diverges because bodies turn far within the step.
   void reset_warm_start();
+
+  /// Of all bodies, kg.
+  double mass() const;
 };
 
 /// Finds what the impulses give each body beyond its velocity, M (v* − v) + J_midᵀ y, kg m/s and kg m²/s: what a solve

@@ -8,6 +8,8 @@ using namespace holdfast::internal::native;
 
 namespace {
 
+constexpr double kLargestImpulse = 1e3;
+
 /// One constraint of one number: the others stay 0.
 struct OneNumber {
   std::vector<ContactConstraint> constraints = std::vector<ContactConstraint>(1);
@@ -25,7 +27,7 @@ struct OneNumber {
     r[0] = {};
     g[0].row[0][0] = iterate;
     r[0].row[0][0] = residual;
-    anderson.accelerate(constraints, g, r);
+    anderson.accelerate(constraints, kLargestImpulse, g, r);
     return g[0].row[0][0];
   }
 };
@@ -39,6 +41,17 @@ TEST_CASE("anderson: of a linear iteration in one direction the second step is t
   anderson.restart();
   CHECK(one.next(anderson, 1.0, 1.0) == 1.0);
   CHECK(one.next(anderson, 1.9, 0.9) == Approx(10.0));
+}
+
+TEST_CASE("anderson: what residuals hardly see does not grow without bound", "[core][anderson]") {
+  // The iterate drifts on by nearly 1 each time, and would come to rest far away.
+  for (const double far : {1e6, 1e12}) {
+    OneNumber one;
+    Anderson anderson;
+    anderson.restart();
+    CHECK(one.next(anderson, 1.0, 1.0) == 1.0);
+    for (int i = 1; i < 20; ++i) CHECK(one.next(anderson, 1.0 + i, 1.0 - i / far) == 1.0 + i);
+  }
 }
 
 TEST_CASE("anderson: pauses grow with every residual that jumps, and never end by themselves", "[core][anderson]") {
