@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/utf8.hpp"
+#include "core/model/friction_pairs.hpp"
 #include "core/model/given_container.hpp"
 #include "core/model/load_limits.hpp"
 
@@ -21,18 +22,19 @@ Vec3 lengths_of(const std::array<double, 3>& numbers, holdfast::LengthUnit unit)
 
 /// The number, which must be within the limits.
 /// @param what it is, with its box
-std::optional<double> within(std::optional<double> number, double least, const char* what, std::size_t index,
-                             const Box& box, ErrorList& errors) {
-  if (!number || (*number >= least && *number <= kMostOfLoad)) return number;
+std::optional<double> within(std::optional<double> number, double least, double most, const char* what,
+                             std::size_t index, const Box& box, ErrorList& errors) {
+  if (!number || (*number >= least && *number <= most)) return number;
   if (errors.full()) {
     errors.count_more();
     return std::nullopt;
   }
   const std::string name = box.name.empty() ? "" : " (" + box.name + ')';
-  errors.add({.what = std::string(what) + " of box " + std::to_string(index + 1) + name + " is not possible",
-              .value = number_text(*number),
-              .accepted = std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to 1000000",
-              .box = static_cast<long>(index) + 1});
+  errors.add(
+      {.what = std::string(what) + " of box " + std::to_string(index + 1) + name + " is not possible",
+       .value = number_text(*number),
+       .accepted = std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to " + rounded_text(most),
+       .box = static_cast<long>(index) + 1});
   return std::nullopt;
 }
 
@@ -47,9 +49,9 @@ std::optional<double> entry(std::span<const double> numbers, std::size_t index) 
 void take_parts(const holdfast::Box& given, std::size_t index, holdfast::LengthUnit unit, Box& box, ErrorList& errors) {
   if (!given.material_name.empty()) box.material = MaterialName(kept_name(given.material_name));
   if (!given.name.empty()) box.name = kept_name(given.name);
-  box.mass = within(given.mass, kLeastMass, "the mass", index, box, errors);
-  box.mat = within(given.mat, 0.0, "the friction of the mat", index, box, errors);
-  box.bearing_limit = within(given.bearing_limit, 0.0, "the bearing limit", index, box, errors);
+  box.mass = within(given.mass, kLeastMass, kMostOfLoad, "the mass", index, box, errors);
+  box.mat = within(given.mat, 0.0, kLargestFriction, "the friction of the mat", index, box, errors);
+  box.bearing_limit = within(given.bearing_limit, 0.0, kMostOfLoad, "the bearing limit", index, box, errors);
   box.fixed = given.fixed;
   if (given.order) box.order = static_cast<long>(*given.order);
   if (!given.centre_of_mass) return;
@@ -62,8 +64,8 @@ void take_parts(const holdfast::Box& given, std::size_t index, holdfast::LengthU
 
 void take_parts(const holdfast::LayoutView& given, std::size_t index, Box& box, ErrorList& errors) {
   if (!given.box_names.empty() && given.box_names[index] != nullptr) box.name = kept_name(given.box_names[index]);
-  box.mass = within(entry(given.masses, index), kLeastMass, "the mass", index, box, errors);
-  box.mat = within(entry(given.mats, index), 0.0, "the friction of the mat", index, box, errors);
+  box.mass = within(entry(given.masses, index), kLeastMass, kMostOfLoad, "the mass", index, box, errors);
+  box.mat = within(entry(given.mats, index), 0.0, kLargestFriction, "the friction of the mat", index, box, errors);
 }
 
 bool has_parts(const holdfast::LayoutView& layout) {

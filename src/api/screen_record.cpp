@@ -57,6 +57,8 @@ std::string config_text_of(const ScreenOptions& options) {
 }
 
 void check(const RecordOptions& options, const std::string& path, std::size_t layout_count) {
+  if (path.empty())
+    throw internal::exception_of({{.what = "an empty path", .accepted = "the name of the results file"}});
   if (layout_count == 0) throw internal::exception_of({{.file = path, .what = "a results file needs a layout"}});
   if (options.resume && options.overwrite)
     throw internal::exception_of({{.file = path, .what = "a run cannot both resume and overwrite"}});

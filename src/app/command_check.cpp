@@ -155,8 +155,8 @@ class InputCheck {
     // A text never has weights.
     const std::string_view without = loads.form.starts_with("text") ? "" : ", no weights";
     finding.description = fmt::format(
-        "{}{} boxes{}{}{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
-        mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : without, container_text(loads),
+        "{}{} {}{}{}{}", loads.loads.size() > 1 ? counted(loads.loads.size(), "load") + ", " : "", boxes,
+        boxes == 1 ? "box" : "boxes", mass > 0.0 ? fmt::format(", {:.6g} kg", mass) : without, container_text(loads),
         loads.ignored.empty() ? "" : "; not used: " + shown(fmt::format("{}", fmt::join(loads.ignored, ", "))));
   }
 

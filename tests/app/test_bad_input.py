@@ -105,7 +105,7 @@ class Check(CliTest):
         self.assert_exit(done, 2)
         self.assertEqual([line.split(" ")[0] for line in done.stderr.splitlines()],
                          ["a.txt:2:5:", "a.txt:3:13:", "b.txt:1:7:", "2"])
-        self.assertEqual(done.stdout, "a.txt: bad: layout (text), 2 errors\nb.txt: bad: acceleration, 1 error\ngood.txt: ok: layout (text), 1 boxes\n")
+        self.assertEqual(done.stdout, "a.txt: bad: layout (text), 2 errors\nb.txt: bad: acceleration, 1 error\ngood.txt: ok: layout (text), 1 box\n")
 
     def test_a_layout_that_was_cut_off_is_reported(self):
         text = layout_text(SEED)
@@ -170,7 +170,7 @@ class Check(CliTest):
         self.write("config.ini", f"# {digits}\n[Container]\nWidth = 233\n")
         done = self.run_here("check", "layout.txt", "acceleration.txt", "config.ini")
         self.assert_exit(done, 0)
-        self.assertEqual(done.stdout, "layout.txt: ok: layout (text), 1 boxes\nacceleration.txt: ok: acceleration, 1 segments, 1 s\n"
+        self.assertEqual(done.stdout, "layout.txt: ok: layout (text), 1 box\nacceleration.txt: ok: acceleration, 1 segments, 1 s\n"
                                       "config.ini: ok: config, 1 keys\n")
         self.assert_exit(self.run_here("screen", "-c", "config.ini", "--layouts", "layout.txt", "--accelerations",
                                        "acceleration.txt", "--quiet"), 0)

@@ -250,7 +250,7 @@ class Loads(CliTest):
             path = self.folder / f"{encoding}.csv"
             path.write_bytes(table.encode(encoding))
             done = run("check", path)
-            self.assertEqual(done.stdout, f"{path}: ok: layout (semicolon-separated table), 1 boxes, 41 kg, "
+            self.assertEqual(done.stdout, f"{path}: ok: layout (semicolon-separated table), 1 box, 41 kg, "
                                           "container 5.87 x 2.33 x 2.2 m; not used: Größe\n", encoding)
             self.assertEqual(done.stderr, f"warning: {path}: {note}\n" if note else "", encoding)
             run("screen", "--layouts", path, "--norm", "road", "--no-series", "--quiet", "--overwrite", "-o", self.folder / "r.h5")

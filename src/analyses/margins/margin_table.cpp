@@ -61,6 +61,13 @@ std::string size_text(double margin) {
   return fmt::format("{:.2f}{}", hundredths / 100.0, margin < kLargestMargin ? "" : "+");
 }
 
+/// What is needed, with a third digit where it has one.
+std::string need_text(double need) {
+  constexpr double kRounding = 1e-9;
+  const bool has_two = std::abs(need - std::round(100.0 * need) / 100.0) < kRounding;
+  return fmt::format("{:.{}f}", need, has_two ? 2 : 3);
+}
+
 /// In place, and within the limits where the file has that.
 std::string cell_of(const Judged& layout, std::size_t direction) {
   const std::string in_place = size_text(layout.margins.margin.at(direction));
@@ -118,7 +125,7 @@ Result<std::string> margin_table(ResultsReader& results) {
   text += has_spread ? "  weakest, and from 5 to 95 % of its replicas\n" : "  weakest\n";
   if (norm) {
     text += fmt::format("  {:<{}}", needed_name, width);
-    for (const double need : needed) text += fmt::format("{:>{}}", number_text(need), kCellWidth);
+    for (const double need : needed) text += fmt::format("{:>{}}", need_text(need), kCellWidth);
     text += '\n';
   }
   LoadNames names(results);

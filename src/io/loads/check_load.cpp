@@ -297,9 +297,7 @@ std::string pointer_of(const ReadLoad& load, long number) {
   return load.list_pointer.empty() ? "" : load.list_pointer + '/' + std::to_string(index);
 }
 
-}  // namespace
-
-void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
+void find_mistakes(ReadLoad& load, const std::string& path, const Settings& settings) {
   if (!load.errors.empty()) return;
   const double tolerance = settings.loads.overlap_tolerance.value_or(kFileOverlapTolerance);
   Layout& layout = load.layout;
@@ -327,6 +325,16 @@ void check_load(ReadLoad& load, const std::string& path, const Settings& setting
   warn_of_materials(layout, path, settings, load.warnings);
   warn_of_weights(layout, path, settings, load.warnings);
   warn_of_container(layout, path, settings, load.warnings);
+}
+
+}  // namespace
+
+void check_load(ReadLoad& load, const std::string& path, const Settings& settings) {
+  find_mistakes(load, path, settings);
+  const std::size_t own_name = load.layout.name.rfind('#');
+  if (own_name == std::string::npos) return;
+  for (Error& warning : load.warnings)
+    if (warning.file == path) warning.file += shown(load.layout.name.substr(own_name));
 }
 
 }  // namespace holdfast::internal

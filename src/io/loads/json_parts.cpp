@@ -7,6 +7,7 @@
 #include "core/base/utf8.hpp"
 #include "core/model/container_catalogue.hpp"
 #include "core/model/container_sides.hpp"
+#include "core/model/friction_pairs.hpp"
 #include "core/model/length_unit.hpp"
 #include "core/model/load_limits.hpp"
 #include "io/loads/read_load.hpp"
@@ -112,13 +113,13 @@ Mistake BoxReader::key(std::string_view key) {
   return wrong;
 }
 
-Mistake BoxReader::read_number(const JsonValue& value, double least, std::optional<double>& number) const {
-  if (is_number(value, least, kMostOfLoad)) {
+Mistake BoxReader::read_number(const JsonValue& value, double least, double most, std::optional<double>& number) const {
+  if (is_number(value, least, most)) {
     number = value.number;
     return std::nullopt;
   }
   return mistake(of_key(value.token == Token::number ? " is not possible" : " is not a number"), value.written,
-                 std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to 1000000");
+                 std::string(least > 0.0 ? "a number above 0" : "a number from 0") + ", up to " + rounded_text(most));
 }
 
 Mistake BoxReader::read_material(const JsonValue& value) {
@@ -145,11 +146,11 @@ Mistake BoxReader::read(const JsonValue& value) {
     case Key::material:
       return read_material(value);
     case Key::mass:
-      return read_number(value, kLeastMass, box_.mass);
+      return read_number(value, kLeastMass, kMostOfLoad, box_.mass);
     case Key::mat:
-      return read_number(value, 0.0, box_.mat);
+      return read_number(value, 0.0, kLargestFriction, box_.mat);
     case Key::bearing_limit:
-      return read_number(value, 0.0, box_.bearing_limit);
+      return read_number(value, 0.0, kMostOfLoad, box_.bearing_limit);
     case Key::fixed:
       if (value.token != Token::boolean)
         return mistake(of_key(" is neither true nor false"), value.written, "true or false");

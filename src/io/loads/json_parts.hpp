@@ -114,7 +114,7 @@ class BoxReader {
   std::string of_key(std::string_view what) const;
   Mistake read(const JsonValue& value);
   Mistake read_element(const JsonValue& value);
-  Mistake read_number(const JsonValue& value, double least, std::optional<double>& number) const;
+  Mistake read_number(const JsonValue& value, double least, double most, std::optional<double>& number) const;
   Mistake read_material(const JsonValue& value);
 
   std::string name_;

@@ -45,7 +45,13 @@ Result<std::string> csv_text(const std::vector<Layout>& loads, const std::string
   std::string text =
       "load,name,x1 (m),y1 (m),z1 (m),x2 (m),y2 (m),z2 (m),material,mass (kg),mat,fixed,order,bearing limit (kg),"
       "container type,container length (m),container width (m),container height (m)\n";
+  std::set<std::string> names;
   for (const Layout& load : loads) {
+    if (!names.insert(own_name(load)).second)
+      return Error{.file = path,
+                   .what = "two loads have one name, by which a table tells them apart",
+                   .value = own_name(load),
+                   .accepted = "another name, or one of the file that ends with .json"};
     if (load.container && !has_sides_of_type(*load.container))
       return Error{.file = path,
                    .what =

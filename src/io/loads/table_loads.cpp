@@ -151,12 +151,27 @@ class TableReader {
   /// Whether a row of a word for containers is one of cargo: a pallet with a place.
   bool is_cargo() const { return lower_case(text(plan_.type)).starts_with("pallet") && !is_unplaced(); }
 
+  /// Whether a row is one of sums: it is called so, and is none of a box.
   bool is_sum() const {
     constexpr std::size_t kLongest = 12;  // bytes, of the words and a colon
     const std::string_view name = text(plan_.name);
     if (name.empty() || name.size() > kLongest) return false;
     const std::string word = lower_case(name.substr(0, name.find(':')));
-    return std::find(kSumWords.begin(), kSumWords.end(), word) != kSumWords.end();
+    return std::find(kSumWords.begin(), kSumWords.end(), word) != kSumWords.end() && !has_place_and_size();
+  }
+
+  bool has_place_and_size() const {
+    const auto is_there = [&](const UsedColumn& column) { return !text(column).empty(); };
+    const auto has_length = [&](const UsedColumn& column) {
+      return is_there(column) && parse_number(text(column)) != 0.0;
+    };
+    const std::array<UsedColumn, 3> by_name = {plan_.length, plan_.width, plan_.height};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!is_there(plan_.low.at(axis)) && !is_there(plan_.middle.at(axis))) return false;
+      if (!has_length(plan_.extent.at(axis)) && !has_length(plan_.high.at(axis)) && !has_length(by_name.at(axis)))
+        return false;
+    }
+    return true;
   }
 
   bool has_unplaced_status() const {

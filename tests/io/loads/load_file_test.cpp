@@ -635,6 +635,7 @@ TEST_CASE("load_file: rows that are no boxes, and rows of several", "[io][loads]
   CHECK(summary_of("Plan 7,,,,,,,,,\nGross,17,kg,,,,,,,\n" + head + box) == kOneBox);
   CHECK(summary_of(head + box + head + "2,0,0,0,120,80,100,300,Not placed,1\n# no row\n") == kOneBox);
   CHECK(summary_of(head + box + "Total,0,0,0,0,0,0,300,,1\n") == kOneBox);
+  CHECK(summary_of(head + box + "Total,120,0,0,120,80,100,200,,1\n") == "1 loads, 2 boxes, 500 kg, first to 1.2 0.8 1");
   const LoadsOfFile mats =
       loads_of("x,y,z,l,w,h,mat\n0,0,0,120,80,100,x\n120,0,0,120,80,100,no\n240,0,0,120,80,100,55 %\n");
   CHECK(mats.loads[0].layout.boxes[0].mat == 0.6);

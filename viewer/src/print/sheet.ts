@@ -17,7 +17,7 @@ import { caveatsOf } from "../data/status";
 import { failing, JUDGED_AT_END, NOT_MODELLED, verdictText } from "../data/verdict";
 import { DIRECTIONS, judgedMargins } from "../fleet/rows";
 import { element } from "../ui/dom";
-import { fixed, marginNumber, percent, plural } from "../ui/text";
+import { fixed, LARGEST_MARGIN, marginNumber, percent, plural } from "../ui/text";
 import { bearingTable, type LimitedBox } from "./bearing";
 import { draw, HIGHEST, roomsOfViews, type State, VIEW_NAMES } from "./drawing";
 import { departures, endViews, sidesLeft, underText } from "./end_of_world";
