@@ -56,9 +56,9 @@ std::vector<holdfast::Setting> given_settings(const holdfast_settings* handle) {
 }
 
 Settings settings_of(const holdfast_settings* handle) {
-  Settings settings;
-  apply_settings(settings, given_settings(handle));
-  return settings;
+  Config config;
+  apply_settings(config, given_settings(handle));
+  return config.settings;
 }
 
 TextFile file_of(const char* name, const char* text) {

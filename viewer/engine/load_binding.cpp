@@ -71,9 +71,7 @@ std::optional<std::string> optional_text(const char* text) {
 /// The settings with what is chosen for files of loads beside them, as the options of the program choose it.
 Settings settings_with(const holdfast_settings* handle, const LoadChoices& choices) {
   Config config;
-  const std::vector<holdfast::Setting> given = given_settings(handle);
-  apply_settings(config.settings, given);
-  for (const holdfast::Setting& setting : given) config.given.insert({setting.section, setting.key});
+  apply_settings(config, given_settings(handle));
   Settings settings = config.settings;
   if (const auto wrong = choices.apply_to(settings, config)) throw exception_of({*wrong});
   return settings;
