@@ -50,8 +50,8 @@ TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_
 WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
 FEW_COLUMNS = 9  # of a table whose heads are in a line
 # Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations; those that
-# margins or walls take of them at least, those of the views of the end, those of the heads of a table, and the rows that each has anyway.
-LINES, LINES_OF_MARGINS, LINES_OF_END, LINES_OF_HEADS, LEAST_ROWS = 20, 6, 12, 4, 3
+# margins or walls take of them at least, those of the views of the end, those of the heads of a table and of a caveat that is explained, and the rows that each has anyway.
+LINES, LINES_OF_MARGINS, LINES_OF_END, LINES_OF_HEADS, LINES_OF_CAVEAT, LEAST_ROWS = 20, 6, 12, 4, 2, 3
 LINES_OF_SECOND_PAGE = 20  # that a load has where these do not fit; names may take two of them
 LINE_HEIGHT = 18  # pixels
 MOST_UNNAMED = 14  # kinds of boxes without names that are listed
@@ -430,6 +430,13 @@ def lines_beside(parts):
     return max(LINES_OF_MARGINS, *(1 + text.count("<tr>") for text in parts)) if any(parts) else 0
 
 
+def lines_of_caveats(caveats):
+    """Lines that caveats take beyond the first of a page: where a world has two, and where a second one is explained."""
+    all_of_page = [bit for bit in CAVEATS if any(own & bit for own in caveats)]
+    wrapped = sum(max(0, sum(bool(own & bit) for bit in CAVEATS) - 1) for own in caveats)
+    return wrapped + LINES_OF_CAVEAT * max(0, len(all_of_page) - 1)
+
+
 def rows_for(room, wanted):
     """Rows of the tables that share the room of a page, evenly but for those that want fewer.
 
@@ -672,7 +679,7 @@ def page(results, layout):
     beside = [margins_table(results, layout), walls_table(results, layout, worlds) if simulated else ""]
     limited = limited_boxes(results, layout)
     room = (LINES - lines_beside(beside) - (LINES_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4)
-            + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
+            - lines_of_caveats([results.caveats[world] for world in worlds]) + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
     rows = rows_for(room, [len(found), len(limited), len(items)])
     tables = ((boxes_table(results, layout, found, rows[0]) if found else "") + bearing_table(results, layout, limited, rows[1])
               + items_table(items, rows[2]))

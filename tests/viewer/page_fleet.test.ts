@@ -26,7 +26,7 @@ test("a file opens as the fleet, and its table is saved", async () => {
 test("the overview has the caveats, both margins, and what is not modelled", async () => {
   const page = await openPage({ file: "rich.h5" });
   const aside = await page.innerText("aside");
-  assert.match(aside, /caveats\s+marginal\s+6/i);
+  assert.match(aside, /caveats[\s\S]*\smarginal\s+6/i);
   assert.match(aside, /Straps, air bags and stretch film are not modelled\./);
   await page.keyboard.press("ArrowDown");
   const detail = await page.innerText(".detail");

@@ -43,10 +43,12 @@ import {
 
 /** Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations. */
 const LINES = 20;
-/** Those that margins or walls take of them at least, those of the views of the end, and those of the heads of a table. */
+/** Those that margins or walls take of them at least, those of the views of the end, of the heads of a table, and of
+ * a second caveat that is explained. */
 const LINES_OF_MARGINS = 6;
 const LINES_OF_END = 12;
 const LINES_OF_HEADS = 4;
+const LINES_OF_CAVEAT = 2;
 /** Rows that each table has anyway. */
 const LEAST_ROWS = 3;
 /** That a load has where these do not fit; names may take two of them. */
@@ -367,6 +369,12 @@ function linesBeside(parts: readonly (HTMLElement | null)[]): number {
   return parts.some((part) => part) ? Math.max(LINES_OF_MARGINS, 1 + Math.max(...rows)) : 0;
 }
 
+/** Lines that caveats take beyond the first of a page: where a world has two, and where a second one is explained. */
+function linesOfCaveats(caveats: readonly (readonly string[])[]): number {
+  const wrapped = caveats.reduce((sum, own) => sum + Math.max(0, own.length - 1), 0);
+  return wrapped + LINES_OF_CAVEAT * Math.max(0, new Set(caveats.flat()).size - 1);
+}
+
 /**
  * Rows of the tables that share the room of a page, evenly but for those that want fewer.
  * @param room lines, with those of the heads of tables
@@ -434,7 +442,8 @@ export function loadSheet(
     linesBeside([margins, walls]) -
     (end ? LINES_OF_END : 0) -
     left.length -
-    Math.max(0, worlds.length - 4) +
+    Math.max(0, worlds.length - 4) -
+    linesOfCaveats(worlds.map(({ index }) => caveatsOf(results.worlds.caveats[index]).map(({ name }) => name))) +
     Math.floor((HIGHEST - rooms.top[1] - rooms.side[1]) / LINE_HEIGHT);
   const [beyond, items] = [farthestBoxes(simulated), toldItems(world.boxes)];
   const rows = rowsFor(room, [beyond.length, limited.length, items.length]);
