@@ -50,7 +50,8 @@ TEXTS = ("name", "sha256", "header", "status_text", "engine", "config", "layout_
 WITHIN_LIMIT = 1e-3  # kg above a limit that count as within it, as for `holdfast check`
 FEW_COLUMNS = 9  # of a table whose heads are in a line
 # Lines for which a page has room in its tables of boxes, of bearing and of what is loaded, beside four accelerations; those that
-# margins or walls take of them at least, those of the views of the end, those of the heads of a table and of a caveat that is explained, and the rows that each has anyway.
+# margins or walls take of them at least, those of the views of the end, of the heads of a table and of a second caveat that is
+# explained, and the rows that each has anyway.
 LINES, LINES_OF_MARGINS, LINES_OF_END, LINES_OF_HEADS, LINES_OF_CAVEAT, LEAST_ROWS = 20, 6, 12, 4, 2, 3
 LINES_OF_SECOND_PAGE = 20  # that a load has where these do not fit; names may take two of them
 LINE_HEIGHT = 18  # pixels
@@ -679,7 +680,8 @@ def page(results, layout):
     beside = [margins_table(results, layout), walls_table(results, layout, worlds) if simulated else ""]
     limited = limited_boxes(results, layout)
     room = (LINES - lines_beside(beside) - (LINES_OF_END if end else 0) - left.count("<p>") - max(0, len(worlds) - 4)
-            - lines_of_caveats([results.caveats[world] for world in worlds]) + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
+            - lines_of_caveats([results.caveats[world] for world in worlds])
+            + int(HIGHEST - rooms["top"][1] - rooms["side"][1]) // LINE_HEIGHT)
     rows = rows_for(room, [len(found), len(limited), len(items)])
     tables = ((boxes_table(results, layout, found, rows[0]) if found else "") + bearing_table(results, layout, limited, rows[1])
               + items_table(items, rows[2]))

@@ -179,6 +179,9 @@ TEST_CASE("load_file: a load is the same in every kind of file", "[io][loads]") 
     }
     CHECK(read.loads[0].layout.name == path + "#Unit 1");
   }
+  // A table tells loads by their names.
+  CHECK(loads_text({loads[0], loads[0]}, "out.json"));
+  CHECK_FALSE(loads_text({loads[0], loads[0]}, "out.csv"));
   CHECK_FALSE(loads_text(loads, "out.txt"));
   CHECK_FALSE(loads_text(loads, "out"));
   const LoadsOfFile plain = loads_of("1 1\n0 0 0 80 59.5 106 4\n", {}, "a.txt");
@@ -369,6 +372,24 @@ TEST_CASE("load_file: boxes that overlap or are outside are told with their plac
                    "a.json") == Messages{"a.json: /layers/2/items/0: box 3 " + outside});
   CHECK(all_errors("x,y,z,l,w,h\n0,0,0,100,100,100\n,,,100,100,100\n500,0,0,100,100,100\n") ==
         Messages{"a.csv:4: box 2 " + outside});
+}
+
+TEST_CASE("load_file: a drop side beside a type leaves the type's other open sides open", "[io][loads]") {
+  const LoadsOfFile read = loads_of(
+      R"({"holdfast": 1, "loads": [{"container": {"type": "trailer-curtain", "drop_sides": {"left": 0.6}},
+                                    "boxes": [[0, 0, 0, 1, 1, 1, 1]]}]})",
+      {}, "a.json");
+  REQUIRE(messages_of(read.loads[0].errors) == Messages{});
+  CHECK(read.loads[0].layout.container->open_sides == std::vector<std::string>{"right"});
+  CHECK(read.loads[0].layout.container->drop_sides.size() == 1);
+}
+
+TEST_CASE("load_file: warnings say which load of a file they mean", "[io][loads]") {
+  const LoadsOfFile read = loads_of("load,x,y,z,l,w,h,kg\nA,0,0,0,120,80,100,300\nB,0,0,0,120,80,100,0.3\n");
+  REQUIRE(read.loads.size() == 2);
+  CHECK(read.loads[0].warnings.empty());
+  REQUIRE_FALSE(read.loads[1].warnings.empty());
+  CHECK(read.loads[1].warnings[0].file.ends_with("#B"));
 }
 
 TEST_CASE("load_file: boxes that overhang a drop side are not taken for those of a wider container", "[io][loads]") {
