@@ -309,4 +309,23 @@ TEST_CASE("mixed_friction: a box slides over a large island as far as its fricti
   for (std::size_t i = 0; i < 40; ++i) CHECK(end.displacement(i).norm() < 1e-3);
 }
 
+// Five boxes that stand, touch and carry: each edge that the sixth passes shifts what the others carry.
+TEST_CASE("mixed_friction: a box slides over flush tops by the exact path, at each accuracy and step",
+          "[physics][mixed]") {
+  Layout layout = layout_of({});
+  for (int i = 0; i < 5; ++i) layout.boxes.push_back(of("1", {12 + 0.8 * i, 9, 0}, {0.8, 0.5, 0.9}));
+  layout.boxes.push_back(of("1", {15.2, 9, 0.9}, {0.8, 0.5, 1.06}));
+  const double friction = 0.5, braking = 0.8 * kGravity, duration = 1.0;
+  Settings settings = open_floor(1.5);
+  set_pair(settings, "1, 1", friction);
+  const double way = 0.5 * (braking - friction * kGravity) * duration * duration;
+  settings.native.accuracy = GENERATE(Accuracy::screening, Accuracy::standard, Accuracy::reference);
+  settings.native.steps_per_second = GENERATE(30.0, 60.0, 120.0, 240.0, 1000.0);
+  const Run end = native_scenes::native_run(
+      layout, acceleration_of({{0.5, Vec3::Zero()}, {duration, Vec3(braking, 0, 0)}}), settings);
+  CAPTURE(static_cast<int>(settings.native.accuracy), settings.native.steps_per_second,
+          text(-end.displacement(5).x() - way));
+  CHECK(-end.displacement(5).x() == Approx(way).margin(1e-6));
+}
+
 }  // namespace mixed_friction_test

@@ -65,8 +65,8 @@ struct Golden {
 constexpr Golden kGolden[] = {
     {"brake", brake, 0x73c47c26719894d0},
     {"lean", lean, 0x39ee2ff3a35c344a},
-    {"tumble", tumble, 0x203772ffc1a5ed9b},
-    {"drop", drop, 0xa6d0568d8a221863},
+    {"tumble", tumble, 0x8a922588464ddbb4},
+    {"drop", drop, 0xde6be05a7d9a81d0},
 };
 
 }  // namespace

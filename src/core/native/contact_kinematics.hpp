@@ -108,11 +108,12 @@ inline double leaning_gap(const Scene& scene, const Manifold& manifold) {
 /// @param gap_before nearest gap of the contact before it, m; infinite: there was none
 bool is_missed_contact(const ContactSet& contact, double gap_before, double deep);
 
-/// Overlap at the end of a step from which a contact has to be solved, m: none where it can carry weight. A box that
-/// slides from one support to the next would sink at each by as much.
+/// Overlap at the end of a step from which a contact has to be solved, m: none but rounding where it can carry weight.
+/// A box that slides from one support to the next would tilt at each until it overlaps by as much, and slide on
+/// downhill.
 /// @param beside where it cannot, m
 inline double penetration_slop(const Bodies& bodies, const Manifold& manifold, double beside) {
-  return supports(bodies, manifold) ? kTouch : beside;
+  return supports(bodies, manifold) ? kNegligible * kTouch : beside;
 }
 
 /// Gap up to which contacts are looked for: two bodies this near may meet within the next step, however long it is, m.

@@ -37,7 +37,8 @@ struct Effort {
   double reset_tolerance = kNegligible * tolerance;  // |g − a| h
   /// Iterations of such a solve, at most.
   int reset_iterations = kResetIterations * iterations;  // iterations
-  /// Overlap that a step may end with before a contact is solved that carries no weight; `kTouch` where it can.
+  /// Overlap that a step may end with before a contact is solved that can carry no weight; `kNegligible` of `kTouch`
+  /// where it can.
   double penetration_slop = kTouch;  // m
 };
 

@@ -117,6 +117,11 @@ SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& isl
     limits.refit_every = kLargeIslandCheckEvery;
   }
   limits.more_iterations = kMoreIterations * effort_.iterations;
+  if (island.bodies.size() <= kSmallIslandBodies && one_moves(scene.bodies, island, terms)) {
+    // What slides over boxes that stand shall not feel where one ends: what a solve leaves there stays in its path.
+    limits.worst_residual = kNegligible;
+    limits.more_iterations = effort_.reset_iterations;
+  }
   return limits;
 }
 
