@@ -66,7 +66,7 @@ constexpr Golden kGolden[] = {
     {"brake", brake, 0x73c47c26719894d0},
     {"lean", lean, 0x39ee2ff3a35c344a},
     {"tumble", tumble, 0x8a922588464ddbb4},
-    {"drop", drop, 0xde6be05a7d9a81d0},
+    {"drop", drop, 0xe525aa7a86af08c2},
 };
 
 }  // namespace

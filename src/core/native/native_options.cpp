@@ -22,7 +22,6 @@ NativeOptions native_options(const Settings& settings) {
       options.small_island.tolerance = 1e-9;
       options.small_island.iterations = 100;
       options.small_island.impact_cuts = options.small_island.slip_end_cuts = 32;
-      options.small_island.sliding_penalty = kSlidingPenalty;
       // Below about 1e-3 of |g − a| h, the velocities of a jammed crowd are not determined.
       options.large_island.tolerance = 1e-6;
       options.large_island.iterations = 100;

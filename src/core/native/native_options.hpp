@@ -46,7 +46,9 @@ struct Effort {
 struct NativeOptions {
   /// Steps per second of simulated time, at least.
   double steps_per_second = 240.0;  // 1/s
-  Effort small_island;              ///< for islands of at most `kSmallIslandBodies`
+  /// For islands of at most `kSmallIslandBodies`. Of larger ones in which one body moves: the tolerances, residuals,
+  /// iterations and penalties, and how often a slip that ends may cut a step.
+  Effort small_island;
   /// For larger ones. Their impacts are solved at the end of a step, since there are many at any time, and to locate
   /// them takes five times as long. They are located while one body moves alone, and, while the acceleration goes to
   /// and fro, in islands of up to `kMediumIslandBodies`.

@@ -12,7 +12,7 @@ SolveResult IslandSolve::solve(SolveLimits limits, const StepTerms& terms, doubl
     return result.residual <= bound * limits.velocity_unit;
   };
   SolveResult result = solve_once(limits, report);
-  if (limits.more_iterations == 0 || is_within(result, limits.worst_residual)) return result;
+  if (limits.more_iterations == 0 || is_within(result, kNoticeable)) return result;
   const auto solve_longer = [&] {
     limits.plain_iterations = kPlainIterations;
     limits.more_iterations = kMoreIterations * (limits.iterations + limits.more_iterations);

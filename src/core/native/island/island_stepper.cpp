@@ -18,10 +18,10 @@ double mean_speed(const Bodies& bodies, const IslandView& island) {
   return std::sqrt(squares / static_cast<double>(island.bodies.size()));
 }
 
-/// Whether at most one body of the island moves: it may hit what stands.
+/// Whether exactly one body of the island moves: it may slide over others that stand, or hit them.
 bool one_moves(const Bodies& bodies, const IslandView& island, const StepTerms& terms) {
   const auto moves = [&](std::uint32_t body) { return bodies.largest_speed(body) > kSmall * terms.velocity_unit; };
-  return std::count_if(island.bodies.begin(), island.bodies.end(), moves) <= 1;
+  return std::count_if(island.bodies.begin(), island.bodies.end(), moves) == 1;
 }
 
 }  // namespace
@@ -29,7 +29,10 @@ bool one_moves(const Bodies& bodies, const IslandView& island, const StepTerms& 
 void IslandStepper::advance(Scene& scene, const IslandView& island, const StepTerms& terms, IslandReport& report) {
   effort_ = options_.effort(island.bodies.size());
   const bool crowd = island.bodies.size() > (terms.to_and_fro ? kMediumIslandBodies : kSmallIslandBodies);
-  if (crowd && !one_moves(scene.bodies, island, terms)) effort_.impact_cuts = 0;
+  if (one_moves(scene.bodies, island, terms))
+    effort_.slip_end_cuts = options_.small_island.slip_end_cuts;
+  else if (crowd)
+    effort_.impact_cuts = 0;
   const SolveLimits limits = step_limits(scene, island, terms);
   impact_cuts_ = slip_cuts_ = 0;
   for (double remaining = terms.step; remaining > 0.0;) {
@@ -99,28 +102,31 @@ IslandStepper::Part IslandStepper::solve_part(Scene& scene, const IslandView& is
 /// oscillates, the step before is a good guess for what moves already: solves take a half of the time, and the one of a
 /// light box under a heavy one converges.
 SolveLimits IslandStepper::step_limits(const Scene& scene, const IslandView& island, const StepTerms& terms) const {
+  // How one body moves is determined, even in a large island. How a jammed crowd moves is not.
+  const bool one = one_moves(scene.bodies, island, terms);
+  const Effort& effort = one ? options_.small_island : effort_;
   SolveLimits limits;
   if (terms.reset_warm_start && (terms.refuted || !terms.oscillates())) {
-    limits = limits_after_reset(effort_);
+    limits = limits_after_reset(effort);
   } else {
     // Where g − a oscillates, what a solve leaves holds back or lets slip in every cycle, and adds up.
-    limits.tolerance = terms.oscillates() ? options_.small_island.tolerance : effort_.tolerance;
-    limits.iterations = terms.oscillates() ? effort_.reset_iterations : effort_.iterations;
-    limits.sticking = effort_.sticking_penalty;
-    limits.sliding = effort_.sliding_penalty;
+    limits.tolerance = terms.oscillates() ? options_.small_island.tolerance : effort.tolerance;
+    limits.iterations = terms.oscillates() ? effort.reset_iterations : effort.iterations;
+    limits.sticking = effort.sticking_penalty;
+    limits.sliding = effort.sliding_penalty;
   }
   const double speed = mean_speed(scene.bodies, island);
   const double slow = speed < terms.velocity_unit ? std::max(kSmall, speed / terms.velocity_unit) : 1.0;
-  limits.mean_residual = slow * (terms.oscillates() ? kNegligible : effort_.mean_residual);
+  limits.mean_residual = slow * (terms.oscillates() ? kNegligible : effort.mean_residual);
   if (island.bodies.size() > kSmallIslandBodies) {
     limits.idle_penalty = kLargeIslandIdlePenalty;
     limits.refit_every = kLargeIslandCheckEvery;
   }
-  limits.more_iterations = kMoreIterations * effort_.iterations;
-  if (island.bodies.size() <= kSmallIslandBodies && one_moves(scene.bodies, island, terms)) {
+  limits.more_iterations = kMoreIterations * effort.iterations;
+  if (one) {
     // What slides over boxes that stand shall not feel where one ends: what a solve leaves there stays in its path.
     limits.worst_residual = kNegligible;
-    limits.more_iterations = effort_.reset_iterations;
+    limits.more_iterations = effort.reset_iterations;
   }
   return limits;
 }
