@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 """What half and twice of each tuned number of the native engine change.
 
-The sources are copied and built with numbers that are read from the environment, but for sizes of arrays, for which they are
-built anew. Each number is then halved and doubled, and compared with the engine as it is: measurements of `holdfast
-validate --quick` that no longer pass or pass now, for numbers of reference those of all suites but loads, and of the bundled layouts under the road accelerations, at screening
-and at standard, verdicts, contact iterations and steps, which are the work without the noise of a clock. Verdicts of up
-to 5 of 136 worlds change with any bit.
+The sources are copied and built with numbers that are read from the environment, but for sizes of arrays, for which they
+are built anew. Each number is then halved and doubled, and compared with the engine as it is. Compared are measurements of
+`holdfast validate --quick` that no longer pass or pass now (for numbers of reference those of all suites but loads). On the
+bundled layouts under the road accelerations, at screening and at standard, verdicts are compared, and contact iterations
+and steps, which are the work without the noise of a clock. Verdicts of up to 5 of 136 worlds change with any bit.
 
 What is found replaces the rows of these numbers in bench/sensitivity.tsv, of which tools/parameters_page.py makes a table of
-docs/physics/parameters.md. Literals that merely guard against rounding, and numbers of forces on walls, are left alone. About a quarter of a minute of processor
-time per value.
+docs/physics/parameters.md. Literals that merely guard against rounding, and numbers of forces on walls, are left alone.
+About a quarter of a minute of processor time per value.
 
 Example: bench/sensitivity.py --only kSmall kCheckEvery     # all numbers without --only: half an hour on two cores
 """
