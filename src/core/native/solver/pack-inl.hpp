@@ -9,6 +9,10 @@
 #define HOLDFAST_PACK_INL
 #endif
 
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE__)
+#error "compile this with -O1 at least, as src/core/CMakeLists.txt does: without, GCC 12 loses vectors"
+#endif
+
 #include <hwy/highway.h>
 #include <array>
 #include <cstddef>
